@@ -96,7 +96,7 @@ Result<BatchWork> planned(const Batch& batch, const Json& settings) {
     }
     if (!listing->leftOut.empty())
         printError(listing->leftOut.front() + ": this and " + std::to_string(listing->leftOut.size() - 1) +
-                   " more files are no scans but records or exports, and are left out; name them singly to have them read.");
+                   " more files are not scans but records or exports, and are left out; name them singly to have them read.");
     for (const batch::ArchiveListing::NotRead& one : listing->notRead) printError(printable(one.path) + ": " + one.why + ".");
     for (const std::string& input : listing->inputs) claimInput(input); // no table and no result replaces a scan
     for (const std::string& asked : batch.asked) claimInput(asked);     // or a list
@@ -177,7 +177,7 @@ void noteEnd(Running& running, const batch::JobEnd& end) {
     } else {
         row = failedRow(running.work, end.job, end.death);
     }
-    if (!row.is_object()) row = failedRow(running.work, end.job, "its answer is no row");
+    if (!row.is_object()) row = failedRow(running.work, end.job, "its answer is not a row");
     const std::string outcome = row.value("outcome", "");
     ++(outcome == "done" ? running.counts.done : outcome == "refused" ? running.counts.refused : running.counts.failed);
     if (row.contains("error") && row["error"].is_string()) printError(row["error"].get<std::string>());
@@ -346,7 +346,7 @@ void addFlags(CLI::App& command, Batch& batch) {
         ->capture_default_str()
         ->group(group);
     command.add_option("--names", batch.names, "The folder of each scan's results: " + fields)->capture_default_str()->group(group);
-    command.add_flag("--no-sidecars", batch.noSidecars, "No records beside pictures and clouds")->group(group);
+    command.add_flag("--no-sidecars", batch.noSidecars, "No records next to pictures and clouds")->group(group);
     command.add_flag("--no-survey", batch.noSurvey, "No survey.html")->group(group);
     group = "Run";
     addNumber(command, "--jobs", batch.jobs, {0, 1024}, "Scans at the same time; 0 = one per processor").group(group);

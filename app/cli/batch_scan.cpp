@@ -305,7 +305,7 @@ Result<std::vector<WantedFile>> wantedFiles(const std::string& commaSeparated) {
         const auto word = std::ranges::find(resultWords(), typed.substr(0, dot), &ResultWord::word);
         const bool hasExtension = word != resultWords().end() && word->extension.empty();
         if (word == resultWords().end() || hasExtension != (dot < typed.size()))
-            return Error{"this is no result", typed, "use " + wantedWords()};
+            return Error{"this is not a result", typed, "use " + wantedWords()};
         const std::string extension = hasExtension ? typed.substr(dot) : word->extension;
         if (hasExtension) {
             if (auto can = exports::checkExtension(*word->kind, "x" + extension, typed, " "); !can) return can.error();

@@ -42,7 +42,7 @@ std::string tableOf(const inspect::SelfCalibration& found) {
            errorLine("  tilt of fan   ", e.tiltDeg(), sd.tiltDeg(), "degrees", 4) +
            errorLine("  beam index    ", e.indexDeg(), sd.indexDeg(), "degrees", 4) +
            (found.turnIsEstimated ? errorLine("  turn at 180   ", e.turnDeg(), sd.turnDeg(), "degrees", 4)
-                                  : "  turn at 180     not told by a sweep mounting; the step stays as it is\n") +
+                                  : "  turn at 180     a sweep mounting does not show it; the step stays as it is\n") +
            "the two views of " + std::to_string(found.cells) + " cells lay " + fixedText(found.medianBeforeMm, 1) + " mm apart and lie " +
            fixedText(found.medianAfterMm, 1) + " mm apart with these errors (median; noise explains " + fixedText(found.noiseMm, 1) +
            " mm)\n";
@@ -95,7 +95,7 @@ Result<Done> checkTogether(const Calibrate& asked) {
         return Error{"backlash needs two passes, " + std::to_string(asked.files.size()) + " given", "--backlash",
                      "give the pass there, then the pass back"};
     if (asked.backlash && !(asked.out.empty() && asked.base.empty() && asked.picture.empty() && asked.seam.empty()))
-        return Error{"backlash is told and goes into no calibration file", "--backlash",
+        return Error{"the backlash is reported only; a calibration file does not hold it", "--backlash",
                      "leave -o, --base, --picture and --seam out; --json writes it"};
     if (!asked.backlash && asked.out.empty()) return Error{"no name for the calibration file", "-o", "give -o CALIBRATION.json"};
     return checkDistinct(std::array{asked.out, asked.picture, asked.seam, asked.json});
@@ -164,9 +164,10 @@ void addCalibrate(CLI::App& app, int& code) {
         .add_option("FILE", asked->files, "Scans of one assembly: spin mounting, 200 to 360 degrees of turn; sweep mounting, 300 to 360")
         ->required();
     command.add_option("-o,--output", asked->out, "New calibration file; - is stdout");
-    command.add_flag("--backlash", asked->backlash,
-                     "Of two passes over the same lines, there and back: tell how far the stepper lags behind when it turns the other way");
-    command.add_option("--base", asked->base, "The robot's present calibration file: its stepper is set anew, all else stays");
+    command.add_flag(
+        "--backlash", asked->backlash,
+        "Of two passes over the same lines, there and back: report how far the stepper lags behind when it turns the other way");
+    command.add_option("--base", asked->base, "The robot's present calibration file: its stepper is replaced, all else stays");
     command.add_option("--picture", asked->picture, "New PNG: how far the two views lie apart, before and after");
     command.add_option("--seam", asked->seam, "New PNG: the edges of both views drawn over each other, before and after");
     command.add_option("--json", asked->json, "The result as JSON; - is stdout");

@@ -3,13 +3,31 @@
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/exports/report.h"
+#include "core/files/open_save/topics_of_file.h"
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <memory>
 
 namespace edgescan::cli {
 namespace {
+
+/// The topics of a ROS bag; null: the file is none.
+nlohmann::ordered_json bagReport(const std::string& file) {
+    const auto listing = files::topicsOfFile(file);
+    if (!listing || !*listing) return nullptr;
+    nlohmann::ordered_json topics = nlohmann::ordered_json::array();
+    for (const files::ListedTopic& topic : (*listing)->topics)
+        topics.push_back({{"topic", topic.name},
+                          {"type", topic.type},
+                          {"messages", topic.messages},
+                          {"hertz", std::round(topic.hertz * 1000) / 1000},
+                          {"frame", topic.frame},
+                          {"gives", topic.gives},
+                          {"scan", topic.isScan}});
+    return {{"kind", (*listing)->kind}, {"topics", topics}, {"warnings", (*listing)->warnings}};
+}
 
 struct Info {
     std::vector<std::string> files;
@@ -21,7 +39,9 @@ int run(const Info& info) {
     for (const std::string& file : info.files) {
         const auto one = [&] {
             const Result<Scan> scan = files::openAsAsked(file, readingOptions(info.read));
-            printResult(scan ? document("info", exports::infoReport(*scan)) : refusal("info", file, scan.error()), false);
+            nlohmann::ordered_json report = scan ? document("info", exports::infoReport(*scan)) : refusal("info", file, scan.error());
+            if (auto bag = bagReport(file); !bag.is_null()) report["bag"] = std::move(bag);
+            printResult(report, false);
             if (!scan) printError(scan.error());
             return scan ? kDone : kRefused;
         };

@@ -33,7 +33,7 @@ struct Record {
 };
 
 void showStatus(const files::LiveStatus& status) {
-    std::string line = scanner::connectionPhaseName(status.session.phase);
+    std::string line = scanner::connectionPhaseName(status.connection.phase);
     line += "  " + status.sweep.text() + ", " + std::to_string(status.sweep.lost.size()) + " lost, " +
             std::to_string(status.statistics.reconnects) + " reconnects";
     if (const auto remarks = status.sweep.irregular.sentences(); !remarks.empty())
@@ -45,7 +45,7 @@ void showStatus(const files::LiveStatus& status) {
 
 // True if the recording has the requested sweeps or lines, or can no longer get them.
 bool finished(const Record& record, const files::LiveStatus& status, std::chrono::steady_clock::time_point start) {
-    if (interrupted() || status.session.phase == scanner::ConnectionPhase::Stopped) return true;
+    if (interrupted() || status.connection.phase == scanner::ConnectionPhase::Stopped) return true;
     if (status.recording && status.recording->ended) return true;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     return (record.lines > 0 && status.lines >= record.lines) || (record.seconds > 0 && elapsed.count() >= record.seconds);
@@ -61,7 +61,7 @@ std::vector<std::string> remarks(const files::LiveStatus& status, const files::R
     const scanner::TelegramAccount& account = status.sweep.account;
     count(static_cast<std::uint64_t>(account.linesLost), " lines of the sweeps are lost in whole or in part.");
     count(static_cast<std::uint64_t>(status.undecodable), " scan telegrams could not be decoded.");
-    count(status.statistics.stream.skipped, " bytes were no telegram and were skipped.");
+    count(status.statistics.stream.skipped, " bytes were not a telegram and were skipped.");
     count(recorded.dropped, " telegrams are missing in the recording.");
     if (recorded.unsynced() > 0)
         all.push_back("The disk has not confirmed the last " + std::to_string(recorded.unsynced()) +
@@ -161,7 +161,7 @@ int run(const Record& record) {
         return kRefused;
     }
     if (status.lines == 0) {
-        Error none = scanner::noLinesError(status.session, record.address);
+        Error none = scanner::noLinesError(status.connection, record.address);
         if (status.statistics.stream.bytes > 0) none.hint += "; what did arrive is in " + record.out;
         printError(none);
         return kRefused;
@@ -179,7 +179,7 @@ void addRecord(CLI::App& app, int& code) {
     command.add_option("-o,--output", record->out, "New recording (.mcap)")->required();
     addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly so many lines; 0 = until Ctrl+C");
     addNumber(command, "--seconds", record->seconds, kSeconds, "End after so many seconds; 0 = run on");
-    const char* group = "Mounting of the stepper (what is not said is assumed, told and marked in the recording)";
+    const char* group = "Mounting of the stepper (what is not given is assumed, reported and marked in the recording)";
     Mounting& mounting = record->mounting;
     command.add_option("--axis", record->axis, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)")
         ->check(CLI::IsMember({"spin", "sweep"}))
@@ -189,7 +189,7 @@ void addRecord(CLI::App& app, int& code) {
         .group(group);
     command.add_option("--calibration", mounting.calibration, "Calibration file of the robot: says axis and step")->group(group);
     addMountingFlags(command, mounting, group);
-    command.add_flag("--progress", record->progress, "Tell the progress on stderr also where that is no terminal");
+    command.add_flag("--progress", record->progress, "Report the progress on stderr also where that is not a terminal");
     command.callback([record, &code] { code = run(*record); });
 }
 

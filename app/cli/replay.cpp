@@ -55,7 +55,7 @@ int run(const ReplayWanted& wanted) {
         if (!wanted.quiet) printResult(document("replay-line", lineReport(replay)), false);
         waitForNextLine(replay, wanted.speed);
     });
-    if (scan && scan->format != "recording") scan = Error{"this is no recording", wanted.file, "open it with detect"};
+    if (scan && scan->format != "recording") scan = Error{"this file is not a recording", wanted.file, "open it with detect"};
     if (!scan) {
         printError(scan.error());
         return kRefused;

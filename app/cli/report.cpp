@@ -13,6 +13,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/html/scan_page.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -20,7 +21,7 @@ namespace edgescan::cli {
 namespace {
 
 struct ReportCommand {
-    std::string file, out, operatorName, role, targets, before;
+    std::string file, out, operatorName, role, targets, before, site, remark, logo;
     bool withRocks = false;
     RockFlags rocks;
     ReadFlags read;
@@ -36,6 +37,9 @@ std::string commandOf(const ReportCommand& report) {
     if (!report.before.empty()) command += " --before " + shellQuoted(report.before);
     if (!report.operatorName.empty()) command += " --operator " + shellQuoted(report.operatorName);
     if (!report.role.empty()) command += " --role " + shellQuoted(report.role);
+    if (!report.site.empty()) command += " --site " + shellQuoted(report.site);
+    if (!report.remark.empty()) command += " --remark " + shellQuoted(report.remark);
+    if (!report.logo.empty()) command += " --logo " + shellQuoted(report.logo);
     return command;
 }
 
@@ -53,7 +57,26 @@ Result<inspect::SceneChange> changeSince(const ReportCommand& report, const edge
     return inspect::sceneChange({now.scan, now.mask}, {earlier->scan, earlier->mask});
 }
 
+Result<std::string> logoOf(const ReportCommand& report) {
+    if (report.logo.empty()) return std::string();
+    const auto bytes = readInput(report.logo);
+    return bytes ? exports::logoFrom(textOf(*bytes), report.logo) : bytes.error();
+}
+
+/// This program writes pages. A browser prints them.
+Result<Done> checkOutput(const ReportCommand& report) {
+    const std::filesystem::path extension = std::filesystem::path(report.out).extension();
+    if (extension != ".pdf" && extension != ".PDF") return Done{};
+    return Error{
+        "the command line writes a report as HTML, not as PDF", report.out,
+        "give a name that ends with .html, and print the page: chromium --headless --print-to-pdf=report.pdf report.html; the viewer "
+        "writes a PDF itself"};
+}
+
 Result<Done> make(const ReportCommand& report) {
+    if (auto right = checkOutput(report); !right) return right;
+    const Result<std::string> logo = logoOf(report);
+    if (!logo) return logo.error();
     Result<Scan> opened = openAndWarn(report.file, report.read);
     if (!opened) return opened.error();
     if (auto enough = edges::checkMemoryFor(report.withRocks ? edges::Work::Rocks : edges::Work::Detect, *opened); !enough)
@@ -66,7 +89,8 @@ Result<Done> make(const ReportCommand& report) {
                                               report.withRocks ? edges::KeepFor::Rocks : edges::KeepFor::Edges);
     std::optional<rocks::Study> rocks;
     if (report.withRocks) rocks = rocks::studyRocks(rocks::rockInputs(*detection), *preset->settings, preset->edits);
-    const exports::PageWords words{commandOf(report), report.operatorName, report.role, utcText(utcNow())};
+    const exports::PageWords words{commandOf(report), report.operatorName, report.role, utcText(utcNow()),
+                                   report.site,       report.remark,       *logo};
     exports::PageNotes notes{rocks ? &*rocks : nullptr, nullptr, nullptr, report.before};
     std::optional<inspect::Notebook> notebook;
     if (!report.targets.empty()) {
@@ -113,9 +137,15 @@ void addReport(CLI::App& app, int& code) {
     auto report = std::make_shared<ReportCommand>();
     CLI::App& command = *app.add_subcommand("report", "One page about a scan that opens in any browser, without a network");
     command.add_option("SCAN", report->file, "The scan")->required();
-    command.add_option("-o,--output", report->out, "New file: .html; - is stdout")->required();
+    command
+        .add_option("-o,--output", report->out,
+                    "New file: .html; - is stdout. A browser prints it as PDF: chromium --headless --print-to-pdf=report.pdf report.html")
+        ->required();
     command.add_option("--operator", report->operatorName, "Who makes the report");
     command.add_option("--role", report->role, "As what");
+    command.add_option("--site", report->site, "The site, for the head of the report");
+    command.add_option("--remark", report->remark, "A remark for the report; it may have several lines");
+    command.add_option("--logo", report->logo, "A PNG picture for the head of the report");
     command.add_option("--targets", report->targets, "What was pinned and measured on the scan: the viewer's file (docs/guide/measure.md)");
     command.add_option("--before", report->before, "An earlier scan of the same place: what changed since, by the same settings");
     command.add_flag("--rocks", report->withRocks, std::string("With the rocks between the edges: ") + rocks::kRockCaveat)->group("Rocks");

@@ -45,7 +45,7 @@ struct RocksFlags {
 Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const char* flag) {
     const auto corner = rocks::parseRegion(text + " " + text);
     if (!corner || corner->size() != 2 || !scan.rangeMm.contains(corner->front().line, corner->front().beam))
-        return Error{"\"" + text + "\" is no cell of the scan", flag,
+        return Error{"\"" + text + "\" is not a cell of the scan", flag,
                      "give LINE,BEAM with lines from 0 to " + std::to_string(scan.lines() - 1) + " and beams from 0 to " +
                          std::to_string(scan.beams() - 1)};
     return static_cast<std::uint32_t>(scan.rangeMm.index(corner->front().line, corner->front().beam));

@@ -107,7 +107,7 @@ void addServe(CLI::App& app, int& code) {
     addNumber(command, "--drop-every", s.faults.dropEvery, kCount, "All connections are closed at every n-th telegram").group(faults);
     addNumber(command, "--narrow-every", s.faults.narrowEvery, kCount, "Every n-th telegram has half of its beams").group(faults);
     addNumber(command, "--counter-step", s.faults.counterStep, {0, 65535}, "What both counters go on by from line to line").group(faults);
-    addNumber(command, "--clock-rate", s.faults.clockRate, {-1000, 1000}, "Pace of the device clock; 0 it stands, -1 it runs backward")
+    addNumber(command, "--clock-rate", s.faults.clockRate, {-1000, 1000}, "Pace of the device clock; 0 stops it, -1 runs it backward")
         .group(faults);
     command.add_flag("--by-chance", s.faults.byChance, "Once in n by chance instead of at every n-th")->group(faults);
     addNumber(command, "--fault-seed", s.faults.seed, {0, 4294967295}, "Seed of all chance").group(faults);

@@ -222,7 +222,7 @@ void addSimulate(CLI::App& app, int& code) {
     addMeasurementFlags(command, *simulate);
     addAssemblyFlags(command, s);
     add(command, general, "threads", s);
-    command.add_flag("--progress", simulate->progress, "Tell the progress on stderr also where that is no terminal");
+    command.add_flag("--progress", simulate->progress, "Report the progress on stderr also where that is not a terminal");
     command.callback([simulate, &command, &code] {
         if (const std::optional<Error> wrong = idleFlag(command, *simulate)) {
             printError(*wrong);

@@ -58,8 +58,7 @@ void addVerify(CLI::App& app, int& code) {
     auto verify = std::make_shared<Verify>();
     CLI::App& command =
         *app.add_subcommand("verify", "Makes exports again from their provenance and says identical, or which byte differs first");
-    command.add_option("EXPORT", verify->files, "Clouds and pictures that this program exported; the records beside them stand for them")
-        ->required();
+    command.add_option("EXPORT", verify->files, "Clouds and pictures that this program exported, or the records next to them")->required();
     command.add_option("--scans", verify->scans, "Folder to look for the scan in, besides that of the export");
     command.add_flag("--json", verify->json, "One JSON object per export");
     command.callback([verify, &code] { code = run(*verify); });

@@ -113,7 +113,7 @@ void addBenchmark(CLI::App& app, int& code) {
     addNumber(command, "--tolerance", settings.tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]");
     command.add_flag("--best", settings.bestThreshold, "With truth: also each method's score at its best threshold for this scan");
     addNumber(command, "--repeats", settings.repeats, {1, 1000},
-              "Runs of each of our methods, interleaved; medians of thread CPU time are told");
+              "Runs of each of our methods, interleaved; medians of thread CPU time are reported");
     addComparedFlags(command, asked->compared);
     command.callback([asked, &code] { code = run(*asked); });
 }

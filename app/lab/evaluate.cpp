@@ -30,6 +30,7 @@ struct Evaluate {
     std::string json;
     double tolerance = 2.0;
     bool sweep = false;
+    bool facets = false;
     bool rocks = false;
     EvaluateRocks ofRocks; ///< what only --rocks reads
     std::vector<std::string> typedThresholds;
@@ -70,7 +71,7 @@ Result<Done> checkShape(const std::string& file, int lines, int beams, const Gri
 
 Result<Case> openCase(const Evaluate& evaluate, std::size_t n) {
     Case one;
-    Result<sim::TruthSet> truth = sim::readTruth(evaluate.truths[n]);
+    Result<sim::TruthSet> truth = sim::readTruth(evaluate.truths[n], evaluate.facets ? sim::Facets::Folds : sim::Facets::None);
     if (!truth) return truth.error();
     one.truth = std::move(*truth);
     const Grid<std::uint8_t>& wanted = one.truth.edges.edgeClass;
@@ -97,6 +98,10 @@ void show(const Json& evaluation) {
     for (const char* group : {"occluding", "outline", "strict_outline", "crease", "all"})
         lines += rightAligned(group, 15) + "      " + text(evaluation[group]["precision"], 3) + "   " +
                  text(evaluation[group]["recall"], 3) + "  " + text(evaluation[group]["f"], 3) + "\n";
+    lines += "true cells with a detection within 1 / 2 / 3 cells, and its mean offset across the edge (+: on the farther side)\n";
+    for (const auto& [name, place] : evaluation["places"].items())
+        lines += rightAligned(name, 15) + "      " + text(place["within_1"], 3) + " / " + text(place["within_2"], 3) + " / " +
+                 text(place["within_3"], 3) + "   " + text(place["offset"], 2) + "\n";
     const Json& rocks = evaluation["rocks"];
     if (rocks["count"] == 0)
         lines += "no rock with an outline to find";
@@ -141,6 +146,7 @@ Result<Json> evaluateAll(const Evaluate& evaluate, const edges::Settings& settin
     Json json = document("evaluate", Json::object());
     json["files"] = evaluate.files;
     json["tolerance"] = evaluate.tolerance;
+    json["facets"] = evaluate.facets;
     if (!isMask(evaluate.files.front())) json["settings"] = edges::settingsToJson(settings);
     json["fixed"] = lab::evaluationJson(fixed);
     json["rocks"] = lab::rocksJson(fixed);
@@ -171,7 +177,7 @@ Result<Done> checkUsage(Evaluate& evaluate, const edges::Settings& settings) {
 
 /// Flags that were typed though nothing reads them.
 std::optional<Error> misplacedFlag(const CLI::App& command, bool rocks) {
-    for (const char* flag : {"--ranges", "--tolerance", "--sweep", "--thresholds"}) {
+    for (const char* flag : {"--ranges", "--tolerance", "--sweep", "--thresholds", "--facets"}) {
         if (rocks && command.count(flag) > 0) return Error{"it is about edges", flag, "leave it out, or --rocks"};
     }
     for (const char* flag : {"--peers", "--pictures", "--level"}) {
@@ -246,6 +252,8 @@ void addEvaluate(CLI::App& app, int& code) {
     command.add_option("--ranges", evaluate->ranges,
                        "Scan that each mask was made from, in the same order: also the 3D error of its edges");
     addNumber(command, "--tolerance", evaluate->tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]");
+    command.add_flag("--facets", evaluate->facets,
+                     "Folds between the facets of re-scanned surfaces are true edges; without it no fold of theirs is one");
     command.add_flag("--sweep", evaluate->sweep, "Also the best threshold for all scans (ODS), for each (OIS), and average precision");
     command
         .add_option("--thresholds", evaluate->typedThresholds,

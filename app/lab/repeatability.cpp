@@ -40,7 +40,7 @@ Result<std::vector<inspect::PlacedScan>> placed(const Repeatability& asked) {
             continue;
         }
         if (!(*scan)->placement)
-            return Error{"the scan has no place in the mine, so nobody knows how it lies to the other one", asked.files[n],
+            return Error{"the scan has no place in the mine, so its position relative to the other one is unknown", asked.files[n],
                          "give --poses A.pose B.pose, or --pose and --calibration"};
         if (!origin) origin = (*scan)->placement->originEnhM;
         scans.push_back(inspect::placedInMine(*scan, *origin));
@@ -79,7 +79,7 @@ void addRepeatability(CLI::App& app, int& code) {
     command.add_option("FILE", asked->files, "Two scans of one place")->required()->expected(2);
     command.add_option("--poses", asked->poses, "Their .pose files of 3DTK, in the same order; else both need a place in the mine")
         ->expected(2);
-    command.add_flag("--refine", asked->refine, "Bring their surfaces onto each other first, and tell how far they lie apart");
+    command.add_flag("--refine", asked->refine, "Bring their surfaces onto each other first, and report their distance");
     addNumber(command, "--match-radius", asked->radiusM, {0.001, 10}, "How near the other one's edge must lie [m]");
     addComparedFlags(command, asked->compared);
     command.callback([asked, &code] {

@@ -60,7 +60,7 @@ exports::ExportContent contentOf(const std::string& name) {
         if (name == kind.key) return kind.content;
         names += (names.empty() ? "" : ", ") + std::string(kind.key);
     }
-    throw Refused{{"\"" + name + "\" is no content of a file", "content", "use one of " + names}};
+    throw Refused{{"\"" + name + "\" is not a content of a file", "content", "use one of " + names}};
 }
 
 /// How to write a file; the keywords are the names of the flags.
@@ -129,7 +129,7 @@ void bindResult(py::module_& module) {
     property("scan", [](const D& d) { return ScanObject{d->scan}; }, "The scan.");
     property("mask", [](const D& d) { return gridArray(*d->mask, d); }, "uint8, lines x beams: 255 = edge. No copy, read only.");
     property("classes", [](const D& d) -> py::object { return d->classes ? gridArray(*d->classes, d) : py::object(py::none()); },
-             "uint8, lines x beams: 0 none, 1 jump, 2 convex, 3 concave, 4 border, 5 outline before a void. None where the method tells no classes apart. "
+             "uint8, lines x beams: 0 none, 1 jump, 2 convex, 3 concave, 4 border, 5 outline before a void, 6 void rim. None where the method has no classes. "
              "No copy, read only.");
     property("edges", [](const D& d) { return vectorArray(*d->edges, d); },
              "uint32, ascending: index line * beams + beam of every edge cell. No copy, read only.");

@@ -106,7 +106,7 @@ std::string tableHelp() {
 } // namespace
 
 void bindRocks(py::module_& module) {
-    const std::string help = tableHelp();
+    const std::string tables = tableHelp();
     Class<RocksObject> type(module, "Rocks", "Candidates for rocks at one level: geometry only, from one viewpoint.");
     const auto property = [&](const char* name, const auto& get, const char* help) {
         type.def_property_readonly(
@@ -121,7 +121,7 @@ void bindRocks(py::module_& module) {
         "regions", [](const RocksObject& r) { return gridArray(*r.regions, r.regions); },
         "uint32, lines x beams: 0 none, else `region` of a row of `region_table`, whatever its kind. No copy, read only.");
     property(
-        "table", [](const RocksObject& r) { return tableOf(r, "auto"); }, help.c_str());
+        "table", [](const RocksObject& r) { return tableOf(r, "auto"); }, tables.c_str());
     property(
         "region_table", [](const RocksObject& r) { return regionTableOf(r.study->map); },
         "A dict per region, rocks first: region, kind (rock, not_rock, fines, outside), cells (measured, without spikes), visible_area_m2 "

@@ -30,7 +30,7 @@ std::size_t wordOf(const std::string& key, const std::string& text, const std::v
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
     std::string all;
     for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-    throw Refused{{"\"" + text + "\" is none of its values", key, "use one of " + all}};
+    throw Refused{{"\"" + text + "\" is not one of its values", key, "use one of " + all}};
 }
 
 void setNumber(sim::SimulationSettings& settings, const sim::SimulationNumber& number, double value) {

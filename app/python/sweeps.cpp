@@ -44,7 +44,7 @@ class ReplayObject {
 public:
     ReplayObject(const std::string& path, std::int64_t every, double speed, const std::string& pose, const std::string& calibration)
         : path_(path), every_(every), speed_(speed) {
-        if (every < 1) throw Refused{{std::to_string(every) + " lines are no step", "every", "give 1 or more"}};
+        if (every < 1) throw Refused{{std::to_string(every) + " lines are not a step", "every", "give 1 or more"}};
         if (!(speed >= 0 && speed <= 1e6)) throw Refused{{"the speed is out of reason", "speed", "give 0 to 1000000"}};
         options_.pose = pose;
         options_.calibration = calibration;
@@ -167,14 +167,14 @@ public:
 
     [[nodiscard]] std::string text() const {
         const files::LiveStatus status = unlocked([&] { return feed_->status(); });
-        return "<edgescan.Connection to " + printable(address_) + ": " + scanner::connectionPhaseName(status.session.phase) + ", " +
+        return "<edgescan.Connection to " + printable(address_) + ": " + scanner::connectionPhaseName(status.connection.phase) + ", " +
                std::to_string(status.lines) + " lines>";
     }
     [[nodiscard]] py::dict status() const {
         const files::LiveStatus status = unlocked([&] { return feed_->status(); });
         py::dict dict;
-        dict["phase"] = scanner::connectionPhaseName(status.session.phase);
-        dict["sentence"] = nameOf(status.session.sentence);
+        dict["phase"] = scanner::connectionPhaseName(status.connection.phase);
+        dict["sentence"] = nameOf(status.connection.sentence);
         dict["scanner"] = status.scanner ? py::object(nameOf(status.scanner->words())) : py::object(py::none());
         dict["lines"] = status.lines;
         dict["undecodable"] = status.undecodable;
@@ -190,7 +190,7 @@ private:
     }
     /// Waits for a change, and logs each new problem of the connection. Error: `end` has passed.
     void waitUntil(Clock::time_point end) {
-        const scanner::ConnectionState session = feed_->status().session;
+        const scanner::ConnectionState session = feed_->status().connection;
         if (Clock::now() >= end) throw Refused{scanner::noLinesError(session, address_)};
         if (const std::string problem = session.problem ? session.problem->sentence() : std::string(); problem != logged_) {
             logged_ = problem;
@@ -250,7 +250,7 @@ std::unique_ptr<ConnectionObject> connect(const std::string& address, const std:
                                           const std::optional<std::string>& axis, std::optional<double> lineStart,
                                           std::optional<double> lineStep, std::optional<double> ticksPerDegree,
                                           const std::string& calibration, bool standing, double timeout) {
-    if (axis && *axis != "spin" && *axis != "sweep") throw Refused{{"\"" + *axis + "\" is no axis", "axis", "use spin or sweep"}};
+    if (axis && *axis != "spin" && *axis != "sweep") throw Refused{{"\"" + *axis + "\" is not an axis", "axis", "use spin or sweep"}};
     const std::int64_t expectedLines = wholeOf(expected);
     if (expectedLines < 0 || expectedLines > 20000)
         throw Refused{{std::to_string(expectedLines) + " lines are out of reason", "expected_lines", "give 0 to 20000"}};

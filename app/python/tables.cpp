@@ -39,6 +39,7 @@ py::dict rowOf(const ReadingOption& option) {
                   : option.kind == Kind::Whole        ? "whole"
                   : option.kind == Kind::Word         ? "word"
                   : option.kind == Kind::Switch       ? "switch"
+                  : option.kind == Kind::Name         ? "name"
                                                       : "path";
     row["choices"] = option.words;
     if (option.limit != nullptr) {

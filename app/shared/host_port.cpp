@@ -16,7 +16,7 @@ Result<HostPort> hostPort(const std::string& typed) {
         if (bracket + 1 < typed.size() && typed[bracket + 1] == ':')
             port = typed.substr(bracket + 2);
         else if (bracket + 1 < typed.size())
-            return Error{"there is something behind the bracket that is no port", typed, "write [ADDRESS]:PORT"};
+            return Error{"what follows the bracket is not a port", typed, "write [ADDRESS]:PORT"};
     } else if (colons == 1) {
         result.host = typed.substr(0, typed.find(':'));
         port = typed.substr(typed.find(':') + 1);
@@ -29,7 +29,7 @@ Result<HostPort> hostPort(const std::string& typed) {
     unsigned number = 0;
     const auto [end, code] = std::from_chars(port.data(), port.data() + port.size(), number);
     if (code != std::errc{} || end != port.data() + port.size() || number == 0 || number > 65535) {
-        return Error{"\"" + port + "\" is no port", typed, "give a number from 1 to 65535"};
+        return Error{"\"" + port + "\" is not a port", typed, "give a number from 1 to 65535"};
     }
     result.port = static_cast<std::uint16_t>(number);
     return result;

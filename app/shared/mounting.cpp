@@ -12,7 +12,9 @@ void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& 
     addNumber(command, "--expected-lines", mounting.expectedLines, {0, 20000}, "Lines of a whole sweep; 0 = not known").group(group);
     addNumber(command, "--ticks-per-degree", mounting.ticksPerDeg, {-1e9, 1e9}, "Encoder counts per degree, where there is an encoder")
         .group(group);
-    command.add_flag("--standing", mounting.standing, "The stepper stands while a line is measured; else it turns on meanwhile")
+    command
+        .add_flag("--standing", mounting.standing,
+                  "The stepper does not turn while a line is measured; without this flag it turns on meanwhile")
         ->group(group);
 }
 

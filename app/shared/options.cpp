@@ -73,7 +73,7 @@ void addReadFlags(CLI::App& command, ReadFlags& flags) {
         if ((option.uses & ReadingOption::kFlag) != 0 && option.kind != ReadingOption::Kind::Path)
             addReadingFlag(command, option, flags.options, "Reading");
     }
-    command.add_flag("--progress", flags.progress, "Tell the progress on stderr also where that is no terminal")->group("Reading");
+    command.add_flag("--progress", flags.progress, "Report the progress on stderr also where that is not a terminal")->group("Reading");
     addPlaceFlags(command, flags.options);
 }
 

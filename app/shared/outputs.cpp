@@ -38,7 +38,7 @@ Result<Done> checkDistinct(std::span<const std::string> outputs) {
     }
     for (const std::string& path : outputs) {
         if (!path.empty() && !isDevice(path) && taken.contains(whole(files::sidecarPath(path))))
-            return Error{"another result has the name of the record beside this file", path, "give it a name of its own"};
+            return Error{"another result has the name of the record next to this file", path, "give it a name of its own"};
     }
     return Done{};
 }

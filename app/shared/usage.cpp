@@ -43,7 +43,7 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
-        printError(std::string(error.what()) + " (--help tells more)");
+        printError(std::string(error.what()) + " (see --help)");
         return kWrongUsage;
     }
 }

@@ -30,7 +30,7 @@ Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
         const double line = numberOf(text.substr(0, comma)).value_or(-1.0);
         const double beam = comma == std::string::npos ? -1.0 : numberOf(text.substr(comma + 1)).value_or(-1.0);
         const auto isIndex = [](double n) { return n >= 0 && n < 1e9 && n == static_cast<int>(n); };
-        if (!isIndex(line) || !isIndex(beam)) return Error{"\"" + text + "\" is no cell", "--pin", "give LINE,BEAM such as 525,593"};
+        if (!isIndex(line) || !isIndex(beam)) return Error{"\"" + text + "\" is not a cell", "--pin", "give LINE,BEAM such as 525,593"};
         places.push_back({static_cast<int>(line), static_cast<int>(beam)});
     }
     return places;

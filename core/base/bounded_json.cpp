@@ -39,7 +39,7 @@ public:
         auto& object = open_.back()->template get_ref<typename Json::object_t&>();
         if (++keys_ > bounds_.keys || object.size() >= kMostKeysOfOne) return stop("the JSON holds too many keys");
         const auto [place, fresh] = object.emplace(unescapedBytes(name), Json());
-        if (!fresh) return stop("the key \"" + name.substr(0, kLongestShown) + "\" stands twice in the same object of the JSON");
+        if (!fresh) return stop("the key \"" + name.substr(0, kLongestShown) + "\" appears twice in the same object of the JSON");
         slot_ = &place->second;
         return true;
     }

@@ -135,7 +135,7 @@ Eigen::Matrix3d JsonFields::rotation(const char* key) {
         for (int j = 0; j < 3; ++j) matrix(i, j) = checked(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)], key, {-2, 2});
     }
     const double skew = (matrix * matrix.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    if (skew > 1e-6) return refuse(key, "is no rotation: its rows are not perpendicular and of length 1"), Eigen::Matrix3d::Identity();
+    if (skew > 1e-6) return refuse(key, "is not a rotation: its rows are not perpendicular and of length 1"), Eigen::Matrix3d::Identity();
     if (matrix.determinant() < 0) return refuse(key, "mirrors instead of turning: its determinant is -1"), Eigen::Matrix3d::Identity();
     return matrix;
 }

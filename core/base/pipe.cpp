@@ -62,7 +62,7 @@ Result<std::vector<std::byte>> readPipe(const fs::path& path, const std::functio
         if (ready < 0 && errno != EINTR) return pipeError(path, errno);
         if (ready <= 0 && written) continue;
         if (ready <= 0 && std::chrono::steady_clock::now() - start > kLongestWithoutWriter)
-            return Error{"nobody writes into this pipe", path.string(), "start the program that fills it, then open it again"};
+            return Error{"no program writes into this pipe", path.string(), "start the program that fills it, then open it again"};
         if (ready <= 0) continue;
         const ssize_t count = ::read(pipe.number, part.data(), part.size());
         if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;

@@ -55,7 +55,7 @@ Result<std::string> sha256OfFile(const std::filesystem::path& path) {
     if (!file) return Error{std::string("the file cannot be opened: ") + std::strerror(errno), path.string(), "check the path"};
     struct stat status {};
     if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
-        return Error{"this is no regular file", path.string(), "choose a file"};
+        return Error{"this is not a regular file", path.string(), "choose a file"};
     Sha256 hash;
     std::vector<std::byte> piece(std::size_t{1} << 20U);
     while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get())) hash.add(std::span(piece).first(count));

@@ -24,11 +24,11 @@
 
 namespace edgescan {
 
-/// A loop, declared with EDGESCAN_INLINE, in one version for each instruction set.
-template <auto kLoop>
+/// A loop, declared with EDGESCAN_INLINE, in one version for each instruction set. Wider registers may have loops of their own.
+template <auto kLoop, auto kOfAvx2 = kLoop, auto kOfAvx512 = kOfAvx2>
 class Vectorised;
-template <class R, class... A, R (*kLoop)(A...)>
-class Vectorised<kLoop> {
+template <class R, class... A, R (*kLoop)(A...), R (*kOfAvx2)(A...), R (*kOfAvx512)(A...)>
+class Vectorised<kLoop, kOfAvx2, kOfAvx512> {
 public:
     R operator()(A... a) const { return by(instructionSet(), a...); }
     R by(InstructionSet set, A... a) const { return kVersions[static_cast<std::size_t>(set)](a...); }
@@ -37,20 +37,21 @@ private:
     static R plain(A... a) { return kLoop(a...); }
 #if defined(__x86_64__) && defined(__GNUC__)
     EDGESCAN_SSE42 static R sse42(A... a) { return kLoop(a...); }
-    EDGESCAN_AVX2 static R avx2(A... a) { return kLoop(a...); }
-    EDGESCAN_AVX512 static R avx512(A... a) { return kLoop(a...); }
+    EDGESCAN_AVX2 static R avx2(A... a) { return kOfAvx2(a...); }
+    EDGESCAN_AVX512 static R avx512(A... a) { return kOfAvx512(a...); }
     static constexpr std::array<R (*)(A...), kInstructionSets.size()> kVersions{plain, sse42, avx2, avx512};
 #else
     static constexpr std::array<R (*)(A...), 1> kVersions{plain};
 #endif
 };
 /// Calls a loop: vectorised<loop>(arguments).
-template <auto kLoop>
-inline constexpr Vectorised<kLoop> vectorised;
+template <auto kLoop, auto kOfAvx2 = kLoop, auto kOfAvx512 = kOfAvx2>
+inline constexpr Vectorised<kLoop, kOfAvx2, kOfAvx512> vectorised;
 
-/// Cells of a line that are processed together, for loops over a line that the compiler alone cannot vectorise: sixteen with AVX2 and
-/// AVX-512, otherwise four, because a wider vector would be processed cell by cell.
+/// Cells of a line that are processed together, for loops over a line that the compiler alone cannot vectorise: as many as a register of
+/// the instruction set holds, because the compiler takes a wider vector apart and processes it cell by cell.
 using FourLanes = float __attribute__((vector_size(16)));
+using EightLanes = float __attribute__((vector_size(32)));
 using SixteenLanes = float __attribute__((vector_size(64)));
 template <class Lanes>
 inline constexpr int kLanes = sizeof(Lanes) / sizeof(float);

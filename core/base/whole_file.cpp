@@ -4,6 +4,7 @@
 #include "core/base/file_lock.h"
 #include "core/base/inputs.h"
 #include "core/base/memory.h"
+#include "core/base/stop.h"
 #include "core/base/temporary_file.h"
 
 #include <fcntl.h>
@@ -241,9 +242,11 @@ Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
             return Error{"two results cannot have one file", file.path.string(), "give each a name of its own"};
         targets.push_back(std::move(*target));
     }
+    const auto cancelled = [&] { return Error{"it was cancelled, so nothing was written", files.front().path.string(), "save it again"}; };
     std::vector<TemporaryFile> ready;
     std::vector<FileMove> moves;
     for (std::size_t n = 0; n < files.size(); ++n) {
+        if (isStopWished()) return cancelled();
         if (targets[n].empty()) {
             if (auto written = writeDevice(files[n].path, files[n].bytes); !written) return written.error();
             continue;
@@ -253,6 +256,7 @@ Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
         moves.push_back({temporary->path(), temporary->target()});
         ready.push_back(std::move(*temporary));
     }
+    if (isStopWished()) return cancelled();
     return renameAll(moves, [&](std::size_t n) { ready[n].wasRenamed(); });
 }
 

@@ -187,6 +187,7 @@ std::string exportRecord(ExportContent content, const edges::Detection& detectio
         record["default_settings"] = {{"name", edges::kDefaultSet.name},
                                       {"version", edges::kDefaultSet.version},
                                       {"changed", edges::changedFromDefault(detection.settings)}};
+        record["roughness"] = roughnessReport(detection);
         record["edges"] = detection.edges->size();
         record["classes"] = classesReport(detection);
         record["edge_mask_sha256"] = maskSha256(*detection.mask);

@@ -54,7 +54,7 @@ Result<fs::path> findScan(const std::string& sha256, const std::string& oldName,
         if (hash && *hash == sha256) return file;
     }
     const std::string where = scansFolder ? " or under " + scansFolder->string() : "";
-    return Error{"the scan " + oldName + " with SHA-256 " + sha256.substr(0, 16) + "... is not beside the export" + where,
+    return Error{"the scan " + oldName + " with SHA-256 " + sha256.substr(0, 16) + "... is not next to the export" + where,
                  exported.string(), scansFolder ? "copy the scan there" : "give --scans the folder that holds it"};
 }
 

@@ -121,7 +121,7 @@ Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, co
 Result<Done> checkTold(const FileBytes& file, const Expected& expected) {
     if (!expected.bounds || expected.count == 0) return Done{};
     const auto refused = [&](const std::string& what) {
-        return Error{"this format cannot tell the scan, nothing was written: " + what, file.path.string(), "choose another format"};
+        return Error{"this format cannot hold the scan, nothing was written: " + what, file.path.string(), "choose another format"};
     };
     const auto written = pointsWritten(file.bytes, file.path);
     if (!written) return refused(written.error().what);

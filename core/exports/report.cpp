@@ -8,7 +8,9 @@
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/gray/gray.h"
+#include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
+#include "core/edges/tuning/flat_scan.h"
 #include "core/files/point_tables/acquisition_json.h"
 #include "core/scan/georef/placement_json.h"
 
@@ -162,6 +164,8 @@ nlohmann::ordered_json detectReport(const edges::Detection& detection, double lo
                 {"classes", classesReport(detection)},
                 {"noise_mm_at_5_m", detection.responses ? json(tidy(detection.responses->noise.at(5.0), 1000)) : json()},
                 {"noise", detection.responses ? noiseReport(*detection.responses) : json()},
+                {"roughness", roughnessReport(detection)},
+                {"proposed_preset", edges::isFlatAndQuiet(detection) ? json("smooth-walls") : json()},
                 {"jump_mm", detection.responses ? json(tidy(detection.responses->jumpMm, 1000)) : json()},
                 {"edge_mask_sha256", maskSha256(*detection.mask)},
                 {"frame", scan.placement ? "mine grid" : "scanner"},
@@ -173,6 +177,13 @@ nlohmann::ordered_json detectReport(const edges::Detection& detection, double lo
     if (scan.pointsRead > 0) report["points"] = pointsReport(scan);
     if (detection.filled) report["filled"] = filledReport(*detection.filled);
     return report;
+}
+
+nlohmann::ordered_json roughnessReport(const edges::Detection& detection) {
+    if (!detection.responses || !detection.settings.roughScans || !edges::reads(detection.settings.method, edges::kReadsCreases))
+        return nullptr;
+    const edges::Roughness& found = detection.responses->roughness;
+    return {{"rough", found.rough}, {"folding_share", tidy(found.share, 1000)}, {"around_folds", tidy(found.aroundFolds, 1000)}};
 }
 
 nlohmann::ordered_json classesReport(const edges::Detection& detection) {

@@ -19,7 +19,10 @@ namespace edgescan::exports {
 /// The object of `edgescan-cli detect --json`. `loadMs`: time that opening took, ms.
 [[nodiscard]] nlohmann::ordered_json detectReport(const edges::Detection& detection, double loadMs);
 
-/// {"jump": n, "convex": n, "concave": n, "border": n, "silhouette": n}, or null if the method does not distinguish classes.
+/// Whether the scan was taken as one of rough surfaces, and the shares that say so; null if the method measures no folds, or was not asked.
+[[nodiscard]] nlohmann::ordered_json roughnessReport(const edges::Detection& detection);
+
+/// {"jump": n, "convex": n, "concave": n, "border": n, "silhouette": n, "rim": n}, or null if the method does not distinguish classes.
 [[nodiscard]] nlohmann::ordered_json classesReport(const edges::Detection& detection);
 
 /// {"gaps": n, "cells": n, "by_plane": n, "by_line": n, "sd_mm_p50": x}: the filled gaps; `filling` of the scan.

@@ -61,11 +61,11 @@ Result<Done> knownFormat(const Json& object, const char* known, const Verificati
 /// Compares what the sidecar says about the file with the file.
 void compareSidecar(const Json& sidecar, const std::string& bytes, Verification& v) {
     if (sidecar.contains("sidecar_sha256") && !sidecarIsWhole(sidecar))
-        v.findings.emplace_back("The file beside the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
+        v.findings.emplace_back("The file next to the export was altered: its block \"export\" with time, counts and bounds, or its grid.");
     if (wordAt(sidecar, "/export/sha256") != v.foundSha256)
-        v.findings.emplace_back("The export is not the file that the record beside it was written for: its SHA-256 is another.");
+        v.findings.emplace_back("The export is not the file that the record next to it was written for: its SHA-256 is another.");
     if (at(sidecar, "/export/bytes") != Json(bytes.size()))
-        v.findings.emplace_back("The record beside the export says another number of bytes.");
+        v.findings.emplace_back("The record next to the export says another number of bytes.");
     const std::string name = wordAt(sidecar, "/export/file");
     if (name != v.exported.filename().string()) v.remarks.push_back("It was called " + name + " when it was written.");
 }
@@ -79,7 +79,7 @@ Result<Json> recordOf(const std::string& bytes, Verification& v) {
         if (const auto known = knownFormat(whole, files::kSidecarFormat, v); !known) return known.error();
         if (wordAt(whole, "/format") == files::kSidecarFormat) fromSidecar = at(whole, "/record");
         if (const auto known = knownFormat(fromSidecar, kRecordFormat, v); !known) return known.error();
-        if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record beside the export is damaged or was altered.");
+        if (!recordIsWhole(fromSidecar)) v.findings.emplace_back("The record next to the export is damaged or was altered.");
         compareSidecar(whole, bytes, v);
     }
     const std::string embedded = embeddedRecord(bytes);
@@ -87,13 +87,13 @@ Result<Json> recordOf(const std::string& bytes, Verification& v) {
     if (const auto known = knownFormat(inside, kRecordFormat, v); !known) return known.error();
     if (!embedded.empty() && !recordIsWhole(inside)) v.findings.emplace_back("The record inside the export is damaged or was altered.");
     if (recordIsWhole(inside) && recordIsWhole(fromSidecar) && inside != fromSidecar)
-        v.findings.emplace_back("The record inside the export and the one beside it are not the same.");
+        v.findings.emplace_back("The record inside the export and the one next to it are not the same.");
     if (recordIsWhole(fromSidecar)) return fromSidecar;
     if (recordIsWhole(inside)) return inside;
     const bool none = embedded.empty() && v.findings.empty();
-    return Error{none ? "there is no record in the export and none beside it" : "no record of the export is left unaltered",
+    return Error{none ? "there is no record in the export and none next to it" : "no record of the export is left unaltered",
                  v.exported.string(),
-                 none ? "copy " + files::sidecarPath(v.exported).filename().string() + " beside it" : "export the scan again"};
+                 none ? "copy " + files::sidecarPath(v.exported).filename().string() + " next to it" : "export the scan again"};
 }
 
 Error notUnderstood(const Verification& v, const std::string& what) {
@@ -132,13 +132,18 @@ void compareResults(const Json& record, const edges::Detection& detection, Verif
     if (at(record, "/cells") != cells) v.findings.emplace_back("The counts of cells by state are others than the record says.");
 }
 
+/// The settings in the words of today.
+nlohmann::json settingsOf(const Json& record) {
+    const Json version = at(record, "/default_settings/version");
+    return edges::settingsOfRecord(nlohmann::json(at(record, "/settings")), version.is_number_integer() ? version.get<int>() : 0);
+}
+
 /// The scan and its edges; without edges if only the scan was exported.
 Result<std::shared_ptr<const edges::Detection>> detectionOf(const Json& record, const ExportKind& kind,
                                                             const std::optional<fs::path>& scansFolder, Verification& v) {
     const bool method = kind.needs != ExportKind::Needs::Scan;
-    const auto settings =
-        method ? edges::settingsFromJson(nlohmann::json(at(record, "/settings")), edges::cannySettings(), v.exported.string())
-               : Result<edges::Settings>(edges::Settings{});
+    const auto settings = method ? edges::settingsFromJson(settingsOf(record), edges::cannySettings(), v.exported.string())
+                                 : Result<edges::Settings>(edges::Settings{});
     if (!settings) return settings.error();
     const auto scan = scanOf(record, scansFolder, v);
     if (!scan) return scan.error();
@@ -164,12 +169,11 @@ Result<std::shared_ptr<const rocks::Study>> rocksOf(const Json& record, const ed
     return std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(detection), *settings, *edits));
 }
 
-/// Adds values that an older record does not contain: settings with their defaults, classes without cells.
-void takeLater(Json& then, const Json& now) {
+/// Adds the classes without cells that an older record does not contain.
+void takeLaterClasses(Json& then, const Json& now) {
     if (!then.is_object()) return;
-    const Json usual = edges::settingsToJson(edges::Settings{});
     for (const auto& [key, value] : now.items()) {
-        if (!then.contains(key) && (value == 0 || (usual.contains(key) && usual[key] == value))) then[key] = value;
+        if (!then.contains(key) && value == 0) then[key] = value;
     }
 }
 
@@ -179,10 +183,10 @@ void compareRecord(const Json& record, const Json& again, Verification& v) {
         if (key == "program" || key == "operator" || key == "role" || key == "record_sha256" || !record.contains(key)) continue;
         Json then = record[key], now = value;
         if (key == "scan") then.erase("input"), now.erase("input"); // the file may have been renamed
-        if (key == "settings") takeLater(then, now);
+        if (key == "settings") then = Json(settingsOf(record));
         // another set of defaults; the settings themselves were compared
         if (key == "default_settings" && at(then, "/version") != at(now, "/version")) continue;
-        if (key == "classes" && then.is_object()) takeLater(then, now);
+        if (key == "classes") takeLaterClasses(then, now);
         if (then != now && key != "cells") v.findings.push_back("The record says something else of \"" + key + "\" than this scan gives.");
     }
 }

@@ -108,6 +108,7 @@ nlohmann::ordered_json whyReport(const edges::Detection& detection, const edges:
                               {"direction_deg", why.directionDeg ? json(*why.directionDeg) : json(nullptr)}};
     }
     if (!why.alongBeams && why.directionDeg) report["gradient"] = {{"direction_deg", *why.directionDeg}};
+    report["rough_around"] = why.rough ? json{{"folding_share", why.rough->share}, {"factor", why.rough->factor}} : json(nullptr);
     report["measured"] = why.depth ? depthReport(*why.depth) : json(nullptr);
     report["response_class"] = why.kind != edges::DepthEdge::None ? json(edges::edgeClassName(why.kind)) : json(nullptr);
     report["round_gap"] = why.movedFromGap;

@@ -103,7 +103,7 @@ std::string coordinatesText(const WrittenCoordinates& written) {
         text += " " + listed(written.aboutOrigin) + ": 4-byte metres from " + originText(*written.originEnhM) + ".";
     const double step = stepOfFloatsM(written.box);
     if (!written.inFloats.empty() && step >= kLeastStepM)
-        text += " For " + listed(written.inFloats) + " use the local frame (--frame local): their 4-byte numbers step by " +
+        text += " For " + listed(written.inFloats) + " use the local frame (--frame local): 4-byte numbers step by " +
                 fixedText(step * 1000, 0) + " mm here.";
     return text;
 }

@@ -17,11 +17,20 @@ struct Ray {
 /// True angles and mounting. `angles` must outlive this object.
 class BeamDirections {
 public:
-    BeamDirections(const Scan& angles, const AssemblyErrors& assembly)
+    /// `station`: from the scanner's frame to that of the scene.
+    BeamDirections(const Scan& angles, const AssemblyErrors& assembly, const RigidTransform& station = {})
         : polar_(std::get<PolarGeometry>(angles.geometry)), tables_(angles), mount_(sensorInMover(polar_.axis, assembly)),
-          ideal_(assembly == AssemblyErrors{}) {}
+          station_(station), ideal_(assembly == AssemblyErrors{}), first_(station == RigidTransform{}) {}
 
     [[nodiscard]] Ray ray(int line, int beam) const {
+        const Ray ray = rayOfScanner(line, beam);
+        return first_ ? ray : Ray{station_ * ray.fromM, station_.rotation * ray.direction};
+    }
+    [[nodiscard]] const CartesianTables& tables() const { return tables_; }
+    [[nodiscard]] double leverM() const { return mount_.translationM.norm() + station_.translationM.norm(); }
+
+private:
+    [[nodiscard]] Ray rayOfScanner(int line, int beam) const {
         if (ideal_) return {Eigen::Vector3d::Zero(), tables_.direction(line, beam)};
         const auto j = static_cast<std::size_t>(beam);
         const double angle =
@@ -30,14 +39,12 @@ public:
         const double a = radians(polar_.beamDeg[j]);
         return {turn * mount_.translationM, turn * (mount_.rotation * Eigen::Vector3d(std::cos(a), 0, std::sin(a)))};
     }
-    [[nodiscard]] const CartesianTables& tables() const { return tables_; }
-    [[nodiscard]] double leverM() const { return mount_.translationM.norm(); }
 
-private:
     const PolarGeometry& polar_;
     CartesianTables tables_;
-    RigidTransform mount_;
-    bool ideal_;
+    RigidTransform mount_, station_;
+    bool ideal_; ///< no error of the assembly
+    bool first_; ///< the scanner's frame is that of the scene
 };
 
 } // namespace edgescan::sim

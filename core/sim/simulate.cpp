@@ -55,7 +55,7 @@ constexpr std::array kNumbers{
                      0.9, 0, 3, EDGESCAN_NUMBER(SimulationSettings, rockRounding)},
     SimulationNumber{"rock-size", "", "", "Times the size of every rock; small ones need more --rocks to fill the same room", 0.1, 3, 0, 3,
                      EDGESCAN_NUMBER(SimulationSettings, rockSize)},
-    SimulationNumber{"rock-lumps", "", "", "Smooth lumps of the rocks beside their relief, standard deviation [mm]", 0, 100, 0, 3,
+    SimulationNumber{"rock-lumps", "", "", "Smooth lumps of the rocks in addition to their relief, standard deviation [mm]", 0, 100, 0, 3,
                      EDGESCAN_NUMBER(SimulationSettings, rockLumpsMm)},
     SimulationNumber{"rock-lump-size", "", "",
                      "Lattice that the lumps are drawn on; from one to the next it is two to three times as far [m]", 0.02, 10, 0, 3,
@@ -115,8 +115,8 @@ std::optional<Error> refusal(const SimulationSettings& s) {
         return Error{name + " is " + shortestText(value), "simulate",
                      "use " + shortestText(number.minimum) + " to " + shortestText(number.maximum)};
     }
-    if (s.truth && (s.assembly != AssemblyErrors{} || s.zeroJumpDeg != 0))
-        return Error{"the truth is that of rays from one point, which an assembly with errors has not", "simulate",
+    if (s.truth && (s.assembly != AssemblyErrors{} || s.zeroJumpDeg != 0 || s.station != RigidTransform{}))
+        return Error{"the truth is that of rays from the origin, which an assembly with errors and another station do not have", "simulate",
                      "leave the truth or the errors of the assembly out"};
     if (s.afterBlast && s.scene != "hangup")
         return Error{"there is nothing to blast in the scene \"" + s.scene + "\"", "simulate", "use the scene hangup"};
@@ -264,7 +264,8 @@ bool forAllLines(const SimulationSettings& settings, const SimulationProgress& p
 /// Returns false if cancelled. A cell depends only on its own index.
 bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation& out) {
     const AssemblyErrors& assembly = sweep.settings.assembly;
-    const std::array<BeamDirections, 2> aim{BeamDirections(sweep.aim[0], assembly), BeamDirections(sweep.aim[1], assembly)};
+    const std::array<BeamDirections, 2> aim{BeamDirections(sweep.aim[0], assembly, sweep.settings.station),
+                                            BeamDirections(sweep.aim[1], assembly, sweep.settings.station)};
     const RayCaster caster(sweep.scene, sweep.footprint, aim[0].leverM());
     if (!forAllLines(sweep.settings, progress, [&](int line) { castLine(sweep, caster, aim, line, out); })) return false;
     if (out.truth) {

@@ -72,6 +72,7 @@ struct SimulationSettings {
     double motorSkewDeg = 0.0;  ///< movement of the stepper while the mirror sweeps the fan
     double slips = 0.0;         ///< probability per line that the stepper falls one step behind
     AssemblyErrors assembly;    ///< rays start and point according to these errors, while the recorded angles stay nominal; not with truth
+    RigidTransform station;     ///< from the scanner's frame to that of the scene, where the first station is at the origin; not with truth
     double zeroJumpDeg = 0.0;   ///< shift of the stepper's zero at half of the turn
     double statusCodes = 0.0;   ///< probability that the device reports a status code in place of a range
 

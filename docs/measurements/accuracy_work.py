@@ -36,9 +36,9 @@ def key(*parts):
 
 def simulator():
     sources = [os.path.join(ROOT, "app/cli/simulate.cpp")]
-    for folder, starts in (("core/sim", ""), ("core/lab/score", "t")):  # truth and thinning
+    for folder in ("core/sim", "core/sim/truth"):
         folder = os.path.join(ROOT, folder)
-        sources += [os.path.join(folder, name) for name in os.listdir(folder) if name.startswith(starts)]
+        sources += [os.path.join(folder, name) for name in os.listdir(folder) if name.endswith((".cpp", ".h"))]
     return hash_of(*sorted(sources))
 
 

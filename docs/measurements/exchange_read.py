@@ -20,7 +20,7 @@ def rows(points, colours=None, classes=None):
 
 
 CLASSES = {name: n for n, name in enumerate(["CLOUD", "EDGE_POINTS_JUMP", "EDGE_POINTS_CONVEX", "EDGE_POINTS_CONCAVE", "EDGE_POINTS_BORDER",
-                                             "EDGE_POINTS_SILHOUETTE"])}  # the layers of drawings
+                                             "EDGE_POINTS_SILHOUETTE", "EDGE_POINTS_RIM"])}  # the layers of drawings
 
 
 def kind_of(path):

@@ -3,9 +3,80 @@
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
+<message><source>LIVE</source><translation>EN VIVO</translation></message>
+<message><source>STALE</source><translation>ANTICUADO</translation></message>
+<message><source>STALE %1</source><translation>ANTICUADO %1</translation></message>
+<message><source>LOST</source><translation>PERDIDO</translation></message>
+<message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
+<message><source>STOPPED</source><translation>DETENIDO</translation></message>
+<message><source>%1, COUNTERS IN DOUBT</source><translation>%1, CONTADORES DUDOSOS</translation></message>
+<message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 líneas</translation></message>
+<message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
+<message><source>%1 lines</source><translation>%1 líneas</translation></message>
+<message><source>line %1</source><translation>línea %1</translation></message>
+<message><source>lines %1 and others</source><translation>líneas %1 y otras</translation></message>
+<message><source>lines %1</source><translation>líneas %1</translation></message>
+<message><source>no return %1 %</source><translation>sin retorno %1 %</translation></message>
+<message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
+<message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
+<message><source>1 remark</source><translation>1 observación</translation></message>
+<message><source>%1 remarks</source><translation>%1 observaciones</translation></message>
+<message><source>%1 earlier in this sweep</source><translation>%1 antes en este barrido</translation></message>
+<message><source>WINDOW TOO DIRTY</source><translation>VENTANA DEMASIADO SUCIA</translation></message>
+<message><source>WINDOW DIRTY</source><translation>VENTANA SUCIA</translation></message>
+<message><source>window clean</source><translation>ventana limpia</translation></message>
+<message><source>device ok</source><translation>equipo en orden</translation></message>
+<message><source>DEVICE ERROR</source><translation>ERROR DEL EQUIPO</translation></message>
+<message><source>no pose</source><translation>sin pose</translation></message>
+<message><source>pose of unknown age</source><translation>pose de edad desconocida</translation></message>
+<message><source>pose %1 old</source><translation>pose de hace %1</translation></message>
+<message><source>sweep whole</source><translation>barrido completo</translation></message>
+<message><source>sweep ended</source><translation>barrido terminado</translation></message>
+<message><source>ends in %1</source><translation>termina en %1</translation></message>
+<message><source>recording %1 MB, %2</source><translation>grabación %1 MB, %2</translation></message>
+<message><source>recording %1 MB</source><translation>grabación %1 MB</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>el disco lleva %1 s de retraso (%2 MB)</translation></message>
+<message><source>RECORDING ENDED: %1</source><translation>GRABACIÓN TERMINADA: %1</translation></message>
+<message><source>RECORDING HAS GAPS: %1</source><translation>LA GRABACIÓN TIENE HUECOS: %1</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: hay %1 líneas, no se sabe cuántas eran.</translation></message>
+<message><source>Telegrams were lost: lines </source><translation>Se perdieron telegramas: líneas </translation></message>
+<message><source>Telegrams were lost: line </source><translation>Se perdió un telegrama: línea </translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Hubo telegramas con menos haces que el barrido, los demás se perdieron: </translation></message>
+<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
+<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>El escáner comunicó un error o no estaba listo</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>El escáner comunicó una ventana demasiado sucia para medir</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>El escáner comunicó una ventana sucia</translation></message>
+<message><source> in all)</source><translation> en total)</translation></message>
+<message><source>Trying again in %1 s.</source><translation>Nuevo intento en %1 s.</translation></message>
+<message><source>Connecting to %1.</source><translation>Conectando con %1.</translation></message>
+<message><source> accepts the connection; asking what it is.</source><translation> acepta la conexión; se le pregunta qué es.</translation></message>
+<message><source> is sending again.</source><translation> vuelve a enviar.</translation></message>
+<message><source> is sending.</source><translation> envía.</translation></message>
+<message><source>: no scan for %1 s.</source><translation>: sin escaneo desde hace %1 s.</translation></message>
+<message><source>: disconnected.</source><translation>: desconectado.</translation></message>
+<message><source>there is no such file</source><translation>no existe ese archivo</translation></message>
+<message><source>check the spelling and the folder</source><translation>compruebe el nombre y la carpeta</translation></message>
+<message><source>reading this file is not allowed</source><translation>no se permite leer este archivo</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>pida a su dueño permiso para leerlo</translation></message>
+<message><source>this is a folder, not a file</source><translation>es una carpeta, no un archivo</translation></message>
+<message><source>choose a file inside it</source><translation>elija un archivo dentro de ella</translation></message>
+<message><source>there is not enough memory for this scan</source><translation>no hay memoria suficiente para este escaneo</translation></message>
+<message><source>close other programs or open a smaller scan</source><translation>cierre otros programas o abra un escaneo más pequeño</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>se canceló, así que no se escribió nada</translation></message>
+<message><source>save it again</source><translation>guárdelo otra vez</translation></message>
+<message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
+<message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
+<message><source>the points behind others in the export dialog</source><translation>los puntos detrás de otros del diálogo de exportación</translation></message>
+<message><source>the filled cells in the export dialog</source><translation>las celdas rellenadas del diálogo de exportación</translation></message>
+<message><source>the comments in the export dialog</source><translation>los comentarios del diálogo de exportación</translation></message>
+<message><source>the filling of gaps in the Edges panel</source><translation>el relleno de huecos del panel de aristas</translation></message>
+<message><source>the outlines in the picture</source><translation>los contornos en la imagen</translation></message>
+<message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» en Escaneo &gt; Cómo se lee el escaneo</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
 <message><source>Folded panels</source><translation>Paneles plegados</translation></message>
-<message><source>Open this panel</source><translation>Abrir este panel</translation></message>
+<message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que no se cerraron</translation></message>
@@ -15,9 +86,11 @@
 <message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Doble clic: solo esta vista, y de vuelta</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Todas las vistas de nuevo (doble clic en el título)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Solo esta vista (doble clic en el título)</translation></message>
+<message><source>Less</source><translation>Menos</translation></message>
+<message><source>More</source><translation>Más</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Doble clic: en lugar de la nube, y de vuelta</translation></message>
+<message><source>All views again</source><translation>Todas las vistas de nuevo</translation></message>
+<message><source>This view alone</source><translation>Esta vista sola</translation></message>
 <message><source>Replace the file?</source><translation>¿Reemplazar el archivo?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Ya existe un archivo con este nombre:</translation></message>
 <message><source>There are files of these names already:</source><translation>Ya existen archivos con estos nombres:</translation></message>
@@ -51,9 +124,12 @@
 <message><source>Forget A</source><translation>Olvidar A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Todavía no hay nada con qué compararla: abra primero el escaneo posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Leyendo %1 como A</translation></message>
+<message><source>the demo</source><translation>la demo</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar con un escaneo anterior</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A no se recuperó: el contenido de %1 cambió desde entonces.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar con un escaneo</translation></message>
+<message><source>Comparing with A</source><translation>Comparando con A</translation></message>
 <message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
@@ -72,11 +148,11 @@ visible %6 m², a %7 m</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
-<message><source>&amp;Why is this cell an edge, or none?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
+<message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>Working out why …</source><translation>Buscando la razón …</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
-Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más fuerte.</translation></message>
+The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
+La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
 <message><source>Clicked</source><translation>Clic</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primero apunte a una celda o haga clic en ella; luego Por qué dice qué la decide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
@@ -86,10 +162,15 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
+<message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Aún no hay una vista %1: Ctrl+%1 guarda la actual.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Todavía no hay nada que informar: primero abra un escaneo.</translation></message>
 <message><source>Report</source><translation>Informe</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
+<message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
+<message><source>Making the report %1</source><translation>Creando el informe %1</translation></message>
+<message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
 <message><source>The section could not be worked out (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
@@ -107,10 +188,12 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Picture (*.png)</source><translation>Imagen (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
+<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Este escaneo es plano y con poco ruido: con el preajuste smooth-walls, los escalones bajos lejanos también son bordes.</translation></message>
+<message><source>Use It</source><translation>Usarlo</translation></message>
 <message><source>Open preset</source><translation>Abrir un preajuste</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
-<message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
+<message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que una calibración no podría nombrarlo: abra un escaneo o una grabación.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Escaneos del mismo montaje</translation></message>
@@ -128,12 +211,12 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>beam index</source><translation>índice de los haces</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
 <message><source>stays</source><translation>sin cambio</translation></message>
-<message><source>not told</source><translation>no se determina</translation></message>
+<message><source>not measured</source><translation>no se determina</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>hallado con %1 celdas, %2° vistos dos veces</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
 <message><source>Edges of both views</source><translation>Bordes de ambas vistas</translation></message>
 <message><source>orange – late view, blue | early view, white + both</source><translation>naranja – vista tardía, azul | primera vista, blanco + ambas</translation></message>
-<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
+<message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
 <message><source>After: %1 % do</source><translation>Después: %1 %</translation></message>
 <message><source>Distance of the views</source><translation>Distancia de las vistas</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
@@ -161,24 +244,36 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Escáner en E %1, N %2, RL %3. Sus puntos: </translation></message>
+<message><source>Store Pose</source><translation>Guardar la pose</translation></message>
+<message><source>Remove Pose</source><translation>Quitar la pose</translation></message>
+<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que su pose no se podría guardar: abra un escaneo o una grabación.</translation></message>
+<message><source>Store the mounting</source><translation>Guardar el montaje</translation></message>
+<message><source>Name of the scanner</source><translation>Nombre del escáner</translation></message>
+<message><source>No pose is stored with the scan any more.</source><translation>Ya no hay ninguna pose guardada con el escaneo.</translation></message>
+<message><source>Stored %1; it replaced the pose that was there.</source><translation>Se guardó %1; reemplazó la pose que había.</translation></message>
+<message><source>Stored %1.</source><translation>Se guardó %1.</translation></message>
+<message><source>The pose could not be stored (%1).</source><translation>No se pudo guardar la pose (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, hace %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
 <message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
 <message><source> · no time</source><translation> · sin hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>HELD</source><translation>RETENIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
 <message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
 <message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>RECORDED</source><translation>GRABADO</translation></message>
 <message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sin hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
+<message><source>OLD PICTURE</source><translation>IMAGEN ANTERIOR</translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation>Otro escaneo está en camino: esta es la imagen anterior.</translation></message>
 <message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
+<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>call of a rock</source><translation>clasificación como roca</translation></message>
@@ -193,7 +288,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
 <message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
@@ -202,7 +297,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
 <message><source>being worked out …</source><translation>en cálculo …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
+<message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir con las rocas seleccionadas</translation></message>
@@ -215,7 +310,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
 <message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
 <message><source>Save session</source><translation>Guardar sesión</translation></message>
-<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
+<message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
 <message><source>Open session</source><translation>Abrir sesión</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de pantalla (*.png)</translation></message>
 <message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: el escaneo de esta sesión no está allí: se movió, o su disco no está aquí. Los ajustes y la vista han vuelto; el resto vendrá con el escaneo.</translation></message>
@@ -258,7 +353,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
+<message><source>There is no cell: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
@@ -266,8 +361,8 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Nothing was selected (%1).</source><translation>No se seleccionó nada (%1).</translation></message>
 <message><source>Select Nothing</source><translation>No seleccionar nada</translation></message>
 <message><source>Select</source><translation>Seleccionar</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
+<message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Esta celda no es un borde, así que no está en ninguna cadena de bordes: elija una que lo sea.</translation></message>
+<message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>No hay ninguna roca en esta celda: elija una que esté sobre una cara coloreada.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Las rocas no se muestran, así que no se puede seleccionar ninguna: primero pulse K.</translation></message>
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Aislar</translation></message>
@@ -320,6 +415,23 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Making the demo draw-bell</source><translation>Creando el embudo de extracción de demostración</translation></message>
 <message><source>Saving %1</source><translation>Guardando %1</translation></message>
 <message><source>writing</source><translation>escribiendo</translation></message>
+<message><source>being cancelled</source><translation>cancelando</translation></message>
+<message><source>opened</source><translation>abierto</translation></message>
+<message><source>reading</source><translation>lectura</translation></message>
+<message><source>reading points</source><translation>lectura de los puntos</translation></message>
+<message><source>reading ranges</source><translation>lectura de las distancias</translation></message>
+<message><source>reading the picture</source><translation>lectura de la imagen</translation></message>
+<message><source>unpacking</source><translation>descompresión</translation></message>
+<message><source>finding telegrams</source><translation>búsqueda de telegramas</translation></message>
+<message><source>putting packets together</source><translation>unión de los paquetes</translation></message>
+<message><source>grid</source><translation>cuadrícula</translation></message>
+<message><source>finding the grid</source><translation>búsqueda de la cuadrícula</translation></message>
+<message><source>finding the axis</source><translation>búsqueda del eje</translation></message>
+<message><source>projecting the points</source><translation>proyección de los puntos</translation></message>
+<message><source>casting beams</source><translation>lanzamiento de los haces</translation></message>
+<message><source>placing the points</source><translation>colocación de los puntos</translation></message>
+<message><source>finding edges</source><translation>búsqueda de aristas</translation></message>
+<message><source>drawing</source><translation>dibujo</translation></message>
 <message><source>Menu</source><translation>Menú</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Cancel</source><translation>Cancelar</translation></message>
@@ -327,7 +439,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: mantener un segundo para salir del modo cabina</translation></message>
 <message><source>Previous target</source><translation>Objetivo anterior</translation></message>
 <message><source>Next target</source><translation>Objetivo siguiente</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -338,6 +450,7 @@ Su cadena está enmarcada en ambas imágenes, con un círculo en la celda más f
 <message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
 <message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -348,6 +461,9 @@ cambie un ajuste o abra otro escaneo</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>la mitad de las celdas difiere en menos de %1 mm
 un cambio es mayor que %2 mm a 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>la mitad de los puntos está a menos de %1
+%2 están a más de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A: %1
@@ -366,12 +482,12 @@ mantenga \ para verla</translation></message>
 <message><source>Calibrate the Assembly</source><translation>Calibrar el montaje</translation></message>
 <message><source>&amp;Save As…</source><translation>&amp;Guardar como…</translation></message>
 <message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a este escaneo</translation></message>
-<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
+<message><source>How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 show more. Nothing is applied by itself.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
 <message><source>Scans of one assembly:</source><translation>Escaneos de un montaje:</translation></message>
 <message><source>A&amp;dd Scans…</source><translation>Aña&amp;dir escaneos…</translation></message>
 <message><source>&amp;Remove</source><translation>&amp;Quitar</translation></message>
 <message><source>Robot's &amp;File…</source><translation>Archi&amp;vo del robot…</translation></message>
-<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
+<message><source>The robot's present calibration: its stepper is replaced, all else stays</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
 <message><source>error of the assembly</source><translation>error del montaje</translation></message>
 <message><source>value</source><translation>valor</translation></message>
 <message><source>± 2 sd</source><translation>± 2 desv. est.</translation></message>
@@ -388,17 +504,18 @@ mantenga \ para verla</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● actual</translation></message>
 <message><source>▭ steady</source><translation>▭ constante</translation></message>
+<message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Solo lo seleccionado (%1 celdas)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>También los puntos situados detrás del más cercano de su celda (%1 en el escaneo)</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
 <message><source>What</source><translation>Contenido</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
+<message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
+<message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
-<message><source>For the program that will read it</source><translation>Para el programa que lo leerá</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
 <message><source>doubtful</source><translation>dudoso</translation></message>
@@ -413,6 +530,18 @@ mantenga \ para verla</translation></message>
 <message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada en su lectura podría ser de otro modo.</translation></message>
 <message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
 <message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
+<message><source>Pose and Mounting</source><translation>Pose y montaje</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Mounting</source><translation>Montaje</translation></message>
+<message><source>&amp;Store with the Scan</source><translation>&amp;Guardar con el escaneo</translation></message>
+<message><source>&amp;Remove Pose</source><translation>&amp;Quitar la pose</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Una línea del levantamiento: punto, E, N, RL, y rumbo, cabeceo y alabeo si los tiene</translation></message>
+<message><source>&amp;Fill In</source><translation>&amp;Rellenar</translation></message>
+<message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Cómo está montado el escáner, con un nombre para el próximo escaneo. Un campo vacío tiene el valor que muestra.</translation></message>
+<message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
+<message><source>For&amp;get</source><translation>&amp;Olvidar</translation></message>
+<message><source>From Fi&amp;le…</source><translation>De un &amp;archivo…</translation></message>
+<message><source>Nominal mounting</source><translation>Montaje nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic en una fila la muestra; Adoptar la conserva, Cerrar devuelve lo que había antes.</translation></message>
 <message><source>Range gate</source><translation>Ventana de distancia</translation></message>
@@ -423,12 +552,47 @@ mantenga \ para verla</translation></message>
 <message><source>Read Again</source><translation>Leer de nuevo</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
 <message><source>Choose…</source><translation>Elegir…</translation></message>
+<message><source>none</source><translation>ninguno</translation></message>
+<message><source>HTML: turns in any browser, without a network</source><translation>HTML: gira en cualquier navegador, sin red</translation></message>
+<message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir y archivar</translation></message>
+<message><source>Site</source><translation>Lugar</translation></message>
+<message><source>Author</source><translation>Autor</translation></message>
+<message><source>Remark</source><translation>Observación</translation></message>
+<message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
+<message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>File</source><translation>Archivo</translation></message>
+<message><source>Name</source><translation>Nombre</translation></message>
+<message><source>SHA-256</source><translation>SHA-256</translation></message>
+<message><source>Scan lines</source><translation>Líneas de escaneo</translation></message>
+<message><source>Beams</source><translation>Haces</translation></message>
+<message><source>Cells</source><translation>Celdas</translation></message>
+<message><source>with a range</source><translation>con distancia</translation></message>
+<message><source>no return</source><translation>sin retorno</translation></message>
+<message><source>device status</source><translation>estado del equipo</translation></message>
+<message><source>out of window</source><translation>fuera de la ventana</translation></message>
+<message><source>masked</source><translation>enmascaradas</translation></message>
+<message><source>lost</source><translation>perdidas</translation></message>
+<message><source>Ranges [mm]</source><translation>Distancias [mm]</translation></message>
+<message><source>smallest</source><translation>la menor</translation></message>
+<message><source>largest</source><translation>la mayor</translation></message>
+<message><source>Unit of the file [mm]</source><translation>Unidad del archivo [mm]</translation></message>
+<message><source>Frame</source><translation>Marco</translation></message>
+<message><source>Warnings</source><translation>Advertencias</translation></message>
+<message><source>Geometry</source><translation>Geometría</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montaje del motor paso a paso</translation></message>
+<message><source>Beam angles [°]</source><translation>Ángulos de los haces [°]</translation></message>
+<message><source>Line angles [°]</source><translation>Ángulos de las líneas [°]</translation></message>
+<message><source>Intensity</source><translation>Intensidad</translation></message>
+<message><source>Measured</source><translation>Mediciones</translation></message>
+<message><source>yes</source><translation>sí</translation></message>
+<message><source>no</source><translation>no</translation></message>
+<message><source>and %1 more</source><translation>y %1 más</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Shift+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Shift+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Shift+arrastrar traza un recuadro.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
 <message><source>Scan</source><translation>Escaneo</translation></message>
 <message><source>About EdgeScan</source><translation>Acerca de EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is not a judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
 <message><source>&amp;No Key</source><translation>&amp;Ninguna tecla</translation></message>
 <message><source>&amp;Reset</source><translation>&amp;Restablecer</translation></message>
 <message><source>Change Keys</source><translation>Cambiar teclas</translation></message>
@@ -444,7 +608,7 @@ mantenga \ para verla</translation></message>
 <message><source>along the line</source><translation>a lo largo de la línea</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
+<message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
@@ -458,23 +622,22 @@ mantenga \ para verla</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
+<message><source>Scanner</source><translation>Escáner</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
 <message><source>Record</source><translation>Grabar</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escribir cada telegrama en un archivo nuevo, sin tocarlo, a medida que llega</translation></message>
 <message><source>Keep last minute</source><translation>Conservar el último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escribir en un archivo nuevo lo que llegó durante el último minuto</translation></message>
-<message><source>Follow</source><translation>Seguir</translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>La imagen crece con el escáner; desactivado: queda como está</translation></message>
+<message><source>Hold</source><translation>Retener</translation></message>
+<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>La imagen queda como está mientras el escáner sigue; desactivado: crece con el escáner</translation></message>
 <message><source>name or address of the scanner</source><translation>nombre o dirección del escáner</translation></message>
-<message><source>Scanner</source><translation>Escáner</translation></message>
 <message><source>Sweep…</source><translation>Barrido…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Líneas de un barrido, paso por línea, montaje</translation></message>
 <message><source>Stop</source><translation>Detener</translation></message>
 <message><source>Stop recording</source><translation>Detener la grabación</translation></message>
-<message><source>Following</source><translation>Siguiendo</translation></message>
-<message><source>Held: follow</source><translation>Congelado: seguir</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
-<message><source>Stands while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
+<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
+<message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
 <message><source>not known</source><translation>desconocido</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconocido (se supone 0.18°)</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sin encoder; las líneas se ubican según el paso del motor</translation></message>
@@ -485,15 +648,16 @@ mantenga \ para verla</translation></message>
 <message><source>Step per line</source><translation>Paso por línea</translation></message>
 <message><source>Angle of the first line</source><translation>Ángulo de la primera línea</translation></message>
 <message><source>Encoder counts per degree</source><translation>Cuentas del encoder por grado</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montaje del motor paso a paso</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Shift diez</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
-<message><source>something that is no rock</source><translation>algo que no es una roca</translation></message>
+<message><source>something that is not a rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
+<message><source>at least 1: rock %1</source><translation>al menos 1: roca %1</translation></message>
+<message><source>at least %1: rocks %2</source><translation>al menos %1: rocas %2</translation></message>
 <message><source>, hangs below</source><translation>, cuelga por debajo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
@@ -552,6 +716,7 @@ mantenga \ para verla</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
@@ -559,6 +724,8 @@ mantenga \ para verla</translation></message>
 <message><source>Carry on with the last session</source><translation>Seguir con la última sesión</translation></message>
 <message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
 <message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
+<message><source>Demo before and after a blast</source><translation>Demostración antes y después de una tronadura</translation></message>
+<message><source>both, and what changed between them</source><translation>ambos, y lo que cambió entre ellos</translation></message>
 <message><source>Recent</source><translation>Recientes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
@@ -568,6 +735,20 @@ mantenga \ para verla</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: un embudo colgado antes y después de una tronadura.</translation></message>
+<message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
+<message><source>View from the scanner</source><translation>Ver desde el escáner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Ajuste primero la fuerza de los bordes. La curva de abajo muestra cuántos bordes hay para cada valor; donde es plana, los bordes son seguros.</translation></message>
+<message><source>Show the edges panel</source><translation>Mostrar el panel de bordes</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>Las rocas se encuentran a partir de los bordes, con su tamaño visible y lo segura que es cada una. La tabla las muestra; un clic elige una roca en todas las vistas.</translation></message>
+<message><source>Show the rocks</source><translation>Mostrar las rocas</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Las herramientas de arriba miden. Archivo exporta bordes, nubes y un informe. Los comandos tienen teclas; Ayuda las muestra todas, y también este recorrido.</translation></message>
+<message><source>Show the keys</source><translation>Mostrar las teclas</translation></message>
+<message><source>Back</source><translation>Atrás</translation></message>
+<message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Why</source><translation>Por qué</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
@@ -600,12 +781,10 @@ mantenga \ para verla</translation></message>
 <message><source>Cell</source><translation>Celda</translation></message>
 <message><source>line %1 · beam %2</source><translation>línea %1 · haz %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ángulo de la línea %1°, ángulo del haz %2°</translation></message>
-<message><source>none</source><translation>ninguno</translation></message>
-<message><source>yes</source><translation>sí</translation></message>
 <message><source>, strength %1</source><translation>, fuerza %1</translation></message>
 <message><source>Edge</source><translation>Borde</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m detrás de un borde; medido en su lado cercano</translation></message>
@@ -619,7 +798,6 @@ mantenga \ para verla</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
-<message><source>Measured</source><translation>Mediciones</translation></message>
 <message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The measurement that is chosen</source><translation>La medición elegida</translation></message>
@@ -633,7 +811,7 @@ mantenga \ para verla</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
+<message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
@@ -658,6 +836,7 @@ mantenga \ para verla</translation></message>
 <message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>
@@ -676,22 +855,18 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
-<message><source>no return</source><translation>sin retorno</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDE</translation></message>
 <message><source>not an edge</source><translation>no es un borde</translation></message>
 <message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
-<message><source>scanner frame</source><translation>sistema del escáner</translation></message>
+<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema del escáner, sin pose: sin E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origen E %1 N %2 Cota %3</translation></message>
+<message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
 <message><source>time not known</source><translation>hora desconocida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
@@ -720,6 +895,12 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
+<message><source>Front</source><translation>Frente</translation></message>
+<message><source>Left</source><translation>Izq.</translation></message>
+<message><source>Right</source><translation>Der.</translation></message>
+<message><source>Top</source><translation>Arriba</translation></message>
+<message><source>Bottom</source><translation>Abajo</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nube – tocar para cambiar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Mantenga Bloqueado un segundo para salir del modo cabina.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
@@ -737,7 +918,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagen de distancia – tocar para cambiar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
@@ -750,22 +930,27 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demostración antes y después de una tronadura</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Color según la distancia a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
+<message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
+<message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
 <message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Al cerrar termina aquí; lo grabado hasta ahora queda en su archivo.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>El cierre espera hasta que esté completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
@@ -789,16 +974,11 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window speaks this language from its next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
-<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
-<message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Puntos de borde</translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar la nube bajo los bordes</translation></message>
-<message><source>Depth S&amp;hading</source><translation>&amp;Sombreado por profundidad</translation></message>
-<message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Colores de borde para dal&amp;tónicos</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proporción an&amp;gular real</translation></message>
-<message><source>&amp;View</source><translation>&amp;Ver</translation></message>
+<message><source>Loo&amp;k from</source><translation>&amp;Mirar desde</translation></message>
 <message><source>From &amp;Scanner</source><translation>Desde el &amp;escáner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
 <message><source>&amp;Back</source><translation>Desde &amp;atrás</translation></message>
@@ -807,17 +987,30 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Top</source><translation>Desde arri&amp;ba</translation></message>
 <message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vistas guardadas</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Guardar como vista &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
+<message><source>Clou&amp;d</source><translation>&amp;Nube de puntos</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
+<message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar la nube bajo los bordes</translation></message>
+<message><source>Depth S&amp;hading</source><translation>&amp;Sombreado por profundidad</translation></message>
+<message><source>&amp;Ground Grid</source><translation>Cuadrícula del &amp;suelo</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cubo de vistas</translation></message>
+<message><source>Point Size &amp;+</source><translation>Tamaño de los puntos &amp;+</translation></message>
+<message><source>Point Size &amp;-</source><translation>Tamaño de los puntos &amp;-</translation></message>
+<message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
+<message><source>&amp;Panels</source><translation>&amp;Paneles</translation></message>
+<message><source>&amp;View</source><translation>&amp;Ver</translation></message>
 <message><source>R&amp;eset View</source><translation>&amp;Restablecer la vista</translation></message>
 <message><source>&amp;Zoom In</source><translation>A&amp;cercar</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>A&amp;lejar</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Volar al punto bajo el cursor</translation></message>
-<message><source>&amp;Ground Grid</source><translation>Cuadrícula del &amp;suelo</translation></message>
-<message><source>Point Size &amp;+</source><translation>Tamaño de los puntos &amp;+</translation></message>
-<message><source>Point Size &amp;-</source><translation>Tamaño de los puntos &amp;-</translation></message>
-<message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proporción an&amp;gular real</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restab&amp;lecer la disposición</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Pantalla com&amp;pleta</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
+<message><source>P&amp;ose and Mounting…</source><translation>Pose &amp;y montaje…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corregir los ángulos de los haces entrelazados de dos pasadas, y de las líneas en que el motor paso a paso patinó</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
@@ -828,7 +1021,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Car&amp;peta de grabaciones…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproducir o pausar</translation></message>
 <message><source>Next Line</source><translation>Línea siguiente</translation></message>
-<message><source>Last Line</source><translation>Línea anterior</translation></message>
+<message><source>Previous Line</source><translation>Línea anterior</translation></message>
 <message><source>Ten Lines Forward</source><translation>Diez líneas adelante</translation></message>
 <message><source>Ten Lines Back</source><translation>Diez líneas atrás</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Enderezar los haces</translation></message>
@@ -844,7 +1037,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
 <message><source>Contact Shee&amp;t…</source><translation>Hoja de con&amp;tactos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Borrar las mar&amp;cas</translation></message>
-<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
+<message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Volver al preajuste</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar los ajustes pre&amp;determinados</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
@@ -884,9 +1077,9 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
-<message><source>line %1</source><translation>línea %1</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 de %2 bordes</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
@@ -896,15 +1089,15 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>free rotation</source><translation>rotación libre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
-<message><source>Targets</source><translation>Objetivos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
+<message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
@@ -924,7 +1117,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Minimum length</source><translation>Longitud mínima</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Las cadenas más cortas de celdas de borde se descartan.</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), y el lado cercano de un vacío con algo más lejos detrás; y, lo que no es borde de una roca, donde terminan los datos.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), el lado cercano de un vacío con algo más lejos detrás y el borde de un vacío abierto; y, lo que no es un borde, donde terminan los datos.</translation></message>
 <message><source>Hysteresis low</source><translation>Histéresis, umbral bajo</translation></message>
 <message><source>% of high</source><translation>% del alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Las celdas más débiles, de esta fuerza, son bordes donde continúan una fuerte.</translation></message>
@@ -933,14 +1126,18 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>Cuánto puede estar fuera de lugar un haz antes de que una superficie rasante muestre un salto: 0.1 para un barrido motorizado, 1 para haces entrelazados.</translation></message>
 <message><source>Allow for slips</source><translation>Tener en cuenta los deslizamientos</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Los haces entrelazados de dos pasadas y las líneas en que el motor paso a paso patinó se reconocen y se tienen en cuenta.</translation></message>
+<message><source>Allow for turns</source><translation>Tener en cuenta los retrocesos</translation></message>
+<message><source>At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.</source><translation>En las primeras y últimas líneas de un barrido, el motor puede retroceder todavía, y toda superficie parece plegarse allí; esos pliegues se descartan.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruido de distancia a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma de las distancias a 5 m; auto lo mide en el escaneo.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruido de celda a celda</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Si cada celda yerra por sí misma, como con un láser, o si las vecinas yerran juntas, como con una cámara de profundidad cuya profundidad viene en escalones: los pliegues deben entonces superar lo que parecen tales escalones.</translation></message>
+<message><source>Rough scans</source><translation>Escaneos rugosos</translation></message>
+<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Cuando la mitad de los pliegues está en superficies plegadas por todas partes, como montones de bolos pequeños, un pliegue solo cuenta si supera su entorno.</translation></message>
 <message><source>Fill gaps</source><translation>Rellenar huecos</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Los huecos de hasta este ancho se rellenan con lo que los rodea, nunca sobre un salto; las celdas rellenadas se marcan y no cuentan como medidas. 0 no rellena ninguno.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordes en huecos</translation></message>
-<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation>Las celdas rellenadas participan en la búsqueda de bordes, y pueden ser bordes que nadie midió.</translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>Las celdas rellenadas participan en la búsqueda de bordes, y pueden ser bordes que nadie midió.</translation></message>
 <message><source>Lower threshold</source><translation>Umbral inferior</translation></message>
 <message><source>levels</source><translation>niveles</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Una celda con un gradiente superior a este es un borde: con Canny si una cadena de tales celdas lleva a una fuerte, con los detectores de un umbral siempre.</translation></message>
@@ -967,12 +1164,13 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Gradient norm</source><translation>Norma del gradiente</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Cómo las dos componentes del gradiente se convierten en una magnitud.</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara del laplaciano</translation></message>
-<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation>Qué máscara representa el laplaciano de gaussiana.</translation></message>
+<message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qué máscara representa el laplaciano de gaussiana.</translation></message>
 <message><source>jump</source><translation>salto</translation></message>
 <message><source>convex</source><translation>convexo</translation></message>
 <message><source>concave</source><translation>cóncavo</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
+<message><source>void rim</source><translation>borde de un vacío</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tesis (255 / extensión)</translation></message>
@@ -1002,16 +1200,18 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre niveles de gris logarítmicos: un escalón cuenta en porcentaje de su distancia; los datos ausentes se enmascaran, así que un hueco no tiene borde.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como la tesis, pero los niveles de gris van de la distancia más cercana a la más lejana.</translation></message>
+<message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superficies planas y con poco ruido: los escalones bajos son bordes también de lejos.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más, sin atender a escaneos rugosos ni a retrocesos del motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de qué indicio dos trozos son dos rocas: más bajo corta más, más alto une más.</translation></message>
 <message><source>Smallest rock</source><translation>Roca más pequeña</translation></message>
 <message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Los trozos de menos celdas medidas son finos y no rocas.</translation></message>
 <message><source>Farthest rock</source><translation>Roca más lejana</translation></message>
-<message><source>What lies farther away is no rock.</source><translation>Lo que está más lejos no es una roca.</translation></message>
+<message><source>A region farther away is not a rock.</source><translation>Lo que está más lejos no es una roca.</translation></message>
 <message><source>Largest size expected</source><translation>Mayor tamaño esperado</translation></message>
 <message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Los trozos más grandes necesitan mejores señales de ser una roca y no una pared.</translation></message>
 <message><source>Oversize</source><translation>Sobretamaño</translation></message>
-<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
+<message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Ángulo del primer haz [grados]</translation></message>
 <message><source>Angle from beam to beam [degrees]</source><translation>Ángulo de un haz al siguiente [grados]</translation></message>
 <message><source>Angle of the first line [degrees]</source><translation>Ángulo de la primera línea [grados]</translation></message>
@@ -1023,8 +1223,45 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>Desde dónde se tomó una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
 <message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, el láser con más líneas</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
+<message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
+<message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
+<message><source>Level RL [m]</source><translation>Cota RL [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Rumbo, desde el norte en sentido horario [grados]</translation></message>
+<message><source>North of the heading</source><translation>Norte del rumbo</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinación: cabeceo, morro arriba [grados]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinación: alabeo, lado derecho abajo [grados]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zona o código EPSG</translation></message>
+<message><source>Datum</source><translation>Datum</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Acimut del brazo, positivo hacia la izquierda [grados]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Cabeceo del robot, morro arriba [grados]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Alabeo del robot, lado derecho abajo [grados]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nombre del robot o del escáner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alineación: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Brazo de palanca del TALIN en el robot: adelante, izquierda, arriba [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Brazo de palanca del cabezal en el robot: adelante, izquierda, arriba [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivote de un brazo en el robot, en lugar del cabezal [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Del pivote al cabezal [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>El acimut del brazo gira alrededor de</translation></message>
+<message><source>The scanner looks</source><translation>El escáner mira</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Dirección de la mirada: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Dirección de la mirada: nueve números por filas</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eje del motor desde el inclinómetro [m]</translation></message>
+<message><source>Tilt is given as</source><translation>La inclinación se da como</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Escáner sobre el motor: alabeo, cabeceo, guiñada [grados]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Escáner sobre el motor: x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Eje del motor</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Cero del motor [grados]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido del motor, 1 o -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Paso de línea a línea [grados]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Haz en la marca de tiempo de una línea [grados]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergencia de la cuadrícula [grados]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Mayor cambio de inclinación durante un barrido [grados]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Mayor antigüedad de una pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ y CSV con todas las columnas, y la cuadrícula y el registro en líneas de comentario: con lo que pueden tropezar los SIG y las planillas de cálculo</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordenadas mina con números de 8 bytes, que PCL y Open3D no leen; si no, en metros desde un origen en un comentario</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
@@ -1070,7 +1307,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
 <message><source>Unit</source><translation>Unidad</translation></message>
-<message><source>Mounting</source><translation>Montaje</translation></message>
 <message><source>Line angles</source><translation>Ángulos de las líneas</translation></message>
 <message><source>Order of the lines</source><translation>Orden de las líneas</translation></message>
 <message><source>Grid</source><translation>Cuadrícula</translation></message>
@@ -1095,10 +1331,10 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados, %4 en total; %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados: %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Las paredes se curvan con los ángulos de línea que se tomaron: %1 de %2 trozos planos están en tres planos, otros pasos dan más.</translation></message>
-<message><source>line angles from %1 to %2 degrees; whether left and right are exchanged no range tells</source><translation>ángulos de las líneas de %1 a %2 grados; ninguna distancia dice si izquierda y derecha están intercambiadas</translation></message>
+<message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>ángulos de las líneas de %1 a %2 grados; ninguna distancia dice si izquierda y derecha están intercambiadas</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>al revés: izquierda y derecha intercambiadas</translation></message>
-<message><source>projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell</source><translation>proyectado en celdas de %1 grados; el %2 % de los puntos está detrás de otros de su celda</translation></message>
-<message><source>%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.</source><translation>El %1 % de los puntos está detrás de otros de su celda: las celdas son gruesas, o el sensor estaba en otro lugar.</translation></message>
+<message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>proyectado en celdas de %1 grados; el %2 % de los puntos está detrás de otros de su celda</translation></message>
+<message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>El %1 % de los puntos está detrás de otros de su celda: las celdas son gruesas, o el sensor estaba en otro lugar.</translation></message>
 <message><source>cells of %1 degrees</source><translation>celdas de %1 grados</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>

@@ -3,9 +3,80 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>CONNECTING</source><translation>CONNEXION</translation></message>
+<message><source>LIVE</source><translation>EN DIRECT</translation></message>
+<message><source>STALE</source><translation>PÉRIMÉ</translation></message>
+<message><source>STALE %1</source><translation>PÉRIMÉ %1</translation></message>
+<message><source>LOST</source><translation>PERDU</translation></message>
+<message><source>LOST %1</source><translation>PERDU %1</translation></message>
+<message><source>STOPPED</source><translation>ARRÊTÉ</translation></message>
+<message><source>%1, COUNTERS IN DOUBT</source><translation>%1, COMPTEURS DOUTEUX</translation></message>
+<message><source>INCOMPLETE %1 lines</source><translation>INCOMPLET %1 lignes</translation></message>
+<message><source>%1 lost: %2</source><translation>%1 perdues : %2</translation></message>
+<message><source>%1 lines</source><translation>%1 lignes</translation></message>
+<message><source>line %1</source><translation>ligne %1</translation></message>
+<message><source>lines %1 and others</source><translation>lignes %1 et d'autres</translation></message>
+<message><source>lines %1</source><translation>lignes %1</translation></message>
+<message><source>no return %1 %</source><translation>sans retour %1 %</translation></message>
+<message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
+<message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
+<message><source>1 remark</source><translation>1 remarque</translation></message>
+<message><source>%1 remarks</source><translation>%1 remarques</translation></message>
+<message><source>%1 earlier in this sweep</source><translation>%1 plus tôt dans ce balayage</translation></message>
+<message><source>WINDOW TOO DIRTY</source><translation>FENÊTRE TROP SALE</translation></message>
+<message><source>WINDOW DIRTY</source><translation>FENÊTRE SALE</translation></message>
+<message><source>window clean</source><translation>fenêtre propre</translation></message>
+<message><source>device ok</source><translation>appareil en ordre</translation></message>
+<message><source>DEVICE ERROR</source><translation>ERREUR DE L'APPAREIL</translation></message>
+<message><source>no pose</source><translation>pas de pose</translation></message>
+<message><source>pose of unknown age</source><translation>pose d'âge inconnu</translation></message>
+<message><source>pose %1 old</source><translation>pose vieille de %1</translation></message>
+<message><source>sweep whole</source><translation>balayage entier</translation></message>
+<message><source>sweep ended</source><translation>balayage terminé</translation></message>
+<message><source>ends in %1</source><translation>fin dans %1</translation></message>
+<message><source>recording %1 MB, %2</source><translation>enregistrement %1 Mo, %2</translation></message>
+<message><source>recording %1 MB</source><translation>enregistrement %1 Mo</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>le disque a %1 s de retard (%2 Mo)</translation></message>
+<message><source>RECORDING ENDED: %1</source><translation>ENREGISTREMENT TERMINÉ : %1</translation></message>
+<message><source>RECORDING HAS GAPS: %1</source><translation>L'ENREGISTREMENT A DES TROUS : %1</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLET : %1 lignes sont là, on ne sait pas combien il y en avait.</translation></message>
+<message><source>Telegrams were lost: lines </source><translation>Des télégrammes ont été perdus : lignes </translation></message>
+<message><source>Telegrams were lost: line </source><translation>Un télégramme a été perdu : ligne </translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : </translation></message>
+<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
+<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>Le scanner a signalé une erreur ou n'était pas prêt</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>Le scanner a signalé une fenêtre trop sale pour mesurer</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>Le scanner a signalé une fenêtre sale</translation></message>
+<message><source> in all)</source><translation> en tout)</translation></message>
+<message><source>Trying again in %1 s.</source><translation>Nouvel essai dans %1 s.</translation></message>
+<message><source>Connecting to %1.</source><translation>Connexion à %1.</translation></message>
+<message><source> accepts the connection; asking what it is.</source><translation> accepte la connexion ; on lui demande ce qu'il est.</translation></message>
+<message><source> is sending again.</source><translation> envoie de nouveau.</translation></message>
+<message><source> is sending.</source><translation> envoie.</translation></message>
+<message><source>: no scan for %1 s.</source><translation> : pas de scan depuis %1 s.</translation></message>
+<message><source>: disconnected.</source><translation> : déconnecté.</translation></message>
+<message><source>there is no such file</source><translation>ce fichier n'existe pas</translation></message>
+<message><source>check the spelling and the folder</source><translation>vérifiez le nom et le dossier</translation></message>
+<message><source>reading this file is not allowed</source><translation>la lecture de ce fichier n'est pas autorisée</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>demandez à son propriétaire le droit de le lire</translation></message>
+<message><source>this is a folder, not a file</source><translation>c'est un dossier, pas un fichier</translation></message>
+<message><source>choose a file inside it</source><translation>choisissez un fichier à l'intérieur</translation></message>
+<message><source>there is not enough memory for this scan</source><translation>il n'y a pas assez de mémoire pour ce scan</translation></message>
+<message><source>close other programs or open a smaller scan</source><translation>fermez d'autres programmes ou ouvrez un scan plus petit</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>c'était annulé, donc rien n'a été écrit</translation></message>
+<message><source>save it again</source><translation>enregistrez-le de nouveau</translation></message>
+<message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
+<message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
+<message><source>the points behind others in the export dialog</source><translation>les points derrière d'autres dans le dialogue d'exportation</translation></message>
+<message><source>the filled cells in the export dialog</source><translation>les cellules comblées dans le dialogue d'exportation</translation></message>
+<message><source>the comments in the export dialog</source><translation>les commentaires dans le dialogue d'exportation</translation></message>
+<message><source>the filling of gaps in the Edges panel</source><translation>le comblement des trous dans le panneau des arêtes</translation></message>
+<message><source>the outlines in the picture</source><translation>les contours dans l'image</translation></message>
+<message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>« %1 » dans Scan &gt; Comment le scan est lu</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
 <message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
-<message><source>Open this panel</source><translation>Ouvrir ce panneau</translation></message>
+<message><source>Open %1</source><translation>Ouvrir %1</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notes venues avant celle-ci et qui n'ont pas été fermées</translation></message>
@@ -15,9 +86,11 @@
 <message><source>%1 earlier</source><translation>%1 avant</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Double-clic : cette vue seule, et retour</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Toutes les vues de nouveau (double-clic sur le titre)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Cette vue seule (double-clic sur le titre)</translation></message>
+<message><source>Less</source><translation>Moins</translation></message>
+<message><source>More</source><translation>Plus</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
+<message><source>All views again</source><translation>Toutes les vues à nouveau</translation></message>
+<message><source>This view alone</source><translation>Cette vue seule</translation></message>
 <message><source>Replace the file?</source><translation>Remplacer le fichier ?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Il existe déjà un fichier de ce nom :</translation></message>
 <message><source>There are files of these names already:</source><translation>Il existe déjà des fichiers de ces noms :</translation></message>
@@ -51,9 +124,12 @@
 <message><source>Forget A</source><translation>Oublier A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Il n'y a encore rien à quoi la comparer : ouvrez d'abord le scan plus récent.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lecture de %1 comme A</translation></message>
+<message><source>the demo</source><translation>la démo</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparer avec un scan antérieur</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A n'a pas été repris : le contenu de %1 a changé depuis.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparer avec un scan</translation></message>
+<message><source>Comparing with A</source><translation>Comparaison avec A</translation></message>
 <message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
@@ -72,11 +148,11 @@ visible %6 m², à %7 m</translation></message>
 <message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
-<message><source>&amp;Why is this cell an edge, or none?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>Working out why …</source><translation>Recherche de la raison …</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
-Sa chaîne est encadrée dans les deux images, la cellule la plus forte est entourée.</translation></message>
+The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
+La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
 <message><source>Clicked</source><translation>Cliqué</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
@@ -86,10 +162,15 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
+<message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Il n'y a encore rien à rapporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Report</source><translation>Rapport</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
+<message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
+<message><source>Making the report %1</source><translation>Création du rapport %1</translation></message>
+<message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
 <message><source>The section could not be worked out (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
@@ -107,10 +188,12 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Picture (*.png)</source><translation>Image (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
+<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Ce scan est plan et peu bruité : avec le préréglage smooth-walls, les marches basses au loin sont aussi des arêtes.</translation></message>
+<message><source>Use It</source><translation>L'utiliser</translation></message>
 <message><source>Open preset</source><translation>Ouvrir un préréglage</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Préréglages EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Enregistrer le préréglage</translation></message>
-<message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 n'est pas un préréglage et reste tel quel : choisissez un autre nom.</translation></message>
+<message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 n'est pas un préréglage et reste tel quel : choisissez un autre nom.</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, un étalonnage ne pourrait pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Scans du même montage</translation></message>
@@ -128,12 +211,12 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>beam index</source><translation>index des faisceaux</translation></message>
 <message><source>turn at 180°</source><translation>rotation à 180°</translation></message>
 <message><source>stays</source><translation>inchangé</translation></message>
-<message><source>not told</source><translation>non déterminé</translation></message>
+<message><source>not measured</source><translation>non déterminé</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>trouvé à partir de %1 cellules, %2° vus deux fois</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Les deux vues étaient à %1 mm l'une de l'autre et sont à %2 mm avec ces erreurs (médiane ; le bruit explique %3 mm). Un scan ne dit jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Les deux vues étaient à %1 mm l'une de l'autre et sont à %2 mm avec ces erreurs (médiane ; le bruit explique %3 mm). Un scan ne dit jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
 <message><source>Edges of both views</source><translation>Arêtes des deux vues</translation></message>
 <message><source>orange – late view, blue | early view, white + both</source><translation>orange – vue tardive, bleu | première vue, blanc + les deux</translation></message>
-<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Avant : %1 % de %2 arêtes tardives sont à côté d'une première (%3)</translation></message>
+<message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Avant : %1 % de %2 arêtes tardives sont à côté d'une première (%3)</translation></message>
 <message><source>After: %1 % do</source><translation>Après : %1 %</translation></message>
 <message><source>Distance of the views</source><translation>Écart des vues</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Avant : %1 mm d'écart (médiane ; bleu plus près, rouge plus loin que la vue tardive, pleine couleur à 50 mm)</translation></message>
@@ -161,24 +244,36 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
 <message><source>Does this look right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>À l'écran, pas encore adopté : %1</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Scanner à E %1, N %2, RL %3. Ses points : </translation></message>
+<message><source>Store Pose</source><translation>Enregistrer la pose</translation></message>
+<message><source>Remove Pose</source><translation>Enlever la pose</translation></message>
+<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, sa pose ne pourrait pas être enregistrée : ouvrez un scan ou un enregistrement.</translation></message>
+<message><source>Store the mounting</source><translation>Enregistrer le montage</translation></message>
+<message><source>Name of the scanner</source><translation>Nom du scanner</translation></message>
+<message><source>No pose is stored with the scan any more.</source><translation>Aucune pose n'est plus enregistrée avec le scan.</translation></message>
+<message><source>Stored %1; it replaced the pose that was there.</source><translation>%1 enregistré ; il a remplacé la pose qui y était.</translation></message>
+<message><source>Stored %1.</source><translation>%1 enregistré.</translation></message>
+<message><source>The pose could not be stored (%1).</source><translation>La pose n'a pas pu être enregistrée (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, il y a %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
 <message><source>Placed by %1</source><translation>Placé par %1</translation></message>
 <message><source> · no time</source><translation> · sans heure</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>HELD</source><translation>FIGÉ</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
 <message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
 <message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>RECORDED</source><translation>ENREGISTRÉ</translation></message>
 <message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sans heure</translation></message>
 <message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
+<message><source>OLD PICTURE</source><translation>ANCIENNE IMAGE</translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation>Un autre scan arrive : ceci est l'image d'avant.</translation></message>
 <message><source>region of interest</source><translation>région d'intérêt</translation></message>
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
+<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>call of a rock</source><translation>classement comme bloc</translation></message>
@@ -193,7 +288,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
 <message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 cellules, %2 · molette : plus petit ou plus grand</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
 <message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
@@ -202,7 +297,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
 <message><source>being worked out …</source><translation>calcul en cours …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
+<message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Fusionner avec les blocs sélectionnés</translation></message>
@@ -215,7 +310,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
 <message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
 <message><source>Save session</source><translation>Enregistrer la session</translation></message>
-<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
+<message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
 <message><source>Open session</source><translation>Ouvrir une session</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Captures d'écran (*.png)</translation></message>
 <message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1 : le scan de cette session n'y est pas : il a été déplacé, ou son disque n'est pas là. Réglages et vue sont repris ; le reste viendra avec le scan.</translation></message>
@@ -258,7 +353,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
+<message><source>There is no cell: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
@@ -266,8 +361,8 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Nothing was selected (%1).</source><translation>Rien n'a été sélectionné (%1).</translation></message>
 <message><source>Select Nothing</source><translation>Ne rien sélectionner</translation></message>
 <message><source>Select</source><translation>Sélectionner</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
+<message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Cette cellule n'est pas une arête, elle n'est donc sur aucune chaîne d'arêtes : choisissez-en une qui l'est.</translation></message>
+<message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>Il n'y a pas de bloc à cette cellule : choisissez-en une qui se trouve sur une face colorée.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>Les blocs ne sont pas affichés, aucun ne peut donc être sélectionné : appuyez d'abord sur K.</translation></message>
 <message><source>Hide</source><translation>Masquer</translation></message>
 <message><source>Isolate</source><translation>Isoler</translation></message>
@@ -320,6 +415,23 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Making the demo draw-bell</source><translation>Création de l'entonnoir de soutirage de démonstration</translation></message>
 <message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
 <message><source>writing</source><translation>écriture</translation></message>
+<message><source>being cancelled</source><translation>annulation en cours</translation></message>
+<message><source>opened</source><translation>ouvert</translation></message>
+<message><source>reading</source><translation>lecture</translation></message>
+<message><source>reading points</source><translation>lecture des points</translation></message>
+<message><source>reading ranges</source><translation>lecture des distances</translation></message>
+<message><source>reading the picture</source><translation>lecture de l'image</translation></message>
+<message><source>unpacking</source><translation>décompression</translation></message>
+<message><source>finding telegrams</source><translation>recherche des télégrammes</translation></message>
+<message><source>putting packets together</source><translation>assemblage des paquets</translation></message>
+<message><source>grid</source><translation>grille</translation></message>
+<message><source>finding the grid</source><translation>recherche de la grille</translation></message>
+<message><source>finding the axis</source><translation>recherche de l'axe</translation></message>
+<message><source>projecting the points</source><translation>projection des points</translation></message>
+<message><source>casting beams</source><translation>lancer des faisceaux</translation></message>
+<message><source>placing the points</source><translation>placement des points</translation></message>
+<message><source>finding edges</source><translation>recherche des arêtes</translation></message>
+<message><source>drawing</source><translation>dessin</translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Connecter</translation></message>
 <message><source>Cancel</source><translation>Annuler</translation></message>
@@ -327,7 +439,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillé : maintenir une seconde pour quitter le mode cabine</translation></message>
 <message><source>Previous target</source><translation>Cible précédente</translation></message>
 <message><source>Next target</source><translation>Cible suivante</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
@@ -338,6 +450,7 @@ Sa chaîne est encadrée dans les deux images, la cellule la plus forte est ento
 <message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
 <message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
@@ -348,6 +461,9 @@ tournez un réglage, ou ouvrez un autre scan</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>la moitié des cellules diffère de moins de %1 mm
 un changement dépasse %2 mm à 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>la moitié des points est à moins de %1
+%2 sont à plus de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A : %1
@@ -366,12 +482,12 @@ tenez \ pour la voir</translation></message>
 <message><source>Calibrate the Assembly</source><translation>Étalonner le montage</translation></message>
 <message><source>&amp;Save As…</source><translation>Enregi&amp;strer sous…</translation></message>
 <message><source>&amp;Apply to This Scan</source><translation>&amp;Appliquer à ce scan</translation></message>
-<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Comment le scanner est posé sur son moteur, d'après les surfaces qu'une rotation voit deux fois. Tournez de 200 degrés au lieu de 180 une fois par montage ; 360 en disent plus. Rien n'est appliqué de soi-même.</translation></message>
+<message><source>How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 show more. Nothing is applied by itself.</source><translation>Comment le scanner est posé sur son moteur, d'après les surfaces qu'une rotation voit deux fois. Tournez de 200 degrés au lieu de 180 une fois par montage ; 360 en disent plus. Rien n'est appliqué de soi-même.</translation></message>
 <message><source>Scans of one assembly:</source><translation>Scans d'un même montage :</translation></message>
 <message><source>A&amp;dd Scans…</source><translation>A&amp;jouter des scans…</translation></message>
 <message><source>&amp;Remove</source><translation>&amp;Retirer</translation></message>
 <message><source>Robot's &amp;File…</source><translation>&amp;Fichier du robot…</translation></message>
-<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>L'étalonnage actuel du robot : son moteur est réglé à nouveau, le reste demeure</translation></message>
+<message><source>The robot's present calibration: its stepper is replaced, all else stays</source><translation>L'étalonnage actuel du robot : son moteur est réglé à nouveau, le reste demeure</translation></message>
 <message><source>error of the assembly</source><translation>erreur du montage</translation></message>
 <message><source>value</source><translation>valeur</translation></message>
 <message><source>± 2 sd</source><translation>± 2 écarts-types</translation></message>
@@ -388,17 +504,18 @@ tenez \ pour la voir</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
 <message><source>● now</source><translation>● actuel</translation></message>
 <message><source>▭ steady</source><translation>▭ constant</translation></message>
+<message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Seulement ce qui est sélectionné (%1 cellules)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Aussi les points situés derrière le plus proche de leur cellule (%1 dans le scan)</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
 <message><source>What</source><translation>Contenu</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Format</source><translation>Format</translation></message>
 <message><source>Coordinates</source><translation>Coordonnées</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
+<message><source>Local metres; the origin in the mine grid is in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Comment le scan est lu accepte une pose et un étalonnage.</translation></message>
-<message><source>For the program that will read it</source><translation>Pour le programme qui le lira</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
 <message><source>doubtful</source><translation>douteux</translation></message>
@@ -413,6 +530,18 @@ tenez \ pour la voir</translation></message>
 <message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1 : rien dans sa lecture ne pourrait être autrement.</translation></message>
 <message><source>%1: something speaks against how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
 <message><source>%1: nothing speaks against how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
+<message><source>Pose and Mounting</source><translation>Pose et montage</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Mounting</source><translation>Montage</translation></message>
+<message><source>&amp;Store with the Scan</source><translation>&amp;Enregistrer avec le scan</translation></message>
+<message><source>&amp;Remove Pose</source><translation>En&amp;lever la pose</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Une ligne du levé : point, E, N, RL, puis cap, tangage et roulis si elle les contient</translation></message>
+<message><source>&amp;Fill In</source><translation>&amp;Remplir</translation></message>
+<message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Comment le scanner est monté, sous un nom pour le prochain scan. Un champ vide a la valeur affichée dedans.</translation></message>
+<message><source>Store &amp;As…</source><translation>Enregistrer &amp;sous…</translation></message>
+<message><source>For&amp;get</source><translation>&amp;Oublier</translation></message>
+<message><source>From Fi&amp;le…</source><translation>D'un &amp;fichier…</translation></message>
+<message><source>Nominal mounting</source><translation>Montage nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic sur une ligne la montre ; Adopter la garde, Fermer remet ce qui était réglé avant.</translation></message>
 <message><source>Range gate</source><translation>Fenêtre de distance</translation></message>
@@ -423,12 +552,47 @@ tenez \ pour la voir</translation></message>
 <message><source>Read Again</source><translation>Relire</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
 <message><source>Choose…</source><translation>Choisir…</translation></message>
+<message><source>none</source><translation>aucune</translation></message>
+<message><source>HTML: turns in any browser, without a network</source><translation>HTML : tourne dans tout navigateur, sans réseau</translation></message>
+<message><source>PDF: pages to print and to file</source><translation>PDF : des pages à imprimer et à classer</translation></message>
+<message><source>Site</source><translation>Site</translation></message>
+<message><source>Author</source><translation>Auteur</translation></message>
+<message><source>Remark</source><translation>Remarque</translation></message>
+<message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
+<message><source>Logo</source><translation>Logo</translation></message>
+<message><source>File</source><translation>Fichier</translation></message>
+<message><source>Name</source><translation>Nom</translation></message>
+<message><source>SHA-256</source><translation>SHA-256</translation></message>
+<message><source>Scan lines</source><translation>Lignes de scan</translation></message>
+<message><source>Beams</source><translation>Faisceaux</translation></message>
+<message><source>Cells</source><translation>Cellules</translation></message>
+<message><source>with a range</source><translation>avec une distance</translation></message>
+<message><source>no return</source><translation>sans retour</translation></message>
+<message><source>device status</source><translation>état de l'appareil</translation></message>
+<message><source>out of window</source><translation>hors de la fenêtre</translation></message>
+<message><source>masked</source><translation>masquées</translation></message>
+<message><source>lost</source><translation>perdues</translation></message>
+<message><source>Ranges [mm]</source><translation>Distances [mm]</translation></message>
+<message><source>smallest</source><translation>la plus petite</translation></message>
+<message><source>largest</source><translation>la plus grande</translation></message>
+<message><source>Unit of the file [mm]</source><translation>Unité du fichier [mm]</translation></message>
+<message><source>Frame</source><translation>Repère</translation></message>
+<message><source>Warnings</source><translation>Avertissements</translation></message>
+<message><source>Geometry</source><translation>Géométrie</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montage du moteur pas à pas</translation></message>
+<message><source>Beam angles [°]</source><translation>Angles des faisceaux [°]</translation></message>
+<message><source>Line angles [°]</source><translation>Angles des lignes [°]</translation></message>
+<message><source>Intensity</source><translation>Intensité</translation></message>
+<message><source>Measured</source><translation>Mesures</translation></message>
+<message><source>yes</source><translation>oui</translation></message>
+<message><source>no</source><translation>non</translation></message>
+<message><source>and %1 more</source><translation>et %1 de plus</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; un clic pose le réticule, Esc l'enlève ; un clic droit demande pourquoi une cellule est une arête ; Maj+glisser trace une boîte.</translation></message>
 <message><source>Keys</source><translation>Touches</translation></message>
 <message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
 <message><source>Scan</source><translation>Scan</translation></message>
 <message><source>About EdgeScan</source><translation>À propos d'EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is not a judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause</translation></message>
 <message><source>&amp;No Key</source><translation>A&amp;ucune touche</translation></message>
 <message><source>&amp;Reset</source><translation>&amp;Rétablir</translation></message>
 <message><source>Change Keys</source><translation>Changer les touches</translation></message>
@@ -444,7 +608,7 @@ tenez \ pour la voir</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
@@ -458,23 +622,22 @@ tenez \ pour la voir</translation></message>
 <message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
+<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
 <message><source>Record</source><translation>Enregistrer</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Écrire chaque télégramme dans un nouveau fichier, tel quel, dès son arrivée</translation></message>
 <message><source>Keep last minute</source><translation>Conserver la dernière minute</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Écrire dans un nouveau fichier ce qui est arrivé pendant la dernière minute</translation></message>
-<message><source>Follow</source><translation>Suivre</translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>L'image grandit avec le scanner ; désactivé : elle reste telle quelle</translation></message>
+<message><source>Hold</source><translation>Figer</translation></message>
+<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>L'image reste telle quelle pendant que le scanner continue ; désactivé : elle croît avec le scanner</translation></message>
 <message><source>name or address of the scanner</source><translation>nom ou adresse du scanner</translation></message>
-<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>Sweep…</source><translation>Balayage…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
 <message><source>Stop recording</source><translation>Arrêter l'enregistrement</translation></message>
-<message><source>Following</source><translation>Suivi en cours</translation></message>
-<message><source>Held: follow</source><translation>Figé : suivre</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
-<message><source>Stands while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
+<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
+<message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
 <message><source>not known</source><translation>inconnu</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>inconnu (0.18° supposé)</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0 : pas de codeur ; les lignes sont placées selon le pas du moteur</translation></message>
@@ -485,15 +648,16 @@ tenez \ pour la voir</translation></message>
 <message><source>Step per line</source><translation>Pas par ligne</translation></message>
 <message><source>Angle of the first line</source><translation>Angle de la première ligne</translation></message>
 <message><source>Encoder counts per degree</source><translation>Impulsions du codeur par degré</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montage du moteur pas à pas</translation></message>
 <message><source>Play</source><translation>Lire</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
 <message><source>Pause</source><translation>Pause</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
-<message><source>something that is no rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
+<message><source>something that is not a rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
+<message><source>at least 1: rock %1</source><translation>au moins 1 : roche %1</translation></message>
+<message><source>at least %1: rocks %2</source><translation>au moins %1 : roches %2</translation></message>
 <message><source>, hangs below</source><translation>, pend en dessous</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
@@ -552,6 +716,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
@@ -559,6 +724,8 @@ tenez \ pour la voir</translation></message>
 <message><source>Carry on with the last session</source><translation>Continuer la dernière session</translation></message>
 <message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
 <message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
+<message><source>Demo before and after a blast</source><translation>Démo avant et après un tir</translation></message>
+<message><source>both, and what changed between them</source><translation>les deux, et ce qui a changé de l'un à l'autre</translation></message>
 <message><source>Recent</source><translation>Récents</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
@@ -568,6 +735,20 @@ tenez \ pour la voir</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : un soutirage bloqué avant et après un tir.</translation></message>
+<message><source>Open the demo</source><translation>Ouvrir la démo</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
+<message><source>View from the scanner</source><translation>Voir depuis le scanner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Réglez d'abord la force des arêtes. La courbe en dessous montre le nombre d'arêtes pour chaque valeur ; là où elle est plate, les arêtes sont sûres.</translation></message>
+<message><source>Show the edges panel</source><translation>Afficher le panneau des arêtes</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>Les rochers sont trouvés à partir des arêtes, avec leur taille visible et leur degré de certitude. Le tableau les liste ; un clic choisit un rocher dans toutes les vues.</translation></message>
+<message><source>Show the rocks</source><translation>Afficher les rochers</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
+<message><source>Show the keys</source><translation>Afficher les touches</translation></message>
+<message><source>Back</source><translation>Arrière</translation></message>
+<message><source>End the tour</source><translation>Terminer la visite</translation></message>
+<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
+<message><source>Next</source><translation>Suivant</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Why</source><translation>Pourquoi</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
@@ -600,12 +781,10 @@ tenez \ pour la voir</translation></message>
 <message><source>Cell</source><translation>Cellule</translation></message>
 <message><source>line %1 · beam %2</source><translation>ligne %1 · faisceau %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Angle de la ligne %1°, angle du faisceau %2°</translation></message>
-<message><source>none</source><translation>aucune</translation></message>
-<message><source>yes</source><translation>oui</translation></message>
 <message><source>, strength %1</source><translation>, force %1</translation></message>
 <message><source>Edge</source><translation>Arête</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m derrière une arête ; mesuré de son côté proche</translation></message>
@@ -619,7 +798,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
-<message><source>Measured</source><translation>Mesures</translation></message>
 <message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The measurement that is chosen</source><translation>La mesure choisie</translation></message>
@@ -633,7 +811,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
+<message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
@@ -658,6 +836,7 @@ tenez \ pour la voir</translation></message>
 <message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 à %2 %3</translation></message>
@@ -676,22 +855,18 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
-<message><source>no return</source><translation>sans retour</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Alt %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Alt –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>ARÊTE</translation></message>
 <message><source>not an edge</source><translation>pas une arête</translation></message>
 <message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Annuler (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
-<message><source>scanner frame</source><translation>repère du scanner</translation></message>
+<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ repère du scanner, sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origine E %1 N %2 Alt %3</translation></message>
+<message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
 <message><source>time not known</source><translation>heure inconnue</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
@@ -720,6 +895,12 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Elevation [m]</source><translation>Altitude [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
+<message><source>Front</source><translation>Avant</translation></message>
+<message><source>Left</source><translation>Gauche</translation></message>
+<message><source>Right</source><translation>Droite</translation></message>
+<message><source>Top</source><translation>Haut</translation></message>
+<message><source>Bottom</source><translation>Bas</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuage – toucher pour échanger</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Maintenez Verrouillé une seconde pour quitter le mode cabine.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
@@ -737,7 +918,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Image de distance – toucher pour échanger</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
 <message><source>Target %1</source><translation>Cible %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
@@ -750,22 +930,27 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Démo avant et après un tir</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Couleur selon la distance à A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
+<message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
+<message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
 <message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Fermer y met fin ici ; ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
 <message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
@@ -789,16 +974,11 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Molette en sens inverse</translation></message>
 <message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
 <message><source>The window speaks this language from its next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
-<message><source>&amp;Orthographic</source><translation>&amp;Orthographique</translation></message>
-<message><source>T&amp;urntable</source><translation>Plateau &amp;tournant</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Points d'arête</translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation>Atté&amp;nuer le nuage sous les arêtes</translation></message>
-<message><source>Depth S&amp;hading</source><translation>Om&amp;brage de profondeur</translation></message>
-<message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Couleurs des arêtes pour dalton&amp;iens</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proportions angulaires r&amp;éelles</translation></message>
-<message><source>&amp;View</source><translation>&amp;Affichage</translation></message>
+<message><source>Loo&amp;k from</source><translation>&amp;Regarder depuis</translation></message>
 <message><source>From &amp;Scanner</source><translation>Depuis le &amp;scanner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;face</translation></message>
 <message><source>&amp;Back</source><translation>De l'&amp;arrière</translation></message>
@@ -807,17 +987,30 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Top</source><translation>De dess&amp;us</translation></message>
 <message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vues enregistrées</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Enregistrer comme vue &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vue &amp;%1</translation></message>
+<message><source>Clou&amp;d</source><translation>&amp;Nuage de points</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Orthographique</translation></message>
+<message><source>T&amp;urntable</source><translation>Plateau &amp;tournant</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Atté&amp;nuer le nuage sous les arêtes</translation></message>
+<message><source>Depth S&amp;hading</source><translation>Om&amp;brage de profondeur</translation></message>
+<message><source>&amp;Ground Grid</source><translation>&amp;Grille au sol</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cube des vues</translation></message>
+<message><source>Point Size &amp;+</source><translation>Taille des points &amp;+</translation></message>
+<message><source>Point Size &amp;-</source><translation>Taille des points &amp;-</translation></message>
+<message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
+<message><source>&amp;Panels</source><translation>&amp;Panneaux</translation></message>
+<message><source>&amp;View</source><translation>&amp;Affichage</translation></message>
 <message><source>R&amp;eset View</source><translation>R&amp;éinitialiser la vue</translation></message>
 <message><source>&amp;Zoom In</source><translation>&amp;Zoom avant</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>Zoom a&amp;rrière</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voler vers le point sous le curseur</translation></message>
-<message><source>&amp;Ground Grid</source><translation>&amp;Grille au sol</translation></message>
-<message><source>Point Size &amp;+</source><translation>Taille des points &amp;+</translation></message>
-<message><source>Point Size &amp;-</source><translation>Taille des points &amp;-</translation></message>
-<message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proportions angulaires r&amp;éelles</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Réinitia&amp;liser la disposition</translation></message>
 <message><source>Full Scree&amp;n</source><translation>&amp;Plein écran</translation></message>
 <message><source>&amp;Calibrate…</source><translation>É&amp;talonner…</translation></message>
+<message><source>P&amp;ose and Mounting…</source><translation>Pose et monta&amp;ge…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corriger les angles des faisceaux entrelacés de deux passages, et des lignes où le moteur pas à pas a glissé</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
 <message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
@@ -828,7 +1021,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>&amp;Dossier des enregistrements…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Lire ou mettre en pause</translation></message>
 <message><source>Next Line</source><translation>Ligne suivante</translation></message>
-<message><source>Last Line</source><translation>Ligne précédente</translation></message>
+<message><source>Previous Line</source><translation>Ligne précédente</translation></message>
 <message><source>Ten Lines Forward</source><translation>Dix lignes en avant</translation></message>
 <message><source>Ten Lines Back</source><translation>Dix lignes en arrière</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Redresser les faisceaux</translation></message>
@@ -844,7 +1037,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Réglages pour ces &amp;marques…</translation></message>
 <message><source>Contact Shee&amp;t…</source><translation>&amp;Planche-contact…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Effacer les mar&amp;ques</translation></message>
-<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Revenir au préréglage</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Rétablir les réglages par &amp;défaut</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
@@ -884,9 +1077,9 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
-<message><source>line %1</source><translation>ligne %1</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 arêtes sur %2</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
@@ -896,15 +1089,15 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>free rotation</source><translation>rotation libre</translation></message>
 <message><source>orthographic</source><translation>orthographique</translation></message>
 <message><source>perspective</source><translation>perspective</translation></message>
-<message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
-<message><source>Targets</source><translation>Cibles</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Images d'abord</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
+<message><source>Scanner view</source><translation>Vue scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :
@@ -924,7 +1117,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Minimum length</source><translation>Longueur minimale</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), et le côté proche d'un vide derrière lequel il y a quelque chose de plus loin ; et, ce qui n'est pas l'arête d'un bloc, là où finissent les données.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), le côté proche d'un vide derrière lequel il y a quelque chose de plus loin, et le bord d'un vide ouvert ; et, ce qui n'est pas une arête, là où finissent les données.</translation></message>
 <message><source>Hysteresis low</source><translation>Hystérésis, seuil bas</translation></message>
 <message><source>% of high</source><translation>% du haut</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>Les cellules plus faibles, de cette force, sont des arêtes là où elles en prolongent une forte.</translation></message>
@@ -933,14 +1126,18 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>De combien un faisceau peut être mal placé avant qu'une surface rasante montre un saut : 0.1 pour un balayage motorisé, 1 pour des faisceaux entrelacés.</translation></message>
 <message><source>Allow for slips</source><translation>Tenir compte des glissements</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Les faisceaux entrelacés de deux passages et les lignes où le moteur pas à pas a glissé sont reconnus et pris en compte.</translation></message>
+<message><source>Allow for turns</source><translation>Tenir compte des retours</translation></message>
+<message><source>At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.</source><translation>Aux premières et dernières lignes d'un balayage, un moteur peut encore revenir en arrière, et toute surface y semble plissée ; ces plis sont écartés.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Bruit de distance à 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma des distances à 5 m ; auto le mesure dans le scan.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Bruit de cellule à cellule</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Si chaque cellule se trompe pour elle-même, comme avec un laser, ou si les voisines se trompent ensemble, comme avec une caméra de profondeur dont la profondeur vient par paliers : les plis doivent alors dépasser ce à quoi ressemblent ces paliers.</translation></message>
+<message><source>Rough scans</source><translation>Scans rugueux</translation></message>
+<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Quand la moitié des plis se trouvent sur des surfaces plissées partout, comme des tas de petits blocs, un pli ne compte que s'il dépasse son entourage.</translation></message>
 <message><source>Fill gaps</source><translation>Combler les vides</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Les vides jusqu'à cette largeur sont comblés d'après ce qui les entoure, jamais par-dessus un saut ; les cellules remplies sont marquées, et ne servent à aucune mesure. 0 n'en comble aucun.</translation></message>
 <message><source>Edges in gaps</source><translation>Arêtes dans les vides</translation></message>
-<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation>Les cellules remplies participent à la recherche des arêtes, et peuvent être des arêtes que personne n'a mesurées.</translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>Les cellules remplies participent à la recherche des arêtes, et peuvent être des arêtes que personne n'a mesurées.</translation></message>
 <message><source>Lower threshold</source><translation>Seuil bas</translation></message>
 <message><source>levels</source><translation>niveaux</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Une cellule dont le gradient est supérieur à ceci est une arête : avec Canny si une chaîne de telles cellules mène à une cellule forte, avec les détecteurs à un seuil toujours.</translation></message>
@@ -967,12 +1164,13 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Gradient norm</source><translation>Norme du gradient</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Comment les deux composantes du gradient deviennent une grandeur.</translation></message>
 <message><source>Laplacian mask</source><translation>Masque du laplacien</translation></message>
-<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation>Quel masque représente le laplacien de gaussienne.</translation></message>
+<message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Quel masque représente le laplacien de gaussienne.</translation></message>
 <message><source>jump</source><translation>saut</translation></message>
 <message><source>convex</source><translation>convexe</translation></message>
 <message><source>concave</source><translation>concave</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
+<message><source>void rim</source><translation>bord d'un vide</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Thèse (255 / étendue)</translation></message>
@@ -1002,16 +1200,18 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sur des niveaux de gris logarithmiques : une marche compte en pour cent de sa distance ; les données manquantes sont masquées, un trou n'a donc pas d'arête.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Comme la thèse, mais les niveaux de gris vont de la distance la plus proche à la plus lointaine.</translation></message>
+<message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Comme default, pour des surfaces planes et peu bruitées : les marches basses sont des arêtes même au loin.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus, sans égard aux scans rugueux ni aux retours du moteur.</translation></message>
 <message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>À partir de quel indice deux morceaux sont deux blocs : plus bas coupe davantage, plus haut joint davantage.</translation></message>
 <message><source>Smallest rock</source><translation>Plus petit bloc</translation></message>
 <message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Les morceaux de moins de cellules mesurées sont des fines et non des blocs.</translation></message>
 <message><source>Farthest rock</source><translation>Bloc le plus éloigné</translation></message>
-<message><source>What lies farther away is no rock.</source><translation>Ce qui est plus loin n'est pas un bloc.</translation></message>
+<message><source>A region farther away is not a rock.</source><translation>Ce qui est plus loin n'est pas un bloc.</translation></message>
 <message><source>Largest size expected</source><translation>Plus grande taille attendue</translation></message>
 <message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Les morceaux plus grands demandent de meilleurs signes d'être un bloc et non une paroi.</translation></message>
 <message><source>Oversize</source><translation>Hors gabarit</translation></message>
-<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation>La part des blocs dont la largeur visible est plus grande est indiquée ; 0 n'en indique aucune.</translation></message>
+<message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>La part des blocs dont la largeur visible est plus grande est indiquée ; 0 n'en indique aucune.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Angle du premier faisceau [degrés]</translation></message>
 <message><source>Angle from beam to beam [degrees]</source><translation>Angle d'un faisceau à l'autre [degrés]</translation></message>
 <message><source>Angle of the first line [degrees]</source><translation>Angle de la première ligne [degrés]</translation></message>
@@ -1023,8 +1223,45 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>D'où un nuage sans grille a été pris, comme X,Y,Z [m]</translation></message>
 <message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon le laser qui a le plus de lignes</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
+<message><source>Easting E [m]</source><translation>Est E [m]</translation></message>
+<message><source>Northing N [m]</source><translation>Nord N [m]</translation></message>
+<message><source>Level RL [m]</source><translation>Niveau RL [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Cap, du nord dans le sens horaire [degrés]</translation></message>
+<message><source>North of the heading</source><translation>Nord du cap</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinaison : tangage, nez vers le haut [degrés]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinaison : roulis, côté droit vers le bas [degrés]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zone ou code EPSG</translation></message>
+<message><source>Datum</source><translation>Datum</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Azimut de la flèche, positif vers la gauche [degrés]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Tangage du robot, nez vers le haut [degrés]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Roulis du robot, côté droit vers le bas [degrés]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nom du robot ou du scanner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Visée : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Bras de levier du TALIN dans le robot : avant, gauche, haut [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Bras de levier de la tête dans le robot : avant, gauche, haut [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivot d'une flèche dans le robot, à la place de la tête [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Du pivot à la tête [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>L'azimut de la flèche tourne autour de</translation></message>
+<message><source>The scanner looks</source><translation>Le scanner regarde</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Direction du regard : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Direction du regard : neuf nombres par lignes</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Axe du moteur pas à pas depuis l'inclinomètre [m]</translation></message>
+<message><source>Tilt is given as</source><translation>L'inclinaison est donnée par</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Scanner sur le moteur : roulis, tangage, lacet [degrés]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Scanner sur le moteur : x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Axe du moteur</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Zéro du moteur [degrés]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sens du moteur, 1 ou -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Pas de ligne en ligne [degrés]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Faisceau à l'heure d'une ligne [degrés]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergence de la grille [degrés]</translation></message>
+<message><source>Scale of the grid</source><translation>Échelle de la grille</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Plus grand changement d'inclinaison pendant un balayage [degrés]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Plus grand âge d'une pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ et CSV avec toutes les colonnes, et la grille et le compte rendu en lignes de commentaire : ce sur quoi SIG et tableurs peuvent buter</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordonnées de la mine avec des nombres de 8 octets, que PCL et Open3D ne lisent pas ; sinon en mètres depuis une origine dans un commentaire</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
@@ -1070,7 +1307,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidat - géométrie seule, un seul point de vue</translation></message>
 <message><source>Unit</source><translation>Unité</translation></message>
-<message><source>Mounting</source><translation>Montage</translation></message>
 <message><source>Line angles</source><translation>Angles des lignes</translation></message>
 <message><source>Order of the lines</source><translation>Ordre des lignes</translation></message>
 <message><source>Grid</source><translation>Grille</translation></message>
@@ -1095,10 +1331,10 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés, %4 en tout ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Les parois se courbent avec les angles de ligne retenus : %1 morceaux plats sur %2 sont sur trois plans, d'autres pas en donnent plus.</translation></message>
-<message><source>line angles from %1 to %2 degrees; whether left and right are exchanged no range tells</source><translation>angles des lignes de %1 à %2 degrés ; aucune distance ne dit si la gauche et la droite sont échangées</translation></message>
+<message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>angles des lignes de %1 à %2 degrés ; aucune distance ne dit si la gauche et la droite sont échangées</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>dans l'autre sens : gauche et droite échangées</translation></message>
-<message><source>projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell</source><translation>projeté sur des cellules de %1 degrés ; %2 % des points sont derrière d'autres de leur cellule</translation></message>
-<message><source>%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.</source><translation>%1 % des points sont derrière d'autres de leur cellule : les cellules sont grossières, ou le capteur se trouvait ailleurs.</translation></message>
+<message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>projeté sur des cellules de %1 degrés ; %2 % des points sont derrière d'autres de leur cellule</translation></message>
+<message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>%1 % des points sont derrière d'autres de leur cellule : les cellules sont grossières, ou le capteur se trouvait ailleurs.</translation></message>
 <message><source>cells of %1 degrees</source><translation>cellules de %1 degrés</translation></message>
 <message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>

@@ -3,9 +3,80 @@
 <TS version="2.1" language="pt" sourcelanguage="en">
 <context>
 <name>EdgeScan</name>
+<message><source>CONNECTING</source><translation>CONECTANDO</translation></message>
+<message><source>LIVE</source><translation>AO VIVO</translation></message>
+<message><source>STALE</source><translation>DESATUALIZADO</translation></message>
+<message><source>STALE %1</source><translation>DESATUALIZADO %1</translation></message>
+<message><source>LOST</source><translation>PERDIDO</translation></message>
+<message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
+<message><source>STOPPED</source><translation>PARADO</translation></message>
+<message><source>%1, COUNTERS IN DOUBT</source><translation>%1, CONTADORES DUVIDOSOS</translation></message>
+<message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 linhas</translation></message>
+<message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
+<message><source>%1 lines</source><translation>%1 linhas</translation></message>
+<message><source>line %1</source><translation>linha %1</translation></message>
+<message><source>lines %1 and others</source><translation>linhas %1 e outras</translation></message>
+<message><source>lines %1</source><translation>linhas %1</translation></message>
+<message><source>no return %1 %</source><translation>sem retorno %1 %</translation></message>
+<message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
+<message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
+<message><source>1 remark</source><translation>1 observação</translation></message>
+<message><source>%1 remarks</source><translation>%1 observações</translation></message>
+<message><source>%1 earlier in this sweep</source><translation>%1 antes nesta varredura</translation></message>
+<message><source>WINDOW TOO DIRTY</source><translation>JANELA SUJA DEMAIS</translation></message>
+<message><source>WINDOW DIRTY</source><translation>JANELA SUJA</translation></message>
+<message><source>window clean</source><translation>janela limpa</translation></message>
+<message><source>device ok</source><translation>aparelho em ordem</translation></message>
+<message><source>DEVICE ERROR</source><translation>ERRO DO APARELHO</translation></message>
+<message><source>no pose</source><translation>sem pose</translation></message>
+<message><source>pose of unknown age</source><translation>pose de idade desconhecida</translation></message>
+<message><source>pose %1 old</source><translation>pose de há %1</translation></message>
+<message><source>sweep whole</source><translation>varredura completa</translation></message>
+<message><source>sweep ended</source><translation>varredura terminada</translation></message>
+<message><source>ends in %1</source><translation>termina em %1</translation></message>
+<message><source>recording %1 MB, %2</source><translation>gravação %1 MB, %2</translation></message>
+<message><source>recording %1 MB</source><translation>gravação %1 MB</translation></message>
+<message><source>the disk is %1 s behind (%2 MB)</source><translation>o disco está %1 s atrasado (%2 MB)</translation></message>
+<message><source>RECORDING ENDED: %1</source><translation>GRAVAÇÃO TERMINADA: %1</translation></message>
+<message><source>RECORDING HAS GAPS: %1</source><translation>A GRAVAÇÃO TEM FALHAS: %1</translation></message>
+<message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: há %1 linhas, não se sabe quantas eram.</translation></message>
+<message><source>Telegrams were lost: lines </source><translation>Perderam-se telegramas: linhas </translation></message>
+<message><source>Telegrams were lost: line </source><translation>Perdeu-se um telegrama: linha </translation></message>
+<message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Houve telegramas com menos feixes que a varredura, os outros perderam-se: </translation></message>
+<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
+<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>
+<message><source>The scanner reported an error or was not ready</source><translation>O scanner comunicou um erro ou não estava pronto</translation></message>
+<message><source>The scanner reported a window too dirty to measure through</source><translation>O scanner comunicou uma janela suja demais para medir</translation></message>
+<message><source>The scanner reported a dirty window</source><translation>O scanner comunicou uma janela suja</translation></message>
+<message><source> in all)</source><translation> no total)</translation></message>
+<message><source>Trying again in %1 s.</source><translation>Nova tentativa em %1 s.</translation></message>
+<message><source>Connecting to %1.</source><translation>Conectando a %1.</translation></message>
+<message><source> accepts the connection; asking what it is.</source><translation> aceita a conexão; pergunta-se o que é.</translation></message>
+<message><source> is sending again.</source><translation> envia de novo.</translation></message>
+<message><source> is sending.</source><translation> envia.</translation></message>
+<message><source>: no scan for %1 s.</source><translation>: sem scan há %1 s.</translation></message>
+<message><source>: disconnected.</source><translation>: desconectado.</translation></message>
+<message><source>there is no such file</source><translation>esse arquivo não existe</translation></message>
+<message><source>check the spelling and the folder</source><translation>verifique o nome e a pasta</translation></message>
+<message><source>reading this file is not allowed</source><translation>não é permitido ler este arquivo</translation></message>
+<message><source>ask its owner for the right to read it</source><translation>peça ao dono permissão para o ler</translation></message>
+<message><source>this is a folder, not a file</source><translation>é uma pasta, não um arquivo</translation></message>
+<message><source>choose a file inside it</source><translation>escolha um arquivo dentro dela</translation></message>
+<message><source>there is not enough memory for this scan</source><translation>não há memória suficiente para este scan</translation></message>
+<message><source>close other programs or open a smaller scan</source><translation>feche outros programas ou abra um scan menor</translation></message>
+<message><source>it was cancelled, so nothing was written</source><translation>foi cancelado, por isso nada foi escrito</translation></message>
+<message><source>save it again</source><translation>salve outra vez</translation></message>
+<message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
+<message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
+<message><source>the points behind others in the export dialog</source><translation>os pontos atrás de outros na caixa de exportação</translation></message>
+<message><source>the filled cells in the export dialog</source><translation>as células preenchidas na caixa de exportação</translation></message>
+<message><source>the comments in the export dialog</source><translation>os comentários na caixa de exportação</translation></message>
+<message><source>the filling of gaps in the Edges panel</source><translation>o preenchimento de falhas no painel de arestas</translation></message>
+<message><source>the outlines in the picture</source><translation>os contornos na imagem</translation></message>
+<message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» em Varredura &gt; Como a varredura é lida</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
 <message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
-<message><source>Open this panel</source><translation>Abrir este painel</translation></message>
+<message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que não foram fechadas</translation></message>
@@ -15,9 +86,11 @@
 <message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
-<message><source>Double-click: this view alone, and back</source><translation>Clique duplo: só esta vista, e de volta</translation></message>
-<message><source>All views again (double-click on the title)</source><translation>Todas as vistas de novo (clique duplo no título)</translation></message>
-<message><source>This view alone (double-click on the title)</source><translation>Só esta vista (clique duplo no título)</translation></message>
+<message><source>Less</source><translation>Menos</translation></message>
+<message><source>More</source><translation>Mais</translation></message>
+<message><source>Double-click: in exchange for the cloud, and back</source><translation>Duplo clique: no lugar da nuvem, e de volta</translation></message>
+<message><source>All views again</source><translation>Todas as vistas de novo</translation></message>
+<message><source>This view alone</source><translation>Só esta vista</translation></message>
 <message><source>Replace the file?</source><translation>Substituir o arquivo?</translation></message>
 <message><source>There is a file of this name already:</source><translation>Já existe um arquivo com este nome:</translation></message>
 <message><source>There are files of these names already:</source><translation>Já existem arquivos com estes nomes:</translation></message>
@@ -51,9 +124,12 @@
 <message><source>Forget A</source><translation>Esquecer A</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Ainda não há nada com que comparar: abra primeiro a varredura posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lendo %1 como A</translation></message>
+<message><source>the demo</source><translation>a demo</translation></message>
+<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar com uma varredura anterior</translation></message>
 <message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar com um scan</translation></message>
+<message><source>Comparing with A</source><translation>Comparando com A</translation></message>
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
@@ -72,11 +148,11 @@ visível %6 m², a %7 m</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primeiro um scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
-<message><source>&amp;Why is this cell an edge, or none?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
+<message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>Working out why …</source><translation>À procura da razão …</translation></message>
 <message><source>
-Its chain is framed in both pictures, the strongest cell ringed.</source><translation>
-A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais forte.</translation></message>
+The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
+A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
 <message><source>Clicked</source><translation>Clique</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primeiro aponte para uma célula ou clique nela; depois Por quê diz o que a decide.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
@@ -86,10 +162,15 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
+<message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
+<message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Ainda não há vista %1: Ctrl+%1 salva a atual.</translation></message>
 <message><source>There is nothing to report yet: open a scan first.</source><translation>Ainda não há nada para relatar: primeiro abra uma varredura.</translation></message>
 <message><source>Report</source><translation>Relatório</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
+<message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
 <message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
+<message><source>Making the report %1</source><translation>Criando o relatório %1</translation></message>
+<message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
 <message><source>The section could not be worked out (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
@@ -107,10 +188,12 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Picture (*.png)</source><translation>Imagem (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
+<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Esta varredura é plana e com pouco ruído: com a predefinição smooth-walls, os degraus baixos ao longe também são bordas.</translation></message>
+<message><source>Use It</source><translation>Usar</translation></message>
 <message><source>Open preset</source><translation>Abrir uma predefinição</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Predefinições do EdgeScan (*.json)</translation></message>
 <message><source>Save preset</source><translation>Salvar a predefinição</translation></message>
-<message><source>%1 is no preset and stays as it is: choose another name.</source><translation>%1 não é uma predefinição e fica como está: escolha outro nome.</translation></message>
+<message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 não é uma predefinição e fica como está: escolha outro nome.</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
 <message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, e uma calibração não poderia nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
 <message><source>Scans of the same assembly</source><translation>Varreduras da mesma montagem</translation></message>
@@ -128,12 +211,12 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>beam index</source><translation>índice dos feixes</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
 <message><source>stays</source><translation>inalterado</translation></message>
-<message><source>not told</source><translation>não determinado</translation></message>
+<message><source>not measured</source><translation>não determinado</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>encontrado com %1 células, %2° vistos duas vezes</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never tells a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>As duas vistas estavam a %1 mm e ficam a %2 mm com estes erros (mediana; o ruído explica %3 mm). Uma varredura nunca diz um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
+<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>As duas vistas estavam a %1 mm e ficam a %2 mm com estes erros (mediana; o ruído explica %3 mm). Uma varredura nunca diz um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
 <message><source>Edges of both views</source><translation>Bordas das duas vistas</translation></message>
 <message><source>orange – late view, blue | early view, white + both</source><translation>laranja – vista tardia, azul | primeira vista, branco + ambas</translation></message>
-<message><source>Before: %1 % of %2 late edges lie beside an early one (%3)</source><translation>Antes: %1 % de %2 bordas tardias estão ao lado de uma da primeira vista (%3)</translation></message>
+<message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Antes: %1 % de %2 bordas tardias estão ao lado de uma da primeira vista (%3)</translation></message>
 <message><source>After: %1 % do</source><translation>Depois: %1 %</translation></message>
 <message><source>Distance of the views</source><translation>Distância das vistas</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul mais perto, vermelho mais longe que a vista tardia, cor plena a 50 mm)</translation></message>
@@ -161,24 +244,36 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>Parece correto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>Na tela, ainda não adotado: %1</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Scanner em E %1, N %2, RL %3. Seus pontos: </translation></message>
+<message><source>Store Pose</source><translation>Guardar a pose</translation></message>
+<message><source>Remove Pose</source><translation>Remover a pose</translation></message>
+<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, por isso a pose não poderia ser guardada: abra uma varredura ou uma gravação.</translation></message>
+<message><source>Store the mounting</source><translation>Guardar a montagem</translation></message>
+<message><source>Name of the scanner</source><translation>Nome do scanner</translation></message>
+<message><source>No pose is stored with the scan any more.</source><translation>Já não há nenhuma pose guardada com a varredura.</translation></message>
+<message><source>Stored %1; it replaced the pose that was there.</source><translation>%1 guardado; substituiu a pose que lá estava.</translation></message>
+<message><source>Stored %1.</source><translation>%1 guardado.</translation></message>
+<message><source>The pose could not be stored (%1).</source><translation>A pose não pôde ser guardada (%1).</translation></message>
 <message><source>, %1 min ago</source><translation>, há %1 min</translation></message>
 <message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
 <message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
 <message><source> · no time</source><translation> · sem hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
-<message><source>HELD</source><translation>HELD</translation></message>
+<message><source>HELD</source><translation>RETIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
 <message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
 <message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
-<message><source>RECORDED</source><translation>RECORDED</translation></message>
+<message><source>RECORDED</source><translation>GRAVADO</translation></message>
 <message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
 <message><source>FILE</source><translation>FILE</translation></message>
 <message><source>no time</source><translation>sem hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
+<message><source>OLD PICTURE</source><translation>IMAGEM ANTERIOR</translation></message>
+<message><source>Another scan is on its way: this is the picture before it.</source><translation>Outro scan está a caminho: esta é a imagem anterior.</translation></message>
 <message><source>region of interest</source><translation>região de interesse</translation></message>
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
-<message><source>The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
+<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>call of a rock</source><translation>classificação como rocha</translation></message>
@@ -193,7 +288,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
 <message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 células, %2 · roda: menor ou maior</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
-<message><source>Nothing was split: this rock is one piece with nothing to tell its parts by.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
 <message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
@@ -202,7 +297,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
 <message><source>being worked out …</source><translation>em cálculo …</translation></message>
-<message><source>▲ of the picture before; being worked out anew</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
+<message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir às rochas selecionadas</translation></message>
@@ -215,7 +310,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
 <message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Ainda não há nada a salvar: abra primeiro um scan. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
 <message><source>Save session</source><translation>Salvar sessão</translation></message>
-<message><source>%1 is no session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
+<message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
 <message><source>Open session</source><translation>Abrir sessão</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de tela (*.png)</translation></message>
 <message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: o scan desta sessão não está lá: foi movido, ou o disco não está aqui. Ajustes e vista voltaram; o resto vem com o scan.</translation></message>
@@ -258,7 +353,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
-<message><source>No cell lies there: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
+<message><source>There is no cell: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
@@ -266,8 +361,8 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Nothing was selected (%1).</source><translation>Nada foi selecionado (%1).</translation></message>
 <message><source>Select Nothing</source><translation>Não selecionar nada</translation></message>
 <message><source>Select</source><translation>Selecionar</translation></message>
-<message><source>This cell is no edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
-<message><source>There is no rock at this cell: choose one that lies on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
+<message><source>This cell is not an edge, so it is on no chain of edges: choose one that is.</source><translation>Esta célula não é uma borda, por isso não está em nenhuma cadeia de bordas: escolha uma que seja.</translation></message>
+<message><source>There is no rock at this cell: choose one on a coloured face.</source><translation>Não há rocha nesta célula: escolha uma que esteja sobre uma face colorida.</translation></message>
 <message><source>Rocks are not shown, so none can be selected: press K first.</source><translation>As rochas não estão à mostra, por isso nenhuma pode ser selecionada: primeiro pressione K.</translation></message>
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Isolar</translation></message>
@@ -320,6 +415,23 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Making the demo draw-bell</source><translation>Criando o funil de extração de demonstração</translation></message>
 <message><source>Saving %1</source><translation>Salvando %1</translation></message>
 <message><source>writing</source><translation>escrevendo</translation></message>
+<message><source>being cancelled</source><translation>cancelando</translation></message>
+<message><source>opened</source><translation>aberto</translation></message>
+<message><source>reading</source><translation>leitura</translation></message>
+<message><source>reading points</source><translation>leitura dos pontos</translation></message>
+<message><source>reading ranges</source><translation>leitura das distâncias</translation></message>
+<message><source>reading the picture</source><translation>leitura da imagem</translation></message>
+<message><source>unpacking</source><translation>descompressão</translation></message>
+<message><source>finding telegrams</source><translation>busca de telegramas</translation></message>
+<message><source>putting packets together</source><translation>junção dos pacotes</translation></message>
+<message><source>grid</source><translation>grade</translation></message>
+<message><source>finding the grid</source><translation>busca da grade</translation></message>
+<message><source>finding the axis</source><translation>busca do eixo</translation></message>
+<message><source>projecting the points</source><translation>projeção dos pontos</translation></message>
+<message><source>casting beams</source><translation>lançamento dos feixes</translation></message>
+<message><source>placing the points</source><translation>colocação dos pontos</translation></message>
+<message><source>finding edges</source><translation>busca de arestas</translation></message>
+<message><source>drawing</source><translation>desenho</translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Cancel</source><translation>Cancelar</translation></message>
@@ -327,7 +439,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: segurar um segundo para sair do modo cabine</translation></message>
 <message><source>Previous target</source><translation>Alvo anterior</translation></message>
 <message><source>Next target</source><translation>Alvo seguinte</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size stand here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -338,6 +450,7 @@ A sua cadeia está emoldurada nas duas imagens, com um círculo na célula mais 
 <message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
 <message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -348,6 +461,9 @@ mude um ajuste ou abra outra varredura</translation></message>
 <message><source>half of the cells differ by less than %1 mm
 a change is more than %2 mm at 5 m</source><translation>metade das células difere em menos de %1 mm
 uma mudança é maior que %2 mm a 5 m</translation></message>
+<message><source>half of the points are nearer than %1
+%2 are farther than %3</source><translation>metade dos pontos está a menos de %1
+%2 estão a mais de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
 <message><source>A: %1
 hold \ to see it</source><translation>A: %1
@@ -366,12 +482,12 @@ segure \ para vê-la</translation></message>
 <message><source>Calibrate the Assembly</source><translation>Calibrar a montagem</translation></message>
 <message><source>&amp;Save As…</source><translation>&amp;Salvar como…</translation></message>
 <message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a esta varredura</translation></message>
-<message><source>How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 tell more. Nothing is applied by itself.</source><translation>Como o scanner está sobre o seu motor, por superfícies que um giro vê duas vezes. Gire 200 graus em vez de 180 uma vez por montagem; 360 dizem mais. Nada é aplicado por si só.</translation></message>
+<message><source>How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 show more. Nothing is applied by itself.</source><translation>Como o scanner está sobre o seu motor, por superfícies que um giro vê duas vezes. Gire 200 graus em vez de 180 uma vez por montagem; 360 dizem mais. Nada é aplicado por si só.</translation></message>
 <message><source>Scans of one assembly:</source><translation>Varreduras de uma montagem:</translation></message>
 <message><source>A&amp;dd Scans…</source><translation>A&amp;dicionar varreduras…</translation></message>
 <message><source>&amp;Remove</source><translation>&amp;Remover</translation></message>
 <message><source>Robot's &amp;File…</source><translation>Ar&amp;quivo do robô…</translation></message>
-<message><source>The robot's present calibration: its stepper is set anew, all else stays</source><translation>A calibração atual do robô: o seu motor é ajustado de novo, o resto fica</translation></message>
+<message><source>The robot's present calibration: its stepper is replaced, all else stays</source><translation>A calibração atual do robô: o seu motor é ajustado de novo, o resto fica</translation></message>
 <message><source>error of the assembly</source><translation>erro da montagem</translation></message>
 <message><source>value</source><translation>valor</translation></message>
 <message><source>± 2 sd</source><translation>± 2 desvios</translation></message>
@@ -388,17 +504,18 @@ segure \ para vê-la</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● atual</translation></message>
 <message><source>▭ steady</source><translation>▭ constante</translation></message>
+<message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
 <message><source>Only what is selected (%1 cells)</source><translation>Só o que está selecionado (%1 células)</translation></message>
 <message><source>Also the points that lie behind the nearest of their cell (%1 in the scan)</source><translation>Também os pontos situados atrás do mais próximo da sua célula (%1 na varredura)</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
 <message><source>What</source><translation>Conteúdo</translation></message>
-<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
-<message><source>Local metres; the origin in the mine grid stands in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
+<message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
 <message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Como a varredura é lida aceita uma pose e uma calibração.</translation></message>
-<message><source>For the program that will read it</source><translation>Para o programa que o lerá</translation></message>
+<message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
 <message><source>doubtful</source><translation>duvidoso</translation></message>
@@ -413,6 +530,18 @@ segure \ para vê-la</translation></message>
 <message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada em sua leitura poderia ser de outro modo.</translation></message>
 <message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
 <message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
+<message><source>Pose and Mounting</source><translation>Pose e montagem</translation></message>
+<message><source>Pose</source><translation>Pose</translation></message>
+<message><source>Mounting</source><translation>Montagem</translation></message>
+<message><source>&amp;Store with the Scan</source><translation>&amp;Guardar com a varredura</translation></message>
+<message><source>&amp;Remove Pose</source><translation>&amp;Remover a pose</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Uma linha do levantamento: ponto, E, N, RL, e rumo, arfagem e rolagem se os tiver</translation></message>
+<message><source>&amp;Fill In</source><translation>&amp;Preencher</translation></message>
+<message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Como o scanner está montado, com um nome para a próxima varredura. Um campo vazio tem o valor que mostra.</translation></message>
+<message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
+<message><source>For&amp;get</source><translation>&amp;Esquecer</translation></message>
+<message><source>From Fi&amp;le…</source><translation>De um &amp;arquivo…</translation></message>
+<message><source>Nominal mounting</source><translation>Montagem nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Um clique em uma linha a mostra; Adotar a mantém, Fechar devolve o que havia antes.</translation></message>
 <message><source>Range gate</source><translation>Janela de distância</translation></message>
@@ -423,12 +552,47 @@ segure \ para vê-la</translation></message>
 <message><source>Read Again</source><translation>Ler de novo</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
 <message><source>Choose…</source><translation>Escolher…</translation></message>
+<message><source>none</source><translation>nenhuma</translation></message>
+<message><source>HTML: turns in any browser, without a network</source><translation>HTML: gira em qualquer navegador, sem rede</translation></message>
+<message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir e arquivar</translation></message>
+<message><source>Site</source><translation>Local</translation></message>
+<message><source>Author</source><translation>Autor</translation></message>
+<message><source>Remark</source><translation>Observação</translation></message>
+<message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
+<message><source>Logo</source><translation>Logotipo</translation></message>
+<message><source>File</source><translation>Arquivo</translation></message>
+<message><source>Name</source><translation>Nome</translation></message>
+<message><source>SHA-256</source><translation>SHA-256</translation></message>
+<message><source>Scan lines</source><translation>Linhas de scan</translation></message>
+<message><source>Beams</source><translation>Feixes</translation></message>
+<message><source>Cells</source><translation>Células</translation></message>
+<message><source>with a range</source><translation>com distância</translation></message>
+<message><source>no return</source><translation>sem retorno</translation></message>
+<message><source>device status</source><translation>estado do aparelho</translation></message>
+<message><source>out of window</source><translation>fora da janela</translation></message>
+<message><source>masked</source><translation>mascaradas</translation></message>
+<message><source>lost</source><translation>perdidas</translation></message>
+<message><source>Ranges [mm]</source><translation>Distâncias [mm]</translation></message>
+<message><source>smallest</source><translation>a menor</translation></message>
+<message><source>largest</source><translation>a maior</translation></message>
+<message><source>Unit of the file [mm]</source><translation>Unidade do arquivo [mm]</translation></message>
+<message><source>Frame</source><translation>Referencial</translation></message>
+<message><source>Warnings</source><translation>Avisos</translation></message>
+<message><source>Geometry</source><translation>Geometria</translation></message>
+<message><source>Mounting of the stepper</source><translation>Montagem do motor de passo</translation></message>
+<message><source>Beam angles [°]</source><translation>Ângulos dos feixes [°]</translation></message>
+<message><source>Line angles [°]</source><translation>Ângulos das linhas [°]</translation></message>
+<message><source>Intensity</source><translation>Intensidade</translation></message>
+<message><source>Measured</source><translation>Medições</translation></message>
+<message><source>yes</source><translation>sim</translation></message>
+<message><source>no</source><translation>não</translation></message>
+<message><source>and %1 more</source><translation>e mais %1</translation></message>
 <message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; um clique põe a cruz, Esc a tira; um clique direito pergunta por que uma célula é uma borda; Shift+arrastar traça uma caixa.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
 <message><source>Scan</source><translation>Varredura</translation></message>
 <message><source>About EdgeScan</source><translation>Sobre o EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is no judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is not a judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause</translation></message>
 <message><source>&amp;No Key</source><translation>&amp;Nenhuma tecla</translation></message>
 <message><source>&amp;Reset</source><translation>&amp;Repor</translation></message>
 <message><source>Change Keys</source><translation>Alterar teclas</translation></message>
@@ -444,7 +608,7 @@ segure \ para vê-la</translation></message>
 <message><source>along the line</source><translation>ao longo da linha</translation></message>
 <message><source>across the lines</source><translation>através das linhas</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de largura, %3 de profundidade, o próximo está embaixo</translation></message>
-<message><source>Why is this cell an edge, or none?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
+<message><source>Why is this cell an edge or not?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
@@ -458,23 +622,22 @@ segure \ para vê-la</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
+<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
 <message><source>Record</source><translation>Gravar</translation></message>
 <message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escrever cada telegrama em um arquivo novo, sem tocar nele, à medida que chega</translation></message>
 <message><source>Keep last minute</source><translation>Conservar o último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escrever em um arquivo novo o que chegou durante o último minuto</translation></message>
-<message><source>Follow</source><translation>Seguir</translation></message>
-<message><source>The picture grows with the scanner; off: it stays as it is</source><translation>A imagem cresce com o scanner; desligado: fica como está</translation></message>
+<message><source>Hold</source><translation>Reter</translation></message>
+<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>A imagem fica como está enquanto o scanner continua; desligado: cresce com o scanner</translation></message>
 <message><source>name or address of the scanner</source><translation>nome ou endereço do scanner</translation></message>
-<message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>Sweep…</source><translation>Varredura…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Linhas de uma varredura, passo por linha, montagem</translation></message>
 <message><source>Stop</source><translation>Parar</translation></message>
 <message><source>Stop recording</source><translation>Parar a gravação</translation></message>
-<message><source>Following</source><translation>Seguindo</translation></message>
-<message><source>Held: follow</source><translation>Congelado: seguir</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
-<message><source>Stands while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
+<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
+<message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
 <message><source>not known</source><translation>desconhecido</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconhecido (supõe-se 0.18°)</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sem encoder; as linhas são posicionadas pelo passo do motor</translation></message>
@@ -485,15 +648,16 @@ segure \ para vê-la</translation></message>
 <message><source>Step per line</source><translation>Passo por linha</translation></message>
 <message><source>Angle of the first line</source><translation>Ângulo da primeira linha</translation></message>
 <message><source>Encoder counts per degree</source><translation>Contagens do encoder por grau</translation></message>
-<message><source>Mounting of the stepper</source><translation>Montagem do motor de passo</translation></message>
 <message><source>Play</source><translation>Reproduzir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>at least %1</source><translation>pelo menos %1</translation></message>
-<message><source>something that is no rock</source><translation>algo que não é uma rocha</translation></message>
+<message><source>something that is not a rock</source><translation>algo que não é uma rocha</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
+<message><source>at least 1: rock %1</source><translation>pelo menos 1: rocha %1</translation></message>
+<message><source>at least %1: rocks %2</source><translation>pelo menos %1: rochas %2</translation></message>
 <message><source>, hangs below</source><translation>, pende por baixo</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
@@ -552,6 +716,7 @@ segure \ para vê-la</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
+<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
@@ -559,6 +724,8 @@ segure \ para vê-la</translation></message>
 <message><source>Carry on with the last session</source><translation>Seguir com a última sessão</translation></message>
 <message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
 <message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
+<message><source>Demo before and after a blast</source><translation>Demonstração antes e depois de um desmonte</translation></message>
+<message><source>both, and what changed between them</source><translation>ambos, e o que mudou entre eles</translation></message>
 <message><source>Recent</source><translation>Recentes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
@@ -568,6 +735,20 @@ segure \ para vê-la</translation></message>
 <message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: um funil bloqueado antes e depois de um desmonte.</translation></message>
+<message><source>Open the demo</source><translation>Abrir a demonstração</translation></message>
+<message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
+<message><source>View from the scanner</source><translation>Ver a partir do scanner</translation></message>
+<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges are sure.</source><translation>Ajuste primeiro a força das bordas. A curva abaixo mostra quantas bordas há para cada valor; onde ela é plana, as bordas são seguras.</translation></message>
+<message><source>Show the edges panel</source><translation>Mostrar o painel de bordas</translation></message>
+<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>As rochas são encontradas a partir das bordas, com o tamanho visível e o grau de certeza. A tabela as lista; um clique escolhe uma rocha em todas as vistas.</translation></message>
+<message><source>Show the rocks</source><translation>Mostrar as rochas</translation></message>
+<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
+<message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
+<message><source>Back</source><translation>Trás</translation></message>
+<message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
+<message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Why</source><translation>Por quê</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
@@ -600,12 +781,10 @@ segure \ para vê-la</translation></message>
 <message><source>Cell</source><translation>Célula</translation></message>
 <message><source>line %1 · beam %2</source><translation>linha %1 · feixe %2</translation></message>
 <message><source>Line angle %1°, beam angle %2°</source><translation>Ângulo da linha %1°, ângulo do feixe %2°</translation></message>
-<message><source>none</source><translation>nenhuma</translation></message>
-<message><source>yes</source><translation>sim</translation></message>
 <message><source>, strength %1</source><translation>, força %1</translation></message>
 <message><source>Edge</source><translation>Borda</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It tells how much the edge depends on the settings, not whether a rock is there</source><translation>Dos ajustes próximos dos da tela, quantos encontram também esta borda; calculado um momento depois da última alteração. Diz quanto a borda depende dos ajustes, não se há ali uma rocha</translation></message>
+<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>Dos ajustes próximos dos da tela, quantos encontram também esta borda; calculado um momento depois da última alteração. Diz quanto a borda depende dos ajustes, não se há ali uma rocha</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m atrás de uma aresta; medido no seu lado próximo</translation></message>
@@ -619,7 +798,6 @@ segure \ para vê-la</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
-<message><source>Measured</source><translation>Medições</translation></message>
 <message><source>Remove</source><translation>Remover</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The measurement that is chosen</source><translation>A medição escolhida</translation></message>
@@ -633,7 +811,7 @@ segure \ para vê-la</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
-<message><source>Striped green in the images; nobody measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
+<message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
@@ -658,6 +836,7 @@ segure \ para vê-la</translation></message>
 <message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>
@@ -676,22 +855,18 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
-<message><source>no return</source><translation>sem retorno</translation></message>
-<message><source>N %1  E %2  El %3</source><translation>N %1  E %2  Cota %3</translation></message>
-<message><source>N –  E –  El –</source><translation>N –  E –  Cota –</translation></message>
-<message><source>  x %1  y %2  z %3 m</source><translation>  x %1  y %2  z %3 m</translation></message>
+<message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDA</translation></message>
 <message><source>not an edge</source><translation>não é uma borda</translation></message>
 <message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
-<message><source>Cancel (Esc)</source><translation>Cancelar (Esc)</translation></message>
-<message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
-<message><source>scanner frame</source><translation>sistema do scanner</translation></message>
+<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema do scanner, sem pose: sem E N RL</translation></message>
 <message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
-<message><source> · origin E %1 N %2 El %3</source><translation> · origem E %1 N %2 Cota %3</translation></message>
+<message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
 <message><source>time not known</source><translation>hora desconhecida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
@@ -720,6 +895,12 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
+<message><source>Front</source><translation>Frente</translation></message>
+<message><source>Left</source><translation>Esq.</translation></message>
+<message><source>Right</source><translation>Dir.</translation></message>
+<message><source>Top</source><translation>Topo</translation></message>
+<message><source>Bottom</source><translation>Base</translation></message>
+<message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Segure Bloqueado um segundo para sair do modo cabine.</translation></message>
 <message><source>No scan</source><translation>Nenhum scan</translation></message>
@@ -737,7 +918,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagem de distância – tocar para trocar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
 <message><source>Target %1</source><translation>Alvo %1</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
@@ -750,22 +930,27 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
+<message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demonstração antes e depois de um desmonte</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
+<message><source>&amp;Colour by Distance from A</source><translation>&amp;Cor conforme a distância a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
+<message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
+<message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Abrindo outro scan · ainda na tela: </translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
 <message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
 <message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Ao fechar ela termina aqui; o que foi gravado até agora fica no seu arquivo.</translation></message>
 <message><source>Closing waits until it is whole.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
-<message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
@@ -789,16 +974,11 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window speaks this language from its next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
-<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
-<message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Pontos de borda</translation></message>
-<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar a nuvem sob as bordas</translation></message>
-<message><source>Depth S&amp;hading</source><translation>&amp;Sombreamento por profundidade</translation></message>
-<message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
+<message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Cores de borda para dal&amp;tônicos</translation></message>
-<message><source>True &amp;Angle Aspect</source><translation>Proporção an&amp;gular real</translation></message>
-<message><source>&amp;View</source><translation>E&amp;xibir</translation></message>
+<message><source>Loo&amp;k from</source><translation>&amp;Olhar de</translation></message>
 <message><source>From &amp;Scanner</source><translation>A partir do s&amp;canner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
 <message><source>&amp;Back</source><translation>De &amp;trás</translation></message>
@@ -807,17 +987,30 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Top</source><translation>De &amp;cima</translation></message>
 <message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
+<message><source>Sto&amp;red Views</source><translation>&amp;Vistas salvas</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Salvar como vista &amp;%1</translation></message>
+<message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
+<message><source>Clou&amp;d</source><translation>&amp;Nuvem de pontos</translation></message>
+<message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
+<message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
+<message><source>&amp;Dim Cloud under Edges</source><translation>Ate&amp;nuar a nuvem sob as bordas</translation></message>
+<message><source>Depth S&amp;hading</source><translation>&amp;Sombreamento por profundidade</translation></message>
+<message><source>&amp;Ground Grid</source><translation>&amp;Grade do chão</translation></message>
+<message><source>Vie&amp;w Cube</source><translation>&amp;Cubo de vistas</translation></message>
+<message><source>Point Size &amp;+</source><translation>Tamanho dos pontos &amp;+</translation></message>
+<message><source>Point Size &amp;-</source><translation>Tamanho dos pontos &amp;-</translation></message>
+<message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
+<message><source>&amp;Panels</source><translation>&amp;Painéis</translation></message>
+<message><source>&amp;View</source><translation>E&amp;xibir</translation></message>
 <message><source>R&amp;eset View</source><translation>&amp;Restaurar a vista</translation></message>
 <message><source>&amp;Zoom In</source><translation>&amp;Aproximar</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>A&amp;fastar</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voar até o ponto sob o cursor</translation></message>
-<message><source>&amp;Ground Grid</source><translation>&amp;Grade do chão</translation></message>
-<message><source>Point Size &amp;+</source><translation>Tamanho dos pontos &amp;+</translation></message>
-<message><source>Point Size &amp;-</source><translation>Tamanho dos pontos &amp;-</translation></message>
-<message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
+<message><source>True &amp;Angle Aspect</source><translation>Proporção an&amp;gular real</translation></message>
 <message><source>Reset &amp;Layout</source><translation>Restaurar o &amp;layout</translation></message>
 <message><source>Full Scree&amp;n</source><translation>Te&amp;la cheia</translation></message>
 <message><source>&amp;Calibrate…</source><translation>Cali&amp;brar…</translation></message>
+<message><source>P&amp;ose and Mounting…</source><translation>Pose e mo&amp;ntagem…</translation></message>
 <message><source>Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped</source><translation>Corrigir os ângulos dos feixes entrelaçados de duas passagens, e das linhas em que o motor de passo escorregou</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
 <message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
@@ -828,7 +1021,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Pasta das gra&amp;vações…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproduzir ou pausar</translation></message>
 <message><source>Next Line</source><translation>Próxima linha</translation></message>
-<message><source>Last Line</source><translation>Linha anterior</translation></message>
+<message><source>Previous Line</source><translation>Linha anterior</translation></message>
 <message><source>Ten Lines Forward</source><translation>Dez linhas adiante</translation></message>
 <message><source>Ten Lines Back</source><translation>Dez linhas atrás</translation></message>
 <message><source>&amp;Straighten Beams</source><translation>&amp;Endireitar os feixes</translation></message>
@@ -844,7 +1037,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Settings for These &amp;Marks…</source><translation>Ajustes para estas &amp;marcas…</translation></message>
 <message><source>Contact Shee&amp;t…</source><translation>Folha de con&amp;tatos…</translation></message>
 <message><source>Clear the Mar&amp;ks</source><translation>Limpar as mar&amp;cas</translation></message>
-<message><source>&amp;Why Is This Cell an Edge, or None?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
+<message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Voltar à predefinição</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar os ajustes pa&amp;drão</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>
@@ -884,9 +1077,9 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
 <message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
 <message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
-<message><source>line %1</source><translation>linha %1</translation></message>
 <message><source>%1 of %2 edges</source><translation>%1 de %2 bordas</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
@@ -896,15 +1089,15 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>free rotation</source><translation>rotação livre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
-<message><source>Targets</source><translation>Alvos</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
 <message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
+<message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
@@ -924,7 +1117,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
 <message><source>Shorter chains of edge cells are dropped.</source><translation>As cadeias mais curtas de células de borda são descartadas.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas), e o lado próximo de um vazio com algo mais longe atrás; e, o que não é borda de uma rocha, onde os dados terminam.</translation></message>
+<message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas), o lado próximo de um vazio com algo mais longe atrás e a beira de um vazio aberto; e, o que não é borda, onde os dados terminam.</translation></message>
 <message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>
 <message><source>% of high</source><translation>% do alto</translation></message>
 <message><source>Weaker cells of this strength are edges where they continue a strong one.</source><translation>As células mais fracas, desta força, são bordas onde continuam uma forte.</translation></message>
@@ -933,14 +1126,18 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.</source><translation>Quanto um feixe pode estar fora do lugar antes que uma superfície rasante mostre um salto: 0.1 para uma varredura motorizada, 1 para feixes entrelaçados.</translation></message>
 <message><source>Allow for slips</source><translation>Levar em conta os escorregamentos</translation></message>
 <message><source>Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.</source><translation>Os feixes entrelaçados de duas passagens e as linhas em que o motor de passo escorregou são reconhecidos e levados em conta.</translation></message>
+<message><source>Allow for turns</source><translation>Considerar os recuos</translation></message>
+<message><source>At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.</source><translation>Nas primeiras e últimas linhas de uma varredura, o motor pode ainda recuar, e toda a superfície parece dobrar ali; essas dobras são deixadas de fora.</translation></message>
 <message><source>Range noise at 5 m</source><translation>Ruído de distância a 5 m</translation></message>
 <message><source>Sigma of the ranges at 5 m; auto measures it in the scan.</source><translation>Sigma das distâncias a 5 m; auto o mede na varredura.</translation></message>
 <message><source>Noise from cell to cell</source><translation>Ruído de célula a célula</translation></message>
 <message><source>Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.</source><translation>Se cada célula erra por si, como com um laser, ou se as vizinhas erram juntas, como com uma câmara de profundidade cuja profundidade vem em degraus: as dobras têm então de exceder o que tais degraus parecem.</translation></message>
+<message><source>Rough scans</source><translation>Varreduras rugosas</translation></message>
+<message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Quando metade das dobras está em superfícies dobradas por toda a parte, como montes de blocos pequenos, uma dobra só conta se exceder o que a rodeia.</translation></message>
 <message><source>Fill gaps</source><translation>Preencher lacunas</translation></message>
 <message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>As lacunas de até esta largura são preenchidas com o que as cerca, nunca sobre um salto; as células preenchidas são marcadas e não contam como medidas. 0 não preenche nenhuma.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordas em lacunas</translation></message>
-<message><source>Filled cells take part in finding edges, and may be edges that nobody measured.</source><translation>As células preenchidas participam da busca de bordas, e podem ser bordas que ninguém mediu.</translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>As células preenchidas participam da busca de bordas, e podem ser bordas que ninguém mediu.</translation></message>
 <message><source>Lower threshold</source><translation>Limiar inferior</translation></message>
 <message><source>levels</source><translation>níveis</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Uma célula com gradiente acima deste é uma borda: com Canny se uma cadeia de tais células leva a uma forte, com os detectores de um limiar sempre.</translation></message>
@@ -967,12 +1164,13 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Gradient norm</source><translation>Norma do gradiente</translation></message>
 <message><source>How the two gradient components become one magnitude.</source><translation>Como as duas componentes do gradiente viram uma magnitude.</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara do laplaciano</translation></message>
-<message><source>Which mask stands for the Laplacian of Gaussian.</source><translation>Qual máscara representa o laplaciano de gaussiana.</translation></message>
+<message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qual máscara representa o laplaciano de gaussiana.</translation></message>
 <message><source>jump</source><translation>salto</translation></message>
 <message><source>convex</source><translation>convexo</translation></message>
 <message><source>concave</source><translation>côncavo</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
+<message><source>void rim</source><translation>beira de um vazio</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
@@ -1002,16 +1200,18 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre níveis de cinza logarítmicos: um degrau conta em porcentagem da sua distância; os dados ausentes são mascarados, assim um buraco não tem borda.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>
 <message><source>As the thesis, but the gray levels run from the nearest to the farthest range.</source><translation>Como a tese, mas os níveis de cinza vão da distância mais próxima à mais distante.</translation></message>
+<message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superfícies planas e com pouco ruído: os degraus baixos são bordas também ao longe.</translation></message>
+<message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Os ajustes padrão da versão 3: sem beiras de vazios abertos, cadeias de cinco células ou mais, sem considerar varreduras rugosas nem recuos do motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grosso</translation></message>
 <message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de que indício dois pedaços são duas rochas: mais baixo corta mais, mais alto une mais.</translation></message>
 <message><source>Smallest rock</source><translation>Menor rocha</translation></message>
 <message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Os pedaços de menos células medidas são finos e não rochas.</translation></message>
 <message><source>Farthest rock</source><translation>Rocha mais distante</translation></message>
-<message><source>What lies farther away is no rock.</source><translation>O que está mais longe não é uma rocha.</translation></message>
+<message><source>A region farther away is not a rock.</source><translation>O que está mais longe não é uma rocha.</translation></message>
 <message><source>Largest size expected</source><translation>Maior tamanho esperado</translation></message>
 <message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Os pedaços maiores precisam de melhores sinais de ser uma rocha e não uma parede.</translation></message>
 <message><source>Oversize</source><translation>Sobretamanho</translation></message>
-<message><source>The share of rocks whose visible width is larger is told; 0 tells none.</source><translation>É indicada a proporção de rochas cuja largura visível é maior; 0 não indica nenhuma.</translation></message>
+<message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>É indicada a proporção de rochas cuja largura visível é maior; 0 não indica nenhuma.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Ângulo do primeiro feixe [graus]</translation></message>
 <message><source>Angle from beam to beam [degrees]</source><translation>Ângulo de um feixe ao seguinte [graus]</translation></message>
 <message><source>Angle of the first line [degrees]</source><translation>Ângulo da primeira linha [graus]</translation></message>
@@ -1023,8 +1223,45 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>De onde foi tomada uma nuvem sem grade, como X,Y,Z [m]</translation></message>
 <message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Tópico de um bag do ROS que é a varredura; senão, o laser com mais linhas</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
+<message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
+<message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
+<message><source>Level RL [m]</source><translation>Cota RL [m]</translation></message>
+<message><source>Heading, clockwise from north [degrees]</source><translation>Rumo, do norte em sentido horário [graus]</translation></message>
+<message><source>North of the heading</source><translation>Norte do rumo</translation></message>
+<message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinação: arfagem, nariz para cima [graus]</translation></message>
+<message><source>Tilt: roll, right side down [degrees]</source><translation>Inclinação: rolagem, lado direito para baixo [graus]</translation></message>
+<message><source>Zone or EPSG code</source><translation>Zona ou código EPSG</translation></message>
+<message><source>Datum</source><translation>Datum</translation></message>
+<message><source>Azimuth of the boom, positive to the left [degrees]</source><translation>Azimute da lança, positivo para a esquerda [graus]</translation></message>
+<message><source>Robot's pitch, nose up [degrees]</source><translation>Arfagem do robô, nariz para cima [graus]</translation></message>
+<message><source>Robot's roll, right side down [degrees]</source><translation>Rolagem do robô, lado direito para baixo [graus]</translation></message>
+<message><source>Name of robot or scanner</source><translation>Nome do robô ou do scanner</translation></message>
+<message><source>Boresight: roll, pitch, yaw [degrees]</source><translation>Alinhamento: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Lever arm of TALIN in the robot: forward, left, up [m]</source><translation>Braço de alavanca do TALIN no robô: frente, esquerda, cima [m]</translation></message>
+<message><source>Lever arm of the head in the robot: forward, left, up [m]</source><translation>Braço de alavanca da cabeça no robô: frente, esquerda, cima [m]</translation></message>
+<message><source>Pivot of a boom in the robot, in place of the head [m]</source><translation>Pivô de uma lança no robô, em lugar da cabeça [m]</translation></message>
+<message><source>From pivot to head [m]</source><translation>Do pivô à cabeça [m]</translation></message>
+<message><source>The boom's azimuth turns about</source><translation>O azimute da lança gira em torno de</translation></message>
+<message><source>The scanner looks</source><translation>O scanner olha</translation></message>
+<message><source>Looking direction: roll, pitch, yaw [degrees]</source><translation>Direção do olhar: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Looking direction: nine numbers by rows</source><translation>Direção do olhar: nove números por linhas</translation></message>
+<message><source>Axis of the stepper from the inclinometer [m]</source><translation>Eixo do motor a partir do inclinômetro [m]</translation></message>
+<message><source>Tilt is given as</source><translation>A inclinação é dada como</translation></message>
+<message><source>Scanner on the stepper: roll, pitch, yaw [degrees]</source><translation>Scanner sobre o motor: rolagem, arfagem, guinada [graus]</translation></message>
+<message><source>Scanner on the stepper: x, y, z [m]</source><translation>Scanner sobre o motor: x, y, z [m]</translation></message>
+<message><source>Axis of the stepper</source><translation>Eixo do motor</translation></message>
+<message><source>Zero of the stepper [degrees]</source><translation>Zero do motor [graus]</translation></message>
+<message><source>Direction of the stepper, 1 or -1</source><translation>Sentido do motor, 1 ou -1</translation></message>
+<message><source>Step from line to line [degrees]</source><translation>Passo de linha a linha [graus]</translation></message>
+<message><source>Beam at the time stamp of a line [degrees]</source><translation>Feixe no instante de uma linha [graus]</translation></message>
+<message><source>Grid convergence [degrees]</source><translation>Convergência da grade [graus]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala da grade</translation></message>
+<message><source>Largest change of tilt during a sweep [degrees]</source><translation>Maior mudança de inclinação durante uma passagem [graus]</translation></message>
+<message><source>Largest age of a pose [s]</source><translation>Maior idade de uma pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ e CSV com todas as colunas, e a grade e o registro em linhas de comentário: em que os SIG e as planilhas podem tropeçar</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD em coordenadas da mina com números de 8 bytes, que PCL e Open3D não leem; senão, em metros a partir de uma origem num comentário</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
@@ -1070,7 +1307,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - apenas geometria, um só ponto de vista</translation></message>
 <message><source>Unit</source><translation>Unidade</translation></message>
-<message><source>Mounting</source><translation>Montagem</translation></message>
 <message><source>Line angles</source><translation>Ângulos das linhas</translation></message>
 <message><source>Order of the lines</source><translation>Ordem das linhas</translation></message>
 <message><source>Grid</source><translation>Grade</translation></message>
@@ -1095,10 +1331,10 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus, %4 no total; %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus: %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>As paredes curvam-se com os ângulos de linha adotados: %1 de %2 pedaços planos estão em três planos, outros passos dão mais.</translation></message>
-<message><source>line angles from %1 to %2 degrees; whether left and right are exchanged no range tells</source><translation>ângulos das linhas de %1 a %2 graus; nenhuma distância diz se esquerda e direita estão trocadas</translation></message>
+<message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>ângulos das linhas de %1 a %2 graus; nenhuma distância diz se esquerda e direita estão trocadas</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>ao contrário: esquerda e direita trocadas</translation></message>
-<message><source>projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell</source><translation>projetado em células de %1 graus; %2 % dos pontos estão atrás de outros da sua célula</translation></message>
-<message><source>%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.</source><translation>%1 % dos pontos estão atrás de outros da sua célula: as células são grossas, ou o sensor estava em outro lugar.</translation></message>
+<message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>projetado em células de %1 graus; %2 % dos pontos estão atrás de outros da sua célula</translation></message>
+<message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>%1 % dos pontos estão atrás de outros da sua célula: as células são grossas, ou o sensor estava em outro lugar.</translation></message>
 <message><source>cells of %1 degrees</source><translation>células de %1 graus</translation></message>
 <message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>

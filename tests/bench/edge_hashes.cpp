@@ -1,7 +1,8 @@
 // Prints a hash of every mask, class, response and strength that the methods compute for simulated sweeps, for sweeps of noise, and for the
 // scans given as arguments; the same of the rocks, and of EdgeScan+ on one, two and four threads. A faster program must print the same, and
-// so must every instruction set (EDGESCAN_LOOPS). build/release/bin/edgescan_edge_hashes [--quick] [SCAN...] > new; the same with an older
-// build > old; diff old new. --quick: smaller sweeps.
+// so must every instruction set (EDGESCAN_LOOPS). build/release/bin/edgescan_edge_hashes [--quick] [--set N] [SCAN...] > new; the same with
+// an older build > old; diff old new. --quick: smaller sweeps. --set N: everything on the default settings of version N, so that a build
+// whose defaults are others prints the same.
 #include "core/base/instruction_set.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/pipeline/pipeline.h"
@@ -17,6 +18,7 @@
 #include <random>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,16 +35,21 @@ struct Hash {
     }
 };
 
-std::vector<std::pair<std::string, edges::Settings>> allSettings() {
-    std::vector<std::pair<std::string, edges::Settings>> all;
-    for (const edges::Preset& preset : edges::builtInPresets()) all.emplace_back(preset.name, preset.settings);
+struct Run {
+    bool quick = false;
+    edges::Settings base;
+};
+
+std::vector<std::pair<std::string, edges::Settings>> allSettings(const edges::Settings& base) {
+    std::vector<std::pair<std::string, edges::Settings>> all{{"default", base}};
+    for (const char* gray : {"log", "thesis", "window"}) all.emplace_back(gray, edges::findPreset(gray)->settings);
     for (int n = 0; n <= static_cast<int>(edges::Method::Log); ++n) {
-        edges::Settings settings;
+        edges::Settings settings = base;
         settings.method = static_cast<edges::Method>(n);
         all.emplace_back("method " + std::to_string(n), settings);
     }
-    const auto turned = [&all](const char* name, const std::function<void(edges::Settings&)>& turn) {
-        edges::Settings settings;
+    const auto turned = [&](const char* name, const std::function<void(edges::Settings&)>& turn) {
+        edges::Settings settings = base;
         turn(settings);
         all.emplace_back(name, settings);
     };
@@ -59,8 +66,8 @@ std::vector<std::pair<std::string, edges::Settings>> allSettings() {
     return all;
 }
 
-void printRocks(const std::string& name, const std::shared_ptr<const Scan>& scan) {
-    const auto found = edges::detectEdges(scan, edges::Settings{}, edges::KeepFor::Rocks);
+void printRocks(const std::string& name, const std::shared_ptr<const Scan>& scan, const edges::Settings& base) {
+    const auto found = edges::detectEdges(scan, base, edges::KeepFor::Rocks);
     const rocks::Study study = rocks::studyRocks(rocks::rockInputs(*found), {});
     Hash labels, rest;
     labels.add(rocks::rockLabels(*study.segmentation, study.map).cells);
@@ -76,8 +83,7 @@ void printRocks(const std::string& name, const std::shared_ptr<const Scan>& scan
                 static_cast<unsigned long long>(labels.value), static_cast<unsigned long long>(rest.value));
 }
 
-void printWithThreads(const std::string& name, const Scan& scan, int threads) {
-    const edges::Settings settings;
+void printWithThreads(const std::string& name, const Scan& scan, const edges::Settings& settings, int threads) {
     const edges::DepthResponses responses = edges::depthResponses(edges::depthSurface(scan, true, threads), settings, nullptr, threads);
     const edges::DepthEdges found = edges::decideDepthEdges(responses, settings, threads);
     Hash mask, rest;
@@ -91,9 +97,9 @@ void printWithThreads(const std::string& name, const Scan& scan, int threads) {
                 static_cast<unsigned long long>(rest.value));
 }
 
-void print(const std::string& name, const Scan& scan) {
+void print(const std::string& name, const Scan& scan, const edges::Settings& base) {
     const auto shared = std::make_shared<const Scan>(scan);
-    for (const auto& [title, settings] : allSettings()) {
+    for (const auto& [title, settings] : allSettings(base)) {
         const auto found = edges::detectEdges(shared, settings, edges::KeepFor::Rocks);
         Hash mask, rest;
         mask.add(found->mask->cells);
@@ -114,21 +120,21 @@ void print(const std::string& name, const Scan& scan) {
         std::printf("%s, %s: %zu edges, mask %016llx, rest %016llx\n", name.c_str(), title.c_str(), found->edges->size(),
                     static_cast<unsigned long long>(mask.value), static_cast<unsigned long long>(rest.value));
     }
-    printRocks(name, shared);
-    for (const int threads : {1, 2, 4}) printWithThreads(name, scan, threads);
+    printRocks(name, shared, base);
+    for (const int threads : {1, 2, 4}) printWithThreads(name, scan, base, threads);
 }
 
-void printSimulated(const char* name, bool quick, const std::function<void(sim::SimulationSettings&)>& set) {
+void printSimulated(const char* name, const Run& run, const std::function<void(sim::SimulationSettings&)>& set) {
     sim::SimulationSettings settings;
     settings.lines = 300;
     settings.beams = 571;
     set(settings);
-    if (quick) {
+    if (run.quick) {
         settings.lines = 120 + static_cast<int>(settings.seed);
         settings.beams = 160 + static_cast<int>(settings.seed);
     }
     const auto simulated = sim::simulate(settings);
-    if (simulated) print(name, simulated->scan);
+    if (simulated) print(name, simulated->scan, run.base);
 }
 
 // Ranges without any surface, in all sizes from one cell on.
@@ -158,14 +164,19 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "edgescan_edge_hashes: %s\n", set.error().sentence().c_str());
         return 2;
     }
-    const bool quick = argc > 1 && std::string(argv[1]) == "--quick";
-    printSimulated("full", quick, [](sim::SimulationSettings& s) { s.lines = 1000, s.beams = 1141; });
-    printSimulated("fine", quick, [](sim::SimulationSettings& s) { s.seed = 2, s.noise = 0.1, s.rangeStepMm = 0.1; });
-    printSimulated("noisy", quick, [](sim::SimulationSettings& s) { s.seed = 3, s.noise = 4; });
-    printSimulated("interlaced", quick, [](sim::SimulationSettings& s) { s.seed = 4, s.interlaceDeg = 0.4; });
-    printSimulated("slipped", quick, [](sim::SimulationSettings& s) { s.seed = 5, s.slips = 0.05, s.lines = 700; });
-    printSimulated("spin", quick, [](sim::SimulationSettings& s) { s.seed = 6, s.axis = Axis::Spin, s.statusCodes = 0.01; });
-    printSimulated("holes", quick, [](sim::SimulationSettings& s) { s.seed = 7, s.dropouts = 0.2, s.dust = 0.02; });
+    Run run;
+    int next = 1;
+    for (; next < argc && std::string_view(argv[next]).starts_with("--"); ++next) {
+        run.quick |= std::string_view(argv[next]) == "--quick";
+        if (std::string_view(argv[next]) == "--set" && next + 1 < argc) run.base = edges::defaultSettings(std::stoi(argv[++next]));
+    }
+    printSimulated("full", run, [](sim::SimulationSettings& s) { s.lines = 1000, s.beams = 1141; });
+    printSimulated("fine", run, [](sim::SimulationSettings& s) { s.seed = 2, s.noise = 0.1, s.rangeStepMm = 0.1; });
+    printSimulated("noisy", run, [](sim::SimulationSettings& s) { s.seed = 3, s.noise = 4; });
+    printSimulated("interlaced", run, [](sim::SimulationSettings& s) { s.seed = 4, s.interlaceDeg = 0.4; });
+    printSimulated("slipped", run, [](sim::SimulationSettings& s) { s.seed = 5, s.slips = 0.05, s.lines = 700; });
+    printSimulated("spin", run, [](sim::SimulationSettings& s) { s.seed = 6, s.axis = Axis::Spin, s.statusCodes = 0.01; });
+    printSimulated("holes", run, [](sim::SimulationSettings& s) { s.seed = 7, s.dropouts = 0.2, s.dust = 0.02; });
     for (const auto& [lines, beams] : {std::pair{1, 1},
                                        {1, 2},
                                        {2, 1},
@@ -179,11 +190,11 @@ int main(int argc, char** argv) {
                                        {97, 129},
                                        {130, 255},
                                        {200, 40}})
-        print("noise of " + std::to_string(lines) + " x " + std::to_string(beams), noise(lines, beams));
-    for (int n = quick ? 2 : 1; n < argc; ++n) {
+        print("noise of " + std::to_string(lines) + " x " + std::to_string(beams), noise(lines, beams), run.base);
+    for (int n = next; n < argc; ++n) {
         const auto scan = files::openScan(argv[n]);
         if (scan)
-            print(argv[n], *scan);
+            print(argv[n], *scan, run.base);
         else
             std::fprintf(stderr, "edgescan_edge_hashes: %s\n", scan.error().sentence().c_str());
     }

@@ -1,4 +1,5 @@
-// Comments are in plain English: no comment of core, ui, app, tests or packaging contains a word of the list in plain_words.h.
+// Comments and messages are in plain English: no comment of core, ui, app, tests or packaging and no message, label or help text of core,
+// ui or app contains a word of the list in plain_words.h.
 #include "tests/support/folders.h"
 #include "tests/support/plain_words.h"
 #include "tests/support/run_program.h"
@@ -82,6 +83,15 @@ std::vector<CommentBlock> commentsOf(const std::string& source, bool isCpp) {
     return blocks;
 }
 
+/// The string literals with a blank of a line of code without its comment: these are the ones that people read.
+std::vector<std::string> sentencesOf(const std::string& code) {
+    static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re");
+    std::vector<std::string> sentences;
+    for (std::sregex_iterator it(code.begin(), code.end(), literal), end; it != end; ++it)
+        if ((*it)[1].str().find(' ') != std::string::npos) sentences.push_back(std::regex_replace((*it)[1].str(), std::regex("&"), ""));
+    return sentences;
+}
+
 TEST(CommentWords, TheTestFindsABannedWord) {
     for (const char* comment : {"The cell tells the line.", "It is no edge.", "A rock, or none.", "Nobody knows.", "They lie beside it.",
                                 "none\nof them", "what the file\nTold"})
@@ -124,6 +134,30 @@ TEST(CommentWords, EveryCommentIsInPlainEnglish) {
             if (entry.is_regular_file()) check(entry.path());
     }
     EXPECT_GT(comments, 5000U);
+}
+
+TEST(CommentWords, TheTestFindsMessages) {
+    EXPECT_EQ(sentencesOf(R"x(f("key", "It is \"one\"", tr("&Why no")))x"), (std::vector<std::string>{R"(It is \"one\")", "Why no"}));
+}
+
+TEST(CommentWords, EveryMessageIsInPlainEnglish) {
+    std::size_t messages = 0;
+    const auto check = [&](const fs::path& path) {
+        std::istringstream lines(test::fileText(path));
+        std::string line, raw;
+        for (std::size_t n = 1; std::getline(lines, line); ++n) {
+            for (const std::string& sentence : sentencesOf(line.substr(0, commentColumn(line, raw)))) {
+                ++messages;
+                const auto word = test::bannedWord(std::regex_replace(sentence, std::regex(R"(\\")"), "'")).first;
+                EXPECT_EQ(word, "") << fs::relative(path, kTree).string() << ':' << n << ": the message contains \"" << word << '"';
+            }
+        }
+    };
+    for (const char* folder : {"core", "ui", "app"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(kTree / folder))
+            if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h") check(entry.path());
+    }
+    EXPECT_GT(messages, 2000U);
 }
 
 } // namespace

@@ -159,9 +159,13 @@ TEST(Layers, OnlyTheLabLinksTheLab) {
     EXPECT_EQ(labLinkedBy("bin/edgescan-cli"), "");
     EXPECT_NE(labLinkedBy("bin/edgescan-lab"), "");
     const std::string all = test::fileText((build / "build.ninja").string());
-    if (all.find("build bin/edgescan:") != std::string::npos) EXPECT_EQ(labLinkedBy("bin/edgescan"), "");
+    if (all.find("build bin/edgescan:") != std::string::npos) {
+        EXPECT_EQ(labLinkedBy("bin/edgescan"), "");
+    }
     const std::string module = matched(all, R"(build (python/edgescan/_edgescan[^:\s]*):)");
-    if (!module.empty()) EXPECT_EQ(labLinkedBy(module), "");
+    if (!module.empty()) {
+        EXPECT_EQ(labLinkedBy(module), "");
+    }
 }
 
 } // namespace

@@ -182,7 +182,7 @@ TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
         ++looks;
         return false;
     });
-    ASSERT_TRUE(ended) << now.progress.text() << ' ' << feed.status().session.sentence;
+    ASSERT_TRUE(ended) << now.progress.text() << ' ' << feed.status().connection.sentence;
     EXPECT_TRUE(now.progress.complete()) << now.progress.text();
     EXPECT_GT(looks, 3);
     EXPECT_EQ(exports::maskSha256(*pipeline.run(now.scan, canny)->mask), hashOf(bell + " --method canny"));

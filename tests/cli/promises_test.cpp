@@ -61,13 +61,14 @@ TEST_F(Promises, S3DropOutsOfAFlatWallAreNoEdgesAndTheRimOfAnOpeningIsAClassOfIt
         EXPECT_GT(wall["cells"]["no_return"], 0);
     }
     const std::string opening = simulated("opening.json", "--scene wall --hole round --seed 4 --lines 160 --beams 241");
-    const auto usual = detected(opening), border = detected(opening + " --classes jump,convex,concave,silhouette,border");
+    const auto usual = detected(opening), without = detected(opening + " --classes jump,convex,concave,silhouette");
     for (const char* rock : {"jump", "convex", "concave"}) {
         EXPECT_EQ(usual["classes"][rock], 0) << rock;
-        EXPECT_EQ(border["classes"][rock], 0) << rock;
+        EXPECT_EQ(without["classes"][rock], 0) << rock;
     }
-    EXPECT_GT(border["classes"]["border"], 20);
-    EXPECT_EQ(border["edges"], border["classes"]["border"].get<int>() + border["classes"]["silhouette"].get<int>());
+    EXPECT_GT(usual["classes"]["rim"], 20);
+    EXPECT_EQ(usual["edges"], usual["classes"]["rim"].get<int>() + usual["classes"]["silhouette"].get<int>());
+    EXPECT_EQ(without["edges"], without["classes"]["silhouette"]);
 }
 
 // The coordinates of every edge point, by two formats that hold them as text, and through a binary one and back.

@@ -219,8 +219,10 @@ TEST_F(CliRocks, ADrawingHasTheNumberOfEachRockAtItsPlace) {
         if (number == 8) layer = value;
         if (kind != "TEXT") continue;
         if (number == 11 || number == 21 || number == 31) place[static_cast<std::size_t>(number / 10 - 1)] = std::stod(value);
-        if (number == 1) EXPECT_EQ(layer, "ROCK_NUMBERS");
-        if (number == 1) layer = value;
+        if (number == 1) {
+            EXPECT_EQ(layer, "ROCK_NUMBERS");
+            layer = value;
+        }
         if (number == 73) places[layer] = place;
     }
     ASSERT_EQ(places.size(), report["rocks"].size());

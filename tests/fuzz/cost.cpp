@@ -141,10 +141,10 @@ public:
 
 private:
     static const Factor& factorOf(const std::string& reader) {
-        // A telegram of a recording or a capture may announce up to 2,000 lost lines before it; each becomes a line of the sweep. A packed
-        // byte may become 64 bytes of text.
+        // A telegram of a recording or a capture, or a line of a bag, may announce up to 2,000 lost lines before it; each becomes a line of
+        // the sweep. A packed byte may become 64 bytes of text.
         static const std::map<std::string, Factor> some{
-            {"mcap", {50'000, 5'000}}, {"capture", {50'000, 5'000}}, {"packed", {100'000, 10'000}}};
+            {"mcap", {50'000, 5'000}}, {"capture", {50'000, 5'000}}, {"ros_bag", {50'000, 5'000}}, {"packed", {100'000, 10'000}}};
         static const Factor other{20'000, 2'000};
         const auto found = some.find(reader);
         return found == some.end() ? other : found->second;

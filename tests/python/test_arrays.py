@@ -135,7 +135,7 @@ class FromArrays(unittest.TestCase):
         for wrong in (True, b"mm", None, [1]):
             with self.assertRaisesRegex(TypeError, "unit must be 'mm', 'cm', 'm' or the millimetres"):
                 self.make(unit=wrong)
-        with self.assertRaisesRegex(TypeError, "missing a required argument: 'axis'"):
+        with self.assertRaisesRegex(TypeError, "missing a required (keyword-only )?argument: 'axis'"):
             edgescan.Scan(np.ones((5, 7)), self.BEAMS, self.LINES)
         for wrong, part in ((dict(axis="turn"), "spin or sweep"), (dict(unit="inch"), "mm, cm or m"), (dict(unit=0), "unit"), (dict(unit=float("nan")), "unit"),
                             (dict(line_direction=0.5), "1 or -1"), (dict(pose="p.json"), "both"), (dict(calibration="c.json"), "both"),

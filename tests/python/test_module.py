@@ -298,8 +298,16 @@ class Threads(unittest.TestCase):
         opener = threading.Thread(target=lambda: opened.append(edgescan.open(
             fifo, beam_start=0, beam_step=1, line_start=0, line_step=1, axis="spin")))
         opener.start()
-        with open(fifo, "w", encoding="ascii") as pipe:  # blocks here for ever if the opener holds the lock
-            pipe.write(rows)
+        end, pipe = time.monotonic() + 60, None
+        while pipe is None and opener.is_alive() and time.monotonic() < end:
+            try:
+                pipe = os.open(fifo, os.O_WRONLY | os.O_NONBLOCK)  # refused until the opener reads
+            except OSError:
+                time.sleep(0.01)
+        self.assertIsNotNone(pipe, "the opener did not open the pipe")  # this line is not reached if the opener holds the lock
+        os.set_blocking(pipe, True)
+        with open(pipe, "w", encoding="ascii") as writer:
+            writer.write(rows)
         opener.join()
         self.assertEqual(opened[0].range_mm.shape, (20, 181))
 

@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
     if (!verbose)
         std::puts(
             "| scan | format | rounded to | order | thinned by | grid found | points without a cell | points whose line rounding hides | "
-            "cells with another range | none of these | mask cells that differ, of edge cells (share of all cells) | by rounding alone |\n"
+            "cells with another range | avoidable | mask cells that differ, of edge cells (share of all cells) | by rounding alone |\n"
             "|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (const std::string& file : files) {
         auto scan = files::openScan(file);

@@ -69,6 +69,28 @@ inline std::string bitPoints(std::size_t bytes, bool farApart) {
     return e57Bytes({part});
 }
 
+/// A bag of ROS 1 without its magic bytes: lines, transforms, and messages of a type without fields.
+inline std::string rosBag(std::size_t bytes, const std::function<void(RosMessages&, int)>& add) {
+    RosMessages all;
+    all.topic("/scan", "sensor_msgs/LaserScan", Wire::Ros1);
+    all.topic("/tf", "tf2_msgs/TFMessage", Wire::Ros1);
+    all.topics.push_back({"/empty", "std_msgs/Empty", ""});
+    std::size_t size = 0;
+    for (int n = 0; size < bytes; ++n) {
+        add(all, n);
+        size += all.messages.back().bytes.size() + 60;
+    }
+    const Bytes bag = bag1Of(all);
+    return std::string(bag.begin(), bag.end()).substr(std::string_view("#ROSBAG V2.0\n").size());
+}
+
+/// A line of three beams, so many periods behind the one before every 20 lines.
+inline void lineOfThree(RosMessages& all, int n, int apart) {
+    RosWriter message(Wire::Ros1);
+    message.header(kRosStartNs + (n + n / 20 * apart) * kRosLineNs, "laser").put(0.0F).put(0.02F).put(0.01F).put(0.0F).put(0.04F);
+    all.message(0, n, message.put(0.01F).put(80.0F).array<float>({1.0F, 2.0F, 3.0F}).array<float>({}).bytes());
+}
+
 /// Telegrams of three beams, with `jump` telegrams counted as lost before each.
 inline std::string colaTelegrams(std::size_t count, int jump = 0) {
     std::string stream;
@@ -319,6 +341,23 @@ inline std::vector<CostlyKind> costlyKinds() {
                      files::RecordingMessage{n % 2 == 0 ? files::RecordingTopic::Stepper : files::RecordingTopic::Talin, hostNsOfLine(1),
                                              Bytes(reading.begin(), reading.end())}));
              return recordingText({}, messages);
+         }},
+        {"ros_bag", "", "empty messages", [](std::size_t b) { return rosBag(b, [](RosMessages& all, int n) { all.message(2, n, {}); }); }},
+        {"ros_bag", "", "transforms",
+         [](std::size_t b) {
+             return rosBag(b, [](RosMessages& all, int n) { all.message(1, n, rosTransform(n * 0.1, kRosStartNs + n * kRosLineNs, {})); });
+         }},
+        {"ros_bag", "", "lines far apart",
+         [](std::size_t b) { return rosBag(b, [](RosMessages& all, int n) { lineOfThree(all, n, 1900); }); }},
+        {"ros_bag", "", "lines of one sweep",
+         [](std::size_t b) { return rosBag(b, [](RosMessages& all, int n) { lineOfThree(all, n, 1); }); }},
+        {"ros_message", "", "values without bytes",
+         [](std::size_t b) {
+             std::string text = "T1[1000] a\n";
+             for (int n = 1; n < 30; ++n) text += "===\nMSG: fuzz/T" + std::to_string(n) + "\nT" + std::to_string(n + 1) + "[1000] a\n";
+             text += "===\nMSG: fuzz/T30\n";
+             const std::string length{static_cast<char>(text.size() % 256), static_cast<char>(text.size() / 256)};
+             return '\0' + length + text + std::string(b, '\0');
          }},
         {"packed", ".xyz.gz", "zeros", [](std::size_t b) { return gzipBytes(std::string(b * 1000, '\0')); }},
         {"packed", ".xyz.gz", "one point over and over", [](std::size_t b) { return gzipBytes(repeated("1 2 3\n", 60 * b)); }},

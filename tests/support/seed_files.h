@@ -17,6 +17,7 @@
 #include "tests/support/packet_writer.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
+#include "tests/support/ros_sweeps.h"
 
 #include <nlohmann/json.hpp>
 
@@ -129,6 +130,22 @@ inline std::vector<SeedFile> smallCaptures(int lines, int beams) {
             {"capture", ".pcapng", captureOf(parts, {.ipv6 = true, .vlans = 1, .bigEndian = true, .pcapng = true})}};
 }
 
+/// The lines of a scan as a laser on ROS sends them.
+inline std::vector<SeedFile> smallBags(const Scan& scan) {
+    std::vector<SeedFile> seeds;
+    const auto add = [&](const char* reader, const char* extension, const Bytes& bytes, std::size_t from = 0) {
+        seeds.push_back({reader, extension, std::string(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end())});
+    };
+    for (const AngleFrom from : {AngleFrom::Transform, AngleFrom::Joint}) {
+        const RosSweep sent{.from = from, .intensities = true, .beamS = 1e-4, .wire = Wire::CdrLittle};
+        add("foxglove", ".mcap", mcapOf(rosMessagesOf(scan, sent)));
+#ifdef EDGESCAN_TESTS_SQLITE
+        add("ros_database", ".db3", databaseOf(rosMessagesOf(scan, sent)));
+#endif
+    }
+    return seeds;
+}
+
 /// Seeds for a scan with this many lines and beams.
 inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     const Scan scan = makeScan({.lines = lines, .beams = beams, .beamStart = 20});
@@ -173,6 +190,7 @@ inline std::vector<SeedFile> seedFiles(int lines = 6, int beams = 11) {
     seeds.push_back({"e57", ".e57", smallE57(scan)});
     for (SeedFile& seed : smallArrays(scan)) seeds.push_back(std::move(seed));
     for (SeedFile& seed : smallCaptures(lines, beams)) seeds.push_back(std::move(seed));
+    for (SeedFile& seed : smallBags(scan)) seeds.push_back(std::move(seed));
     seeds.push_back({"packed", ".xyz.gz", gzipBytes(textOf(listOf(scan, {}), {}))});
     return seeds;
 }
@@ -236,6 +254,15 @@ inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
     seeds.push_back({"preset", "", nlohmann::json{{"method", "canny"}, {"lower", 7}, {"near", "auto"}}.dump()});
     seeds.push_back({"rock_file", "", smallRockFile()});
     seeds.push_back({"rock_file", "", "0,1 3,4 5,10"});
+    for (const AngleFrom from : {AngleFrom::Transform, AngleFrom::Joint})
+        seeds.push_back(
+            {"ros_bag", "", text(bag1Of(rosMessagesOf(scan, {.from = from}))).substr(std::string_view("#ROSBAG V2.0\n").size())});
+    for (const bool cdr : {false, true}) {
+        const RosMessages messages = rosMessagesOf(scan, {.wire = cdr ? Wire::CdrLittle : Wire::Ros1});
+        const std::string& definition = messages.topics.front().definition;
+        const std::string length{static_cast<char>(definition.size() % 256), static_cast<char>(definition.size() / 256)};
+        seeds.push_back({"ros_message", "", (cdr ? '\1' : '\0') + length + definition + text(messages.messages.back().bytes)});
+    }
     seeds.push_back({"notebook", "", smallNotebook()});
     seeds.push_back({"journal", "", smallJournal()});
     return seeds;

@@ -1,6 +1,7 @@
 // The parts of the image view that need no display: pyramid and view port.
 #include "tests/ui/ramp_image.h"
 #include "tests/ui/run_test.h"
+#include "ui/base/selected_colour.h"
 #include "ui/views/image/pyramid.h"
 #include "ui/views/image/viewport.h"
 
@@ -24,16 +25,17 @@ private slots:
         QCOMPARE(int(half.scanLine(0)[1]), 10); // the odd column is copied
         QCOMPARE(int(half.scanLine(1)[0]), 75);
         QCOMPARE(int(half.scanLine(1)[1]), 7);
-        const QImage brightest = halved(image, Shrink::KeepBrightest);
-        QCOMPARE(int(brightest.scanLine(0)[0]), 40);
-        QCOMPARE(int(brightest.scanLine(1)[0]), 100);
+        const QImage light = halved(image, Shrink::Share);
+        QCOMPARE(int(light.scanLine(0)[0]), 27); // the root of the mean square
+        QCOMPARE(int(light.scanLine(1)[1]), 7);
     }
 
-    void halvingColourKeepsTheOpaquePixel() {
+    void halvingColourKeepsItsLight() {
         QImage image(2, 2, QImage::Format_ARGB32);
         image.fill(Qt::transparent);
         image.setPixelColor(1, 1, QColor(0, 255, 0));
-        QCOMPARE(halved(image, Shrink::KeepBrightest).pixelColor(0, 0), QColor(0, 255, 0));
+        const QColor quarter = halved(image, Shrink::Share).pixelColor(0, 0);
+        QVERIFY(quarter.green() > 250 && quarter.red() == 0 && std::abs(quarter.alpha() - 128) <= 1); // a quarter of the light
         const QColor mean = halved(image, Shrink::Average).pixelColor(0, 0);
         QVERIFY(std::abs(mean.alpha() - 64) <= 1);
         image.fill(QColor(40, 20, 60));
@@ -41,22 +43,53 @@ private slots:
         QVERIFY(halved(QImage(), Shrink::Average).isNull());
     }
 
-    void everyEdgePixelSurvivesEveryLevel() {
+    // A pixel of a smaller image shows the share of edge cells in it: its light is that share.
+    void aSmallerImageShowsTheShareOfEdgeCells() {
         std::mt19937 random(5);
-        for (int round = 0; round < 30; ++round) {
-            const int width = 1 + static_cast<int>(random() % 90), height = 1 + static_cast<int>(random() % 70);
-            auto image = std::make_shared<QImage>(width, height, QImage::Format_Grayscale8);
-            image->fill(0);
-            const int x = static_cast<int>(random() % static_cast<unsigned>(width)),
-                      y = static_cast<int>(random() % static_cast<unsigned>(height));
-            image->scanLine(y)[x] = 255;
-            Pyramid pyramid(image, Shrink::KeepBrightest);
-            for (int level = 1; level < 9; ++level) {
+        for (const unsigned among : {2U, 10U, 100U}) {
+            auto image = std::make_shared<QImage>(256, 256, QImage::Format_Grayscale8);
+            double edges = 0.0;
+            for (int y = 0; y < 256; ++y) {
+                for (int x = 0; x < 256; ++x) {
+                    const bool edge = random() % among == 0;
+                    image->scanLine(y)[x] = edge ? 255 : 0;
+                    edges += edge ? 1.0 : 0.0;
+                }
+            }
+            Pyramid pyramid(image, Shrink::Share);
+            for (int level = 1; level <= 4; ++level) {
                 const QImage& small = pyramid.level(level);
-                if (small.width() == 1 && small.height() == 1) break;
-                QCOMPARE(qGray(small.pixel(x >> level, y >> level)), 255);
+                double light = 0.0;
+                for (int y = 0; y < small.height(); ++y) {
+                    for (int x = 0; x < small.width(); ++x) light += std::pow(small.constScanLine(y)[x] / 255.0, 2);
+                }
+                const double share = light / (small.width() * small.height());
+                QVERIFY2(std::abs(share - edges / (256.0 * 256.0)) < 0.002,
+                         qPrintable(QString("1 of %1, level %2: %3").arg(among).arg(level).arg(share)));
             }
         }
+    }
+
+    // A line one cell wide is seen in an image of an eighth of the size; a single cell without return is not.
+    void aLineStaysVisibleAndASingleCellFades() {
+        auto image = std::make_shared<QImage>(64, 64, QImage::Format_Grayscale8);
+        image->fill(0);
+        for (int y = 0; y < 64; ++y) image->scanLine(y)[20] = 255;
+        image->scanLine(40)[50] = 255;
+        Pyramid pyramid(image, Shrink::Share);
+        const QImage& small = pyramid.level(3);
+        for (int y = 0; y < 8; ++y) QVERIFY(qGray(small.pixel(2, y)) > 80);
+        QVERIFY(qGray(small.pixel(6, 5)) < 40);
+        QCOMPARE(qGray(small.pixel(4, 4)), 0);
+    }
+
+    void theRimOfASelectionIsWhereItMeetsWhatIsNotSelected() {
+        using Cells = std::vector<std::uint32_t>;
+        // 5 beams; a block of 3 x 3 from beam 1 to 3, and the last beam of a line, which is no neighbour of the next line's first.
+        const Cells block{6, 7, 8, 11, 12, 13, 16, 17, 18};
+        QCOMPARE(rimOf(block, 5), (Cells{6, 7, 8, 11, 13, 16, 17, 18}));
+        QCOMPARE(rimOf({4, 5}, 5), (Cells{4, 5}));
+        QCOMPARE(rimOf({}, 5), Cells{});
     }
 
     void levelsAreMadeOnceAndOnlyWhenAsked() {
@@ -71,15 +104,13 @@ private slots:
     }
 
     void levelSuitsTheScale() {
-        QCOMPARE(pyramidLevel(3.0, Shrink::KeepBrightest), 0);
-        QCOMPARE(pyramidLevel(1.0, Shrink::KeepBrightest), 0);
-        QCOMPARE(pyramidLevel(0.9, Shrink::KeepBrightest), 1);
-        QCOMPARE(pyramidLevel(0.5, Shrink::KeepBrightest), 1);
-        QCOMPARE(pyramidLevel(0.49, Shrink::KeepBrightest), 2);
-        QCOMPARE(pyramidLevel(0.9, Shrink::Average), 0);
-        QCOMPARE(pyramidLevel(0.5, Shrink::Average), 1);
-        QCOMPARE(pyramidLevel(0.3, Shrink::Average), 1);
-        QCOMPARE(pyramidLevel(0.0, Shrink::Average), 0);
+        QCOMPARE(pyramidLevel(3.0), 0);
+        QCOMPARE(pyramidLevel(1.0), 0);
+        QCOMPARE(pyramidLevel(0.9), 0);
+        QCOMPARE(pyramidLevel(0.5), 1);
+        QCOMPARE(pyramidLevel(0.3), 1);
+        QCOMPARE(pyramidLevel(0.24), 2);
+        QCOMPARE(pyramidLevel(0.0), 0);
     }
 
     void viewPortFitsZoomsAndPans() {
@@ -96,14 +127,14 @@ private slots:
         QVERIFY(QLineF(port.toPixel(cell, QSizeF(400, 300)), before).length() < 1e-9);
         QVERIFY(!port.fitted());
         QCOMPARE(port.toCell(port.toPixel(cell, QSizeF(400, 300)), QSizeF(400, 300)), cell);
-        port.panPixels({20, 10});
+        port.panPixels({20, 10}, {});
         QVERIFY(QLineF(port.toPixel(cell, QSizeF(400, 300)), before + QPointF(20, 10)).length() < 1e-9);
         port.setViewSize(&view, {500, 300}); // zoomed: does not change
         QCOMPARE(port.zoom(), 1.5);
         port.fit();
         port.setViewSize(&view, {800, 600}); // fitted: follows the size
         QCOMPARE(port.zoom(), 1.0);
-        port.panPixels({1e7, 1e7});
+        port.panPixels({1e7, 1e7}, {});
         QCOMPARE(port.centre(), QPointF(0, 0)); // cannot be lost
     }
 

@@ -113,7 +113,7 @@ private slots:
 
     void edgesNeverVanishWhenZoomedOut() {
         const auto edges = edgeMap(1141, 1000);
-        view_->setImage(edges, Shrink::KeepBrightest);
+        view_->setImage(edges, Shrink::Share);
         for (const double out : {1.0, 0.83, 0.6, 0.51}) {
             port_->fit();
             port_->zoomAt(port_->centre(), out);
@@ -123,11 +123,34 @@ private slots:
             const QPointF a = port_->toPixel({0, 0}, view_->size()), b = port_->toPixel({1141, 1000}, view_->size());
             for (int x = static_cast<int>(std::ceil(a.x() * dpr)); x < static_cast<int>(b.x() * dpr) - 1; ++x) {
                 int bright = 0;
-                for (int y = 0; y < shown.height(); ++y) bright += qGray(shown.pixel(x, y)) > 200;
+                for (int y = 0; y < shown.height(); ++y) bright += qGray(shown.pixel(x, y)) > 90;
                 QVERIFY2(bright > 0, qPrintable(QString("column %1 at %2").arg(x).arg(out)));
             }
         }
         keep(grab(*view_), "image_edges_small");
+    }
+
+    // Many lost lines in a picture that shows several lines per pixel: dashes, no even colour.
+    void lostLinesAreDashesAtEveryZoom() {
+        for (const int lines : {40, 300, 3000}) {
+            auto image = std::make_shared<QImage>(400, lines, QImage::Format_RGB32);
+            image->fill(qRgb(24, 26, 30));
+            view_->setImage(image);
+            view_->setLost({QRect(0, 0, 400, lines)});
+            const QImage shown = grab(*view_);
+            const double dpr = view_->devicePixelRatioF();
+            const QRect middle(QPoint(int(190 * dpr), int(140 * dpr)), QSize(int(20 * dpr), int(20 * dpr)));
+            int amber = 0, ground = 0;
+            for (int y = middle.top(); y <= middle.bottom(); ++y) {
+                for (int x = middle.left(); x <= middle.right(); ++x) {
+                    const QRgb pixel = shown.pixel(x, y);
+                    amber += qRed(pixel) > 150 && qBlue(pixel) < 120 ? 1 : 0;
+                    ground += qRed(pixel) < 60 ? 1 : 0;
+                }
+            }
+            const int all = middle.width() * middle.height();
+            QVERIFY2(amber > all / 40 && ground > all / 2, qPrintable(QString("%1 lines: %2, %3").arg(lines).arg(amber).arg(ground)));
+        }
     }
 
     void theSameImageAgainCostsNothing() {
@@ -289,7 +312,7 @@ private slots:
         paint("gray fitted");
         view_->setImage(colour);
         paint("colour fitted");
-        view_->setImage(edges, Shrink::KeepBrightest);
+        view_->setImage(edges, Shrink::Share);
         paint("edges fitted");
         for (int i = 0; i < 6; ++i) wheel(*view_, {300, 300}, 1);
         paint("edges zoomed in");

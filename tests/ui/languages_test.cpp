@@ -212,7 +212,7 @@ private slots:
         QVERIFY(laidOut(on, scan_));
         static const QRegularExpression word("[A-Za-z]{3,}");
         static const QRegularExpression name(
-            R"(^(Español|Français|Português|English|EdgeScan\+?|edgescan.*|boxes.*|llvmpipe.*|.*\(LLVM.*|qt_.*|Canny.*|Roberts|Sobel|Prewitt|Kirsch|Robinson|UTC|(A: )?boxes.*|one scan with two settings|default|thesis|window|log|[0-9,]+ points|.*\.json.*|.*\d+ ?mm.*)$)");
+            R"(^(Español|Français|Português|English|EdgeScan\+?|edgescan.*|boxes.*|llvmpipe.*|.*\(LLVM.*|qt_.*|Canny.*|Roberts|Sobel|Prewitt|Kirsch|Robinson|UTC|(A: )?boxes.*|one scan with two settings|default(-3)?|smooth-walls|thesis|window|log|[0-9,]+ points|.*\.json.*|.*\d+ ?mm.*)$)");
         QStringList left;
         for (const QString& text : everyTextIn(on.window)) {
             const bool alike = english.contains(text) && word.match(text).hasMatch();

@@ -7,6 +7,7 @@
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/base/view_plate.h"
 #include "ui/base/window_room.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/rocks/rocks_panel.h"
@@ -106,6 +107,98 @@ private slots:
             if (!dock(window)->isHidden()) QVERIFY2(dock(window)->width() <= 0.225 * size.width(), at.constData());
             QCOMPARE(window.findChild<DockRail*>()->isVisible(), size.width() < 1100);
         }
+    }
+
+    // Rocks, a target, panels and the table that the operator opened: the cloud keeps its share, and nothing is left blank.
+    void theCloudKeepsItsShareInEveryState() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bare_) && on.activate());
+        MainWindow& window = on.window;
+        const auto open = [&](const char* name) { window.findChild<QDockWidget*>(name)->toggleViewAction()->trigger(); };
+        const std::vector<std::pair<const char*, std::function<void()>>> states{
+            {"plain", [] {}},
+            {"rocks", [&] { on.viewer.rocks.setShown(true); }},
+            {"target", [&] { on.viewer.views.pin(on.picture().detection->edges->front()); }},
+            {"table", [&] { open("dock-rock-table"); }},
+            {"edges", [&] { open("dock-edges"); }}, // by hand: folded
+            {"edges again", [&] { open("dock-edges"); }},
+        };
+        QStringList faults;
+        for (const auto& [name, enter] : states) {
+            enter();
+            for (const QSize size : {QSize(640, 480), QSize(853, 480), QSize(900, 600), QSize(1024, 700), QSize(1280, 800),
+                                     QSize(1366, 768), QSize(1920, 1040), QSize(1280, 800)}) {
+                window.resize(size);
+                QVERIFY(eventually([&] { return window.size() == size.expandedTo(window.minimumSizeHint()); }));
+                for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
+                const CloudView& cloud = on.viewer.views.cloud();
+                const QString where = QString("%1 at %2 x %3: ").arg(name).arg(window.width()).arg(window.height());
+                if (cloud.width() < 0.55 * window.width() - 1) faults << where + QString("cloud %1").arg(cloud.width());
+                for (const auto* each : window.findChildren<QDockWidget*>()) {
+                    if (!each->isVisible() || !each->visibleRegion().boundingRect().isValid()) continue;
+                    if (each->widget()->visibleRegion().isEmpty()) faults << where + each->objectName() + " is blank";
+                    if (!window.rect().contains(QRect(each->mapTo(&window, QPoint()), each->size())))
+                        faults << where + each->objectName() + " is off the window";
+                }
+                if (size == QSize(1280, 800) && !on.viewer.views.gray().isVisible()) faults << where + "the images are folded";
+                if (size == QSize(1280, 800) && window.findChild<QDockWidget*>("dock-edges")->isHidden() != (name == std::string("edges")))
+                    faults << where + "edges";
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    void legendAndScaleCoverNeitherEachOtherNorTheTarget() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        CloudView& cloud = on.viewer.views.cloud();
+        std::mt19937 random(7);
+        QStringList faults;
+        for (const QSize size : {QSize(853, 533), QSize(1024, 700), QSize(1280, 800)}) {
+            resizeTo(on.window, size);
+            const std::vector<std::uint32_t>& edges = *on.picture().detection->edges;
+            for (int n = 0; n < 25; ++n) {
+                on.viewer.views.pin(edges[random() % edges.size()]);
+                QVERIFY(eventually([&] { return cloud.atRest(); }));
+                for (int more = 0; more < 3; ++more) QApplication::processEvents();
+                const auto at = cloud.pixelOf(static_cast<std::uint32_t>(*on.viewer.views.pinned()));
+                std::vector<const ViewPlate*> plates;
+                for (const ViewPlate* plate : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+                    if (plate->isVisible()) plates.push_back(plate);
+                }
+                for (const ViewPlate* plate : plates) {
+                    if (at && plate->geometry().contains(at->toPoint()))
+                        faults << QString("%1: %2 covers the target").arg(size.width()).arg(plate->objectName());
+                    if (!cloud.rect().contains(plate->geometry())) faults << plate->objectName() + " is cut off";
+                    for (const ViewPlate* other : plates) {
+                        if (other < plate && other->geometry().intersects(plate->geometry()))
+                            faults << QString("%1: %2 covers %3").arg(size.width()).arg(plate->objectName(), other->objectName());
+                    }
+                }
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    void resetLayoutRestoresTheOrder() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        resizeTo(on.window, {1920, 1040});
+        on.viewer.rocks.setShown(true);
+        on.viewer.views.pin(on.picture().detection->edges->front());
+        const auto top = [&](const char* name) {
+            const auto* each = on.window.findChild<QDockWidget*>(name);
+            return each->isVisible() ? each->mapTo(&on.window, QPoint()).y() : -1;
+        };
+        const auto inOrder = [&] {
+            return top("dock-edges") >= 0 && top("dock-edges") < top("dock-rocks") && top("dock-rocks") < top("dock-targets");
+        };
+        QTRY_VERIFY(inOrder());
+        on.window.addDockWidget(Qt::RightDockWidgetArea, on.window.findChild<QDockWidget*>("dock-edges")); // dragged below the others
+        QTRY_VERIFY(!inOrder());
+        on.window.resetLayout();
+        QTRY_VERIFY2(inOrder(), qPrintable(QString("%1 %2 %3").arg(top("dock-edges")).arg(top("dock-rocks")).arg(top("dock-targets"))));
     }
 
     void noMethodMakesThePanelWiderThanItsDock() {

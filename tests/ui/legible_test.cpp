@@ -49,7 +49,7 @@ private slots:
             QApplication::processEvents();
             const QString text = probe->text();
             QVERIFY2(
-                QRegularExpression("N [0-9.]+  E [0-9.]+  El -?[0-9.]+  x -?[0-9.]+  y -?[0-9.]+  z -?[0-9.]+ m").match(text).hasMatch(),
+                QRegularExpression("E [0-9.]+  N [0-9.]+  RL -?[0-9.]+  x -?[0-9.]+  y -?[0-9.]+  z -?[0-9.]+ m").match(text).hasMatch(),
                 qPrintable(QString::number(width) + ": " + text));
             QVERIFY2(text.contains("EDGE") || text.contains("not an edge"), qPrintable(text));
             QVERIFY2(probe->width() >= QFontMetrics(probe->font()).horizontalAdvance(text), qPrintable(text));

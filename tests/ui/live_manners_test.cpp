@@ -4,10 +4,13 @@
 #include "core/scanner/emulator/telegram.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/pane.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/scanner_link.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/live/sweep_bar.h"
 #include "ui/panels/live/timeline.h"
+#include "ui/panels/tuning/warning_button.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -174,6 +177,66 @@ private slots:
         QTRY_VERIFY(bool(files::openScan(QDir(folder).filePath(files.front()).toStdString())));
     }
 
+    void afterStopNothingGrowsAndTheSweepIsIncomplete() {
+        for (const bool held : {false, true}) {
+            const auto emulated = scanner(60);
+            QVERIFY(emulated);
+            WindowFixture on;
+            MainWindow& window = on.window;
+            QVERIFY(on.show());
+            window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+            QTRY_VERIFY(lines(window) > 10);
+            Pane& cloud = *qobject_cast<Pane*>(window.viewer().views.cloud().parentWidget());
+            QTRY_VERIFY2(cloud.note().contains("growing"), qPrintable(cloud.note()));
+            if (held) {
+                press(window, "live-follow");
+                QTRY_VERIFY2(!cloud.note().contains("growing"), "a held picture does not grow");
+            }
+            press(window, "live-connect"); // Stop
+            QTRY_VERIFY(!on.picture().source.growth.growing && !window.viewer().engine.behind());
+            QVERIFY(!cloud.note().contains("growing"));
+            QVERIFY(!window.viewer().warnings.warnings().filter("INCOMPLETE").isEmpty());
+            const std::string shown = window.viewer().live.panel().strip().shown().lines;
+            QVERIFY2(shown.starts_with("INCOMPLETE"), shown.c_str());
+        }
+    }
+
+    void theStripOfAStoppedScannerGoesWithItsPicture() {
+        const auto emulated = scanner(60);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY(lines(window) > 5);
+        LivePanel& panel = window.viewer().live.panel();
+        press(window, "live-connect"); // Stop
+        QTRY_VERIFY(!window.viewer().engine.behind());
+        QVERIFY2(panel.isVisible() && panel.strip().isVisible(), "its last picture is on the screen");
+        QVERIFY(on.open(bell_));
+        QVERIFY(!panel.isVisible());
+        panel.askAddress();
+        QVERIFY2(panel.isVisible() && !panel.strip().isVisible(), "nothing is said about the scanner before");
+        // Stopped while a file is on the screen.
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY(on.picture().source.stream == window.viewer().live.scanner().stream());
+        QVERIFY(on.open(bell_));
+        QVERIFY(panel.isVisible());
+        press(window, "live-connect");
+        QVERIFY(!panel.isVisible());
+    }
+
+    void thePictureBeforeAScannersFirstOneIsCalledOld() {
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(bell_));
+        window.viewer().live.connectTo("127.0.0.1", 9, sweep()); // nothing answers
+        QVERIFY2(window.viewer().origin.text().startsWith("OLD PICTURE · FILE bell"), qPrintable(window.viewer().origin.text()));
+        QVERIFY(window.viewer().origin.sign() == StateBadge::Sign::Waiting);
+        press(window, "live-connect"); // Stop
+        QVERIFY2(window.viewer().origin.text().startsWith("FILE bell"), qPrintable(window.viewer().origin.text()));
+    }
+
     void aLostScannerPromisesNoEnd() {
         auto emulated = scanner(40);
         QVERIFY(emulated);
@@ -182,7 +245,8 @@ private slots:
         QVERIFY(on.show());
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         const HealthStrip& strip = window.viewer().live.panel().strip();
-        QTRY_VERIFY(strip.shown().end.starts_with("ends in "));
+        QTRY_VERIFY(strip.shown().end.ends_with(" left"));
+        QVERIFY(strip.bar().share() > 0.0 && strip.bar().share() < 1.0);
         emulated.reset();
         QTRY_VERIFY(strip.shown().liveness == files::Liveness::Lost);
         QCOMPARE(strip.shown().end, std::string());

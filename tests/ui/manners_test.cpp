@@ -18,6 +18,7 @@
 #include <QMessageBox>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QTextBrowser>
 #include <QTimer>
 #include <QToolTip>
 #include <QtTest>
@@ -140,6 +141,46 @@ private slots:
     }
 
     // The locale of the environment (./test uses two of them) must not matter.
+    // A letter that was typed for a dialog which did not open is no command.
+    void keysForADialogThatWasRefusedDoNothing() {
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        const auto fired = std::make_shared<QStringList>();
+        for (QAction* action : on.window.actions()) {
+            const QKeySequence key = action->shortcut();
+            if (key.count() == 1 && key.toString().size() == 1)
+                connect(action, &QAction::triggered, &on.window, [fired, key] { *fired << key.toString(); });
+        }
+        QTest::keyClick(&on.window, Qt::Key_E, Qt::ControlModifier); // Export: no scan is open
+        QVERIFY(on.viewer.notice.isVisible());
+        QApplication::processEvents();
+        for (const char each : std::string("report3tkqe")) QTest::keyClick(&on.window, each);
+        QVERIFY2(fired->isEmpty(), qPrintable(fired->join(' ')));
+        QTest::mouseClick(&on.window, Qt::LeftButton, Qt::NoModifier, QPoint(5, on.window.height() - 5));
+        QTest::keyClick(&on.window, 't');
+        QCOMPARE(*fired, QStringList("T"));
+    }
+
+    void propertiesAreWords() {
+        const std::string bare = (folder_ / "bare.json").string();
+        QVERIFY(files::saveScan(test::boxesScan(60, 80, 3, 0.05), bare));
+        WindowFixture on;
+        QVERIFY(on.showWith(bare));
+        QString text;
+        const Meanwhile hand([&] {
+            auto* sheet = on.window.findChild<QTextBrowser*>("scan-properties");
+            if (sheet == nullptr || !sheet->isVisible()) return false;
+            text = sheet->toPlainText();
+            sheet->window()->close();
+            return true;
+        });
+        for (QAction* action : on.window.actions()) {
+            if (action->text().remove('&') == QStringLiteral("Properties…")) action->trigger();
+        }
+        QVERIFY2(text.contains("Scan lines") && text.contains("no return"), qPrintable(text));
+        QVERIFY2(!text.contains(QRegularExpression("[{}\"]")) && !text.contains("no_return"), qPrintable(text));
+    }
+
     void numbersHaveAPointInEveryCountry() {
         WindowFixture on;
         QVERIFY(on.showWith(placed_));

@@ -1,5 +1,7 @@
 // Every mode of the window at every size and in the language with the longest words: no widget is cut off, squeezed or covered. With
 // EDGESCAN_LOOK=FOLDER the pictures are saved for inspection.
+#include "core/scanner/emulator/emulator.h"
+#include "core/scanner/emulator/telegram.h"
 #include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/ui/whole_widgets.h"
@@ -7,6 +9,10 @@
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/files/calibrating.h"
+#include "ui/panels/cab/cab_frame.h"
+#include "ui/panels/cab/hold_button.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/timeline.h"
 #include "ui/panels/start/start_page.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/window/cab_mode.h"
@@ -16,6 +22,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
+#include <QDir>
 #include <QPainter>
 #include <QScreen>
 #include <QTimer>
@@ -31,6 +38,7 @@ class ModesTest : public QObject {
     Q_OBJECT
     test::TemporaryFolder folder_;
     std::string bell_, after_;
+    Scan live_;
 
     struct Mode {
         const char* name;
@@ -138,6 +146,10 @@ private slots:
         QVERIFY(bool(files::saveScan(scan, bell_)));
         settings.afterBlast = true;
         after_ = (folder_ / "after.json").string();
+        sim::SimulationSettings ofScanner;
+        ofScanner.lines = 120;
+        ofScanner.beams = 381;
+        live_ = sim::simulate(ofScanner)->scan;
         QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, after_)));
     }
     void cleanup() { useLanguage("en"); }
@@ -191,6 +203,105 @@ private slots:
             };
             QTRY_VERIFY2(painted(), qPrintable(QString("%1 black pixels in a column at %2").arg(worst).arg(size.width())));
         }
+    }
+
+    // Live, recording, rocks, the end of a sweep, notices, work that can be cancelled, a recording that is played: in a cab nothing is
+    // larger than the screen, and Locked, the only way out, is on it.
+    void noStateOfACabIsLargerThanTheScreen_data() {
+        QTest::addColumn<QString>("language");
+        for (const Language& language : kLanguages) QTest::newRow(language.code) << QString(language.code);
+    }
+    void noStateOfACabIsLargerThanTheScreen() {
+        QFETCH(QString, language);
+        QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+        scanner::EmulatedScannerSettings settings;
+        settings.linesPerSecond = 150;
+        auto telegrams = scanner::telegramsOf(live_);
+        QVERIFY(bool(telegrams));
+        const auto emulated =
+            scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
+        QVERIFY(bool(emulated));
+        scanner::SweepSettings sweep;
+        sweep.expectedLines = live_.lines();
+        sweep.degPerLine = 180.0 / live_.lines();
+        sweep.firstLineDeg = -90;
+        sweep.axis = Axis::Sweep;
+        WindowFixture on;
+        Live& live = on.viewer.live;
+        const QString folder = QString::fromStdString((folder_ / ("cab-" + language.toStdString())).string());
+        live.setRecordingFolder(folder);
+        QVERIFY(on.showWith(bell_) && on.activate());
+        on.window.cab().set(true);
+        const auto recorded = [&] { return QDir(folder).entryList({"sweep_*.mcap"}); };
+        const std::vector<std::pair<const char*, std::function<bool()>>> states{
+            {"connected",
+             [&] {
+                 live.connectTo("127.0.0.1", (*emulated)->port(), sweep);
+                 return eventually([&] { return live.grows(); });
+             }},
+            {"recording",
+             [&] {
+                 live.record(true);
+                 return eventually([&] { return !live.scanner().health().recording.empty(); });
+             }},
+            {"rocks",
+             [&] {
+                 on.viewer.rocks.setShown(true);
+                 return eventually([&] { return on.viewer.rocks.picture() != nullptr; });
+             }},
+            {"held at the end", [&] { return eventually([&] { return !live.scanner().following() && on.viewer.notice.isVisible(); }); }},
+            {"notices",
+             [&] {
+                 for (const char* text : {"one", "two"})
+                     on.viewer.notice.showNotice(NoticeBar::Kind::Warning,
+                                                 QString(text) + QString(" /a/long/path/without/blanks").repeated(9));
+                 on.viewer.notice.offer(QObject::tr("Does this look right?"), [] {});
+                 return true;
+             }},
+            {"target",
+             [&] {
+                 on.viewer.views.pin(on.picture().detection->edges->front());
+                 return eventually([&] { return on.viewer.targets.settled(); });
+             }},
+            {"work",
+             [&] {
+                 on.window.cab().frame().head().showWork(QString("Opening a file of a long name: stage, 40 % ").repeated(4));
+                 return true;
+             }},
+            {"another picture", [&] { return on.open(bell_); }},
+            {"stopped",
+             [&] {
+                 live.scanner().disconnectScanner();
+                 return eventually([&] { return !live.scanner().recording() && recorded().size() == 1; });
+             }},
+            {"played",
+             [&] {
+                 on.viewer.rocks.setShown(false);
+                 return eventually([&] { return live.scanner().recordingClosed(); }) &&
+                        on.open(QDir(folder).filePath(recorded().front()).toStdString()) &&
+                        eventually([&] { return live.timeline().isVisible(); });
+             }},
+        };
+        QStringList faults;
+        for (const auto& [name, enter] : states) {
+            QVERIFY2(enter(), name);
+            for (const QSize size : {QSize(1280, 800), QSize(1024, 768), QSize(853, 533)}) {
+                on.window.resize(size);
+                QVERIFY(eventually([&] { return on.window.size() == size.expandedTo(on.window.minimumSizeHint()); }));
+                for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
+                const QString where = QString("%1, %2 at %3 x %4: ").arg(language, name).arg(size.width()).arg(size.height());
+                if (on.window.size() != size) faults << where + QString("it is %1 x %2").arg(on.window.width()).arg(on.window.height());
+                const QWidget& locked = *on.window.cab().frame().head().locked();
+                if (!locked.isVisible() || !on.window.rect().contains(QRect(locked.mapTo(&on.window, QPoint()), locked.size())))
+                    faults << where + "Locked is off the screen";
+                for (const QString& fault : faultsIn(on.window)) faults << where + fault;
+                const QString pictures = qEnvironmentVariable("EDGESCAN_LOOK");
+                if (!pictures.isEmpty())
+                    pictureOf(on).save(
+                        QString("%1/cab-%2-%3-%4.png").arg(pictures, language, QString(name).replace(' ', '-')).arg(size.width()));
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
     }
 
     void nothingIsCutInACab_data() { nothingIsCutInAnyMode_data(); }

@@ -57,7 +57,7 @@ private slots:
             const double before = view->viewPort()->zoom();
             auto* pane = qobject_cast<Pane*>(view->parentWidget());
             QVERIFY(pane != nullptr);
-            QTest::mouseDClick(pane->findChild<QLabel*>()->parentWidget(), Qt::LeftButton);
+            QTest::mouseClick(pane->aloneButton(), Qt::LeftButton);
             QTRY_VERIFY(view->width() > 900);
             QTRY_VERIFY2(view->viewPort()->zoom() > 1.8 * before, qPrintable(QString::number(view->viewPort()->zoom() / before)));
             const double fits = std::min(view->width() / 340.0, view->height() / 300.0);

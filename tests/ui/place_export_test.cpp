@@ -50,20 +50,20 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(on.show());
         QVERIFY(on.open(placed_));
-        QCOMPARE(window.viewer().statusLine.placeShown(), QString("mine grid UTM 17N · origin E 620000 N 6200000 El 250"));
+        QCOMPARE(window.viewer().statusLine.placeShown(), QString("mine grid UTM 17N · origin E 620000 N 6200000 RL 250"));
         QVERIFY(window.viewer().notice.text().contains("The pose carries no time"));
         emit window.viewer().views.gray().clicked(30, 40);
         const Scan& scan = *on.picture().detection->scan;
         const std::size_t k = scan.rangeMm.index(30, 40);
         QCOMPARE(scan.state[k], CellState::Valid);
         const Eigen::Vector3d mine = minePoint(scan, k).enhM;
-        const QString expected = QString("N %1  E %2  El %3").arg(mine.y(), 0, 'f', 3).arg(mine.x(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3);
+        const QString expected = QString("E %1  N %2  RL %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3);
         QVERIFY2(window.viewer().statusLine.probeShown().contains(expected), qPrintable(window.viewer().statusLine.probeShown()));
         QVERIFY(on.open(bare_));
-        QCOMPARE(window.viewer().statusLine.placeShown(), QString("scanner frame"));
+        QCOMPARE(window.viewer().statusLine.placeShown(), QString::fromUtf8("▲ scanner frame, no pose: no E N RL"));
         QCOMPARE(window.viewer().statusLine.recordedShown(), QString("time not known"));
         emit window.viewer().views.gray().clicked(30, 40);
-        QVERIFY(window.viewer().statusLine.probeShown().contains(QString::fromUtf8("N –  E –  El –")));
+        QVERIFY(window.viewer().statusLine.probeShown().startsWith("x "));
     }
 
     void withoutAPoseTheMineGridCannotBeChosen() {
@@ -112,6 +112,29 @@ private slots:
         QVERIFY(dialog.options().includeAttached);
         choice(dialog, "gray").click();
         QVERIFY(!dialog.options().includeAttached);
+    }
+
+    void theNumbersOfAllContentsAreOfWhatIsSelected() {
+        const auto detection = detectionOf(*files::openScan(placed_));
+        auto cells = std::make_shared<std::vector<std::uint32_t>>();
+        for (std::uint32_t k = 0; k < detection->scan->cells(); k += 7) cells->push_back(k);
+        for (const bool only : {false, true}) {
+            ExportDialog dialog(detection, exports::ExportContent::EdgeCloud, {cells, only});
+            auto* box = dialog.findChild<QCheckBox*>("onlySelected");
+            for (const bool checked : {only, !only}) {
+                box->setChecked(checked);
+                int counted = 0;
+                for (const exports::ExportKind& kind : exports::exportKinds()) {
+                    auto* button = dialog.findChild<QRadioButton*>(kind.key);
+                    if (button == nullptr || !exports::isCloud(kind.content)) continue;
+                    button->setChecked(true);
+                    ++counted;
+                    QVERIFY2(button->text().remove(',').contains(QString::number(dialog.count())), qPrintable(button->text()));
+                    QCOMPARE(dialog.options().selection != nullptr, checked);
+                }
+                QVERIFY(counted >= 2);
+            }
+        }
     }
 
     void theCommandAsksAndNothingIsSavedWhenItIsDismissed() {

@@ -119,7 +119,7 @@ private slots:
             QTest::keyClick(&on.window, Qt::Key_H, Qt::ShiftModifier);
             QVERIFY(rested(on));
             QCOMPARE(plate(on).scaleTitle().contains("Elevation"), placed);
-            QCOMPARE(plate(on).axisNames()[2] == "El", placed);
+            QCOMPARE(plate(on).axisNames()[2] == "RL", placed);
             // Of two cells the higher one is further along the scale.
             const edges::Detection& detection = *on.picture().detection;
             const auto heightOf = [&](std::size_t k) {

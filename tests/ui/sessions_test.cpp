@@ -172,8 +172,8 @@ private slots:
             QVERIFY(on.showWith(boxes_) && on.activate());
             named(on, "&Wheel the other way")->trigger();
             QVERIFY(named(on, "&Wheel the other way")->isChecked());
-            QWidget* title = on.viewer.views.edges().parentWidget()->findChild<QLabel*>()->parentWidget();
-            QTest::mouseDClick(title, Qt::LeftButton); // it is shown alone
+            auto* alone = on.viewer.views.edges().parentWidget()->findChild<QToolButton*>("pane-alone");
+            QTest::mouseClick(alone, Qt::LeftButton);
             QVERIFY(!on.viewer.views.cloud().isVisible());
             on.window.sessions().saveAs(file);
             QVERIFY(atRest(on));

@@ -64,7 +64,7 @@ private slots:
         for (const QAction* action : on.window.actions()) named += action->isSeparator() ? 0 : 1;
         QCOMPARE(all.size(), named); // two commands of the same name would be one row
         QVERIFY(all.size() > 60);
-        QCOMPARE(commandOf(on.window, "View/From Scanner").usual, QList<QKeySequence>{QKeySequence("0")});
+        QCOMPARE(commandOf(on.window, "View/Look from/From Scanner").usual, QList<QKeySequence>{QKeySequence("0")});
     }
 
     void aChangedKeyDoesWhatItSaysAndIsRemembered() {
@@ -136,15 +136,15 @@ private slots:
         {
             WindowFixture on(ini);
             const QList<KeyedCommand> all = keyedCommands(on.window.actions());
-            const KeyedCommand top = commandOf(on.window, "View/Top");
-            const KeyedCommand front = commandOf(on.window, "View/Front");
+            const KeyedCommand top = commandOf(on.window, "View/Look from/Top");
+            const KeyedCommand front = commandOf(on.window, "View/Look from/Front");
             QVERIFY(changeKey(top, QKeySequence(), all, on.preferences));
             QVERIFY(changeKey(front, QKeySequence("7"), all, on.preferences));
             QVERIFY(changeKey(top, QKeySequence("1"), all, on.preferences));
         }
         WindowFixture again(ini);
-        QCOMPARE(commandOf(again.window, "View/Top").action->shortcut(), QKeySequence("1"));
-        QCOMPARE(commandOf(again.window, "View/Front").action->shortcut(), QKeySequence("7"));
+        QCOMPARE(commandOf(again.window, "View/Look from/Top").action->shortcut(), QKeySequence("1"));
+        QCOMPARE(commandOf(again.window, "View/Look from/Front").action->shortcut(), QKeySequence("7"));
     }
 };
 

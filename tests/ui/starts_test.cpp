@@ -261,6 +261,6 @@ private slots:
     }
 };
 
-int starts_test(int argc, char** argv) { return runTest<StartsTest, QCoreApplication>(argc, argv); }
+int starts_test(int argc, char** argv) { return ui::runTest<StartsTest, QCoreApplication>(argc, argv); }
 
 #include "starts_test.moc"

@@ -1,39 +1,33 @@
 // The strip of folded panels.
 #include "ui/base/dock_rail.h"
 
+#include "ui/base/icons.h"
+
 #include <QAction>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QToolButton>
 
 namespace edgescan::ui {
 namespace {
 
-/// The panel's name, written from bottom to top.
-class UprightButton : public QToolButton {
-public:
-    using QToolButton::QToolButton;
-    [[nodiscard]] QSize sizeHint() const override {
-        const QFontMetrics letters(font());
-        return {letters.height() + 14, letters.horizontalAdvance(words()) + 24};
-    }
+constexpr int kSign = 22, kWide = 40; // px: of an icon and of its button
 
-protected:
-    void paintEvent(QPaintEvent* /*event*/) override {
-        QPainter painter(this);
-        const bool meant = underMouse() || hasFocus();
-        painter.fillRect(rect(), palette().color(meant ? QPalette::Highlight : QPalette::Button));
-        painter.setPen(palette().color(meant ? QPalette::HighlightedText : QPalette::ButtonText));
-        painter.translate(0, height());
-        painter.rotate(-90);
-        painter.drawText(QRect(0, 0, height(), width()), Qt::AlignCenter, words());
-    }
-
-private:
-    [[nodiscard]] QString words() const { return "« " + text(); }
+/// The icons of the panels, by object name.
+struct PanelSign {
+    const char* dock;
+    const char* sign;
 };
+constexpr PanelSign kPanelSigns[] = {
+    {"dock-edges", "tune"}, {"dock-rocks", "rocks"}, {"dock-rock-table", "table"}, {"dock-targets", "pin"}};
+
+QIcon signOf(const QDockWidget& dock) {
+    for (const PanelSign& each : kPanelSigns) {
+        if (dock.objectName() == each.dock) return toolIcon(each.sign);
+    }
+    return toolIcon("panel");
+}
 
 QWidget* headOf(QDockWidget* dock) {
     auto* head = new QWidget;
@@ -66,22 +60,27 @@ DockRail::DockRail(QWidget* parent) : QToolBar(parent) {
 }
 
 void DockRail::add(QDockWidget* dock) {
-    docks_ << dock;
     dock->setTitleBarWidget(headOf(dock));
-    auto* button = new UprightButton;
+    auto* button = new QToolButton;
     button->setObjectName("rail-" + dock->objectName());
-    button->setText(dock->windowTitle());
-    button->setToolTip(tr("Open this panel"));
-    QAction* place = addWidget(button);
+    button->setIcon(signOf(*dock));
+    button->setIconSize({kSign, kSign});
+    button->setFixedSize(kWide, kWide);
+    button->setAutoRaise(true);
+    button->setAccessibleName(dock->windowTitle());
+    button->setToolTip(tr("Open %1").arg(dock->windowTitle()));
+    docks_.push_back({dock, addWidget(button)});
     connect(button, &QToolButton::clicked, dock->toggleViewAction(), &QAction::trigger);
-    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool open) { emit changedByOperator(dock, open); });
-    const auto follow = [this, dock, place] {
-        place->setVisible(dock->isHidden());
-        showFolded();
-    };
-    connect(dock, &QDockWidget::visibilityChanged, this, follow);
-    connect(dock->toggleViewAction(), &QAction::toggled, this, follow);
-    follow();
+    connect(dock, &QDockWidget::visibilityChanged, this, &DockRail::showFolded);
+    connect(dock->toggleViewAction(), &QAction::toggled, this, &DockRail::showFolded);
+    showFolded();
+}
+
+void DockRail::setWanted(const QDockWidget* dock, bool on) {
+    for (Folded& each : docks_) {
+        if (each.dock == dock) each.wanted = on;
+    }
+    showFolded();
 }
 
 void DockRail::setLocked(bool on) {
@@ -91,7 +90,11 @@ void DockRail::setLocked(bool on) {
 
 void DockRail::showFolded() {
     bool any = false;
-    for (const QDockWidget* dock : docks_) any = any || dock->isHidden();
+    for (const Folded& each : docks_) {
+        const bool folded = each.wanted && each.dock->isHidden();
+        each.place->setVisible(folded);
+        any = any || folded;
+    }
     setVisible(any && !locked_);
 }
 

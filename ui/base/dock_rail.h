@@ -1,8 +1,9 @@
-// A narrow strip at the right edge with the name of each folded panel. One press opens the panel.
+// A narrow strip at the right edge with an icon of each folded panel. One press opens the panel.
 #pragma once
 
 #include <QToolBar>
 
+class QAction;
 class QDockWidget;
 
 namespace edgescan::ui {
@@ -14,18 +15,21 @@ public:
     explicit DockRail(QWidget* parent = nullptr);
 
     void add(QDockWidget* dock);
+    /// Whether the strip has its name while it is folded; true at first.
+    void setWanted(const QDockWidget* dock, bool on);
 
     /// While locked the rail is hidden.
     void setLocked(bool on);
 
-signals:
-    /// The operator folded or opened a panel: with its title bar, the rail or the menu. A change of the window's width does not emit this.
-    void changedByOperator(QDockWidget* dock, bool open);
-
 private:
+    struct Folded {
+        const QDockWidget* dock;
+        QAction* place; // of its name
+        bool wanted = true;
+    };
     void showFolded();
 
-    QList<QDockWidget*> docks_;
+    QList<Folded> docks_;
     bool locked_ = false;
 };
 

@@ -5,13 +5,25 @@
 
 namespace edgescan::ui {
 
-void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text) {
+QRect drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text) {
+    if (text.isEmpty()) return {};
     const QRect box = painter.boundingRect(place, static_cast<int>(alignment) | Qt::TextWordWrap, text).adjusted(-6, -3, 6, 3);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0, 0, 0, 150));
     painter.drawRoundedRect(box, 3, 3);
     painter.setPen(QColor(235, 235, 235));
     painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
+    return box;
+}
+
+void drawLabels(QPainter& painter, const QRect& place, const QString& left, const QString& right, int taken) {
+    constexpr int kBetween = 10; // px
+    const QRect free = place.adjusted(0, 0, -taken, 0);
+    const QRect first = drawLabel(painter, free, Qt::AlignLeft | Qt::AlignTop, left);
+    if (right.isEmpty()) return;
+    const QRect second = painter.boundingRect(free, static_cast<int>(Qt::AlignRight | Qt::AlignTop) | Qt::TextWordWrap, right);
+    const bool touch = !first.isNull() && second.left() - kBetween < first.right();
+    drawLabel(painter, touch ? free.adjusted(0, first.bottom() + kBetween - free.top(), 0, 0) : free, Qt::AlignRight | Qt::AlignTop, right);
 }
 
 QRect tipBox(const QFontMetrics& metrics, const QRect& place, const QPoint& at, const QString& text) {

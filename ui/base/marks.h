@@ -15,8 +15,12 @@ void strokeTwice(QPainter& painter, const QPen& dark, const QPen& light, Draw dr
     draw();
 }
 
-/// A short text on a dark background, aligned in `place`.
-void drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text);
+/// A short text on a dark background, aligned in `place`. Returns the box that it covers; null if `text` is empty.
+QRect drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text);
+
+/// Two texts at the top of `place`: the first at the left, the second at the right, or below the first where they would touch. The `taken`
+/// pixels at the right end belong to another widget.
+void drawLabels(QPainter& painter, const QRect& place, const QString& left, const QString& right, int taken = 0);
 
 /// A short text on a white background next to a point, completely inside `place`.
 void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QString& text);

@@ -1,6 +1,8 @@
 // The bar above the views.
 #include "ui/base/notice_bar.h"
 
+#include "ui/base/core_words.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
@@ -25,7 +27,8 @@ constexpr std::size_t kMostEarlier = 9;
 } // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QFrame(parent), sign_(new QLabel), text_(new QLabel), action_(new QToolButton), more_(new QToolButton) {
+    : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), action_(new QToolButton), unfold_(new QToolButton),
+      more_(new QToolButton) {
     setObjectName("notice-bar");
     action_->setObjectName("notice-action");
     auto* line = new QHBoxLayout(this);
@@ -46,7 +49,12 @@ NoticeBar::NoticeBar(QWidget* parent)
         if (onAction_) onAction_();
     });
     line->addWidget(sign_, 0, Qt::AlignTop);
+    line->addWidget(line_, 1);
     line->addWidget(text_, 1);
+    unfold_->setObjectName("notice-unfold");
+    unfold_->setCheckable(true);
+    connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
+    line->addWidget(unfold_, 0, Qt::AlignTop);
     more_->setObjectName("notice-earlier");
     more_->setToolTip(tr("Notes that came before this one and were not closed"));
     more_->hide();
@@ -71,11 +79,14 @@ void NoticeBar::paintKind() {
 }
 
 void NoticeBar::showNotice(Kind kind, const QString& text) {
-    const Note note{kind, shownText(text), {}, {}};
+    // What was done is shown as it is: it may be a command for a terminal.
+    const Note note{kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}};
     keepShown();
     std::erase_if(earlier_, [&](const Note& before) { return note.text.startsWith(before.text); });
     put(note);
     show();
+    layout()->activate();
+    offerMore();
 }
 
 /// Confirmations are not stored for "earlier", nor notices that the next notice repeats.
@@ -90,6 +101,8 @@ void NoticeBar::put(const Note& note) {
     sign_->setText(kind_ == Kind::Error ? "✕ " + tr("Error") : kind_ == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
     paintKind();
     text_->setText(note.text);
+    line_->setText(note.text.simplified());
+    unfold(false);
     action_->setText(note.label);
     action_->setHidden(note.label.isEmpty());
     onAction_ = note.action;
@@ -106,6 +119,8 @@ void NoticeBar::showEarlier() {
     keepShown();
     if (earlier_.size() > count) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
     put(before);
+    layout()->activate();
+    offerMore();
 }
 
 /// A closed notice counts as read. Minimising the window does not close the notice.
@@ -129,7 +144,33 @@ void NoticeBar::offer(const QString& label, std::function<void()> action) {
     action_->setText(label);
     onAction_ = std::move(action);
     action_->show();
+    layout()->activate();
+    offerMore();
 }
+
+void NoticeBar::unfold(bool on) {
+    unfold_->setChecked(on);
+    unfold_->setText(on ? tr("Less") : tr("More"));
+    text_->setVisible(on);
+    line_->setVisible(!on);
+    offerMore();
+}
+
+/// The button is visible only if one line is not enough.
+void NoticeBar::offerMore() {
+    if (unfolded()) return unfold_->show();
+    // Measured without the button, so that it does not cause itself.
+    const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
+    unfold_->setVisible(line_->fontMetrics().horizontalAdvance(line_->text()) > room);
+}
+
+void NoticeBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    layout()->activate();
+    offerMore();
+}
+
+bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
 void NoticeBar::setBrief(bool on) { copy_->setVisible(!on); }
 

@@ -1,5 +1,5 @@
-// The bar above the views: which fault or assumption, where, and what to do. It stays until the operator closes it; a button shows notices
-// that a later one replaced.
+// The bar above the views: which fault or assumption, where, and what to do, in one line; a button shows the rest. It stays until the
+// operator closes it; another button shows notices that a later one replaced.
 #pragma once
 
 #include "core/base/result.h"
@@ -14,6 +14,8 @@ class QLabel;
 class QToolButton;
 
 namespace edgescan::ui {
+
+class ElidedLabel;
 
 class NoticeBar : public QFrame {
     Q_OBJECT
@@ -32,11 +34,15 @@ public:
     /// Hides the Copy button; for windows with large buttons.
     void setBrief(bool on);
     [[nodiscard]] Kind kind() const { return kind_; }
+    /// Shows all lines, or only the first.
+    void unfold(bool on);
+    [[nodiscard]] bool unfolded() const;
     /// Number of notes and errors that were replaced before the operator closed the bar.
     [[nodiscard]] std::size_t earlier() const { return earlier_.size(); }
 
 protected:
     void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Note {
@@ -48,12 +54,15 @@ private:
     void put(const Note& note);
     void keepShown();
     void showEarlier();
+    void offerMore();
 
     Kind kind_ = Kind::Done;
     std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;
-    QLabel* text_;
+    ElidedLabel* line_; // the text in one line
+    QLabel* text_;      // all of it, on request
     QToolButton* action_;
+    QToolButton* unfold_;
     QToolButton* more_;
     QToolButton* copy_ = nullptr;
     std::function<void()> onAction_;

@@ -55,7 +55,7 @@ Pane::Pane(const QString& title, QWidget* content, QWidget* parent)
     : QFrame(parent), bar_(new QWidget), title_(new QLabel(title)), note_(new PaneNote), remark_(new QLabel), alone_(new QToolButton),
       content_(content) {
     bar_->installEventFilter(this);
-    bar_->setToolTip(tr("Double-click: this view alone, and back"));
+    bar_->setToolTip(tr("Double-click: in exchange for the cloud, and back"));
     alone_->setObjectName("pane-alone");
     alone_->setAutoRaise(true);
     alone_->setIcon(toolIcon("alone"));
@@ -93,7 +93,7 @@ void Pane::setRemark(const QString& text) {
 
 void Pane::showAlone(bool on) {
     alone_->setChecked(on);
-    alone_->setToolTip(on ? tr("All views again (double-click on the title)") : tr("This view alone (double-click on the title)"));
+    alone_->setToolTip(on ? tr("All views again") : tr("This view alone"));
 }
 
 void Pane::setTitled(bool on) { bar_->setVisible(on); }
@@ -119,7 +119,7 @@ void Pane::resizeEvent(QResizeEvent* event) {
 
 bool Pane::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonDblClick) {
-        emit maximiseRequested();
+        emit swapRequested();
         return true;
     }
     return QFrame::eventFilter(watched, event);

@@ -1,4 +1,4 @@
-// A view with its title. A button in the title bar, or a double-click on it, shows this view alone.
+// A view with its title. A button in the title bar shows this view alone; a double-click on the title exchanges it with the cloud.
 #pragma once
 
 #include <QFrame>
@@ -31,6 +31,7 @@ public:
 
 signals:
     void maximiseRequested();
+    void swapRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,12 +1,14 @@
 // Keeps a picture, compares with it, flips between both.
 #include "ui/controllers/comparing.h"
 
+#include "core/base/tolerance_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/files.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/preferences.h"
+#include "ui/engine/worker_bridge/stage_words.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
@@ -55,12 +57,12 @@ Result<std::shared_ptr<const Picture>> Comparing::pictureOf(const Reading& readi
     if (reading.scan) return ui::pictureOf(reading.scan, settings);
     if (!inspect::hasPath(scan.kind)) return earlierDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast, settings);
     ReadingOptions options = scan.reading;
-    options.progress = [&asker](const char*, double) { return asker.waits(); }; // else a pipe without an end would be read for ever
+    options.progress = [&](const char* stage, double fraction) { return reading.show(asker, stage, fraction); };
     return earlierPicture(exactText(scan.path.string()), options, settings);
 }
 
-Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice,
-                     Preferences& preferences, QUndoStack& undo)
+Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, Files& files, NoticeBar& notice, Preferences& preferences,
+                     QUndoStack& undo)
     : engine_(engine), views_(views), legend_(legend), files_(files), notice_(notice), preferences_(preferences), undo_(undo),
       reader_(
           Urgency::Soon, [](const Reading& reading, const Asker& asker) { return pictureOf(reading, asker); },
@@ -72,6 +74,7 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, c
           Urgency::Soon, [this](const ComparisonAsked& asked) { return compare(asked); },
           [this](const ComparisonAsked&, const std::shared_ptr<const Compared>& made) { take(*made); },
           [this](const QString& what) {
+              comparingWork_.reset();
               comparison_ = nullptr;
               show();
               showLegend();
@@ -82,11 +85,21 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, c
         ask();
         emit rowsChanged();
     });
+    connect(&legend_, &ChangeLegend::distancesRequested, this, [this](bool on) {
+        byDistance_ = on;
+        ask();
+        emit byDistanceChanged(on);
+    });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
+    connect(&engine_, &Engine::streamChanged, this, [this] {
+        if (!std::exchange(pairWanted_, false) || files_.demo() != true) return;
+        read({{.kind = inspect::SessionScan::Kind::Demo}, engine_.settings()}, true);
+    });
     QApplication::instance()->installEventFilter(this);
 }
 
 void Comparing::setRows(const ChangeRows& rows) { legend_.setRows(rows); }
+void Comparing::setByDistance(bool on) { legend_.setByDistance(on); }
 
 void Comparing::keep() {
     if (engine_.picture() == nullptr) {
@@ -142,7 +155,7 @@ void Comparing::compareWith(const QString& path) {
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
     ReadingOptions reading = files_.options();
-    reading.scanIndex = 0; // the index belongs to the file on the screen
+    reading.scanIndex.reset(); // the index belongs to the file on the screen
     read({inspect::fileScan(exactBytes(path), reading), engine_.settings()}, true);
 }
 
@@ -158,7 +171,18 @@ void Comparing::read(const inspect::EarlierScan& from, bool asStep) {
     const bool same = shown && !from.scan.identity.sha256.empty() && shown->scan.identity.sha256 == from.scan.identity.sha256 &&
                       shown->scan.identity.name == from.scan.identity.name && shown->scan.path == from.scan.path &&
                       readingFlags(shown->scan.reading) == readingFlags(from.scan.reading);
-    reader_.ask({from, same ? engine_.picture()->detection->scan : nullptr, asStep});
+    const QString name = inspect::hasPath(from.scan.kind) ? exactText(from.scan.path.filename().string()) : tr("the demo");
+    readingWork_ = engine_.works().start(tr("Reading %1 as A").arg(name), [this] {
+        reader_.giveUp();
+        readingWork_.reset();
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+    });
+    const auto show = [this](const Asker& asker, const char* stage, double fraction) {
+        return asker.show([this, stage, fraction] {
+            if (readingWork_) readingWork_->progress(stageWords(stage), fraction);
+        });
+    };
+    reader_.ask({from, same ? engine_.picture()->detection->scan : nullptr, asStep, show});
 }
 
 void Comparing::askScan() {
@@ -167,12 +191,18 @@ void Comparing::askScan() {
     if (!path.isEmpty()) compareWith(path);
 }
 
+void Comparing::openDemoPair() {
+    files_.openDemo(true);
+    pairWanted_ = true;
+}
+
 void Comparing::refuse(NoticeBar::Kind kind, const QString& sentence) {
     notice_.showNotice(kind, sentence);
     emit refused(sentence);
 }
 
 void Comparing::takeRead(const Reading& asked, const Read& read) {
+    readingWork_.reset();
     if (!read) return refuse(NoticeBar::Kind::Error, exactText(read.error().sentence()));
     const std::shared_ptr<const Picture>& picture = *read;
     inspect::EarlierScan from = asked.from;
@@ -208,8 +238,18 @@ void Comparing::followPicture() {
 }
 
 void Comparing::ask() {
-    if (pictureA_ && !comparable()) return comparer_.giveUp();
-    comparer_.ask({pictureA_, engine_.picture(), rows_});
+    if (pictureA_ && !comparable()) {
+        comparingWork_.reset();
+        return comparer_.giveUp();
+    }
+    if (pictureA_ && !comparingWork_) {
+        comparingWork_ = engine_.works().start(tr("Comparing with A"), [this] {
+            comparer_.giveUp();
+            comparingWork_.reset();
+            showLegend();
+        });
+    }
+    comparer_.ask({pictureA_, engine_.picture(), rows_, byDistance_});
 }
 
 std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {
@@ -220,6 +260,7 @@ std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAs
 }
 
 void Comparing::take(const Compared& made) {
+    comparingWork_.reset();
     if (!made) {
         refuse(NoticeBar::Kind::Error, exactText(made.error().sentence()));
         comparison_ = nullptr; // A stays: the next scan may match it
@@ -294,7 +335,7 @@ void Comparing::nextRegion() {
                            .arg(regions.size())
                            .arg(region.farther ? tr("farther") : tr("nearer"))
                            .arg(region.byM, 0, 'f', 2)
-                           .arg(region.toleranceM, 0, 'f', 2)
+                           .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)
                            .arg(region.areaM2, 0, 'f', 2)
                            .arg(region.rangeM, 0, 'f', 2));
 }

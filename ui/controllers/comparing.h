@@ -4,10 +4,12 @@
 #include "core/inspect/session_file/viewer_state.h"
 #include "ui/base/notice_bar.h"
 #include "ui/engine/worker_bridge/derived.h"
+#include "ui/engine/worker_bridge/works.h"
 #include "ui/panels/change/comparison.h"
 
 #include <QObject>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -25,7 +27,7 @@ class Engine;
 class Comparing : public QObject {
     Q_OBJECT
 public:
-    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, const Files& files, NoticeBar& notice, Preferences& preferences,
+    Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, Files& files, NoticeBar& notice, Preferences& preferences,
               QUndoStack& undo);
 
     /// A new picture is on the screen.
@@ -42,9 +44,14 @@ public:
     /// with the current settings.
     void compareWith(const QString& path);
     void askScan();
+    /// Opens the demo after the blast, with the demo before it as A.
+    void openDemoPair();
 
     /// Off: edges have their normal colours; the key still shows A.
     void setDifferenceShown(bool on);
+    /// The points have the colours of their distances from the surfaces of A, and the legend has a histogram.
+    void setByDistance(bool on);
+    [[nodiscard]] bool byDistance() const { return byDistance_; }
     /// The kinds of change that are shown.
     void setRows(const ChangeRows& rows);
     [[nodiscard]] const ChangeRows& rows() const { return rows_; }
@@ -63,6 +70,7 @@ public:
 signals:
     void pictureAChanged(bool some);
     void rowsChanged();
+    void byDistanceChanged(bool on);
     void flipped(bool on);
     /// A could not be read, or the comparison could not be made.
     void refused(const QString& sentence);
@@ -72,6 +80,8 @@ private:
         inspect::EarlierScan from;
         std::shared_ptr<const Scan> scan; ///< set if it is the scan on the screen
         bool asStep = false;              ///< the result becomes an undo step
+        /// Shows the stage; false: the reading is not wanted any more
+        std::function<bool(const Asker& asker, const char* stage, double fraction)> show{};
     };
     using Read = Result<std::shared_ptr<const Picture>>;
     using Compared = Result<std::shared_ptr<const Comparison>>;
@@ -92,7 +102,7 @@ private:
     Engine& engine_;
     LinkedViews& views_;
     ChangeLegend& legend_;
-    const Files& files_;
+    Files& files_;
     NoticeBar& notice_;
     Preferences& preferences_;
     QUndoStack& undo_;
@@ -101,8 +111,11 @@ private:
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;
+    bool byDistance_ = false;
+    bool pairWanted_ = false; ///< the demo after the blast is being opened
     std::size_t region_ = 0;
-    quint32 heldCode_ = 0;                   ///< of the flip key while it is pressed
+    quint32 heldCode_ = 0; ///< of the flip key while it is pressed
+    std::unique_ptr<Works::Running> readingWork_, comparingWork_;
     std::shared_ptr<const Comparison> last_; // used only by compare()
     Derived<Reading, Read> reader_;
     Derived<ComparisonAsked, Compared> comparer_; // last

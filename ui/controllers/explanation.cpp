@@ -72,7 +72,7 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
-        menu.addAction(tr("&Why is this cell an edge, or none?"), this, [this, cell] { explain(views_.meant(cell)); });
+        menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, cell] { explain(views_.meant(cell)); });
     });
 }
 
@@ -102,7 +102,8 @@ void Explanation::show(const Question& question, bool still, const edges::Why& w
     const Picture& picture = *question.picture;
     if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
     QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings));
-    if (still && !why.chainMembers.empty()) numbers += tr("\nIts chain is framed in both pictures, the strongest cell ringed.");
+    if (still && !why.chainMembers.empty())
+        numbers += tr("\nThe strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.");
     if (const QString moved = clickText(question.click); !moved.isEmpty()) numbers += "\n" + tr("Clicked") + ": " + moved;
     nearestEdge_ = nearestEdge(*picture.detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {

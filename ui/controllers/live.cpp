@@ -3,6 +3,7 @@
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/files.h"
@@ -46,7 +47,13 @@ Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& vi
         preferences_.text("folder/recordings", QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/EdgeScan");
     connectPanel();
     connectScanner();
-    connect(&engine_, &Engine::opened, this, &Live::loadTimeline);
+    connect(&engine_, &Engine::opened, this, [this](const QString& path) {
+        if (!scanner_.connected()) panel_.forgetScanner(); // what it says is about another picture
+        loadTimeline(path);
+    });
+    for (const auto changed : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
+        connect(&scanner_, changed, this, &Live::growthChanged);
+    connect(&timeline_, &Timeline::playingChanged, this, &Live::growthChanged);
     connect(&engine_, &Engine::streamChanged, this, [this] {
         if (scanner_.connected()) showHealth();
     });
@@ -67,7 +74,10 @@ void Live::connectPanel() {
         }
         connectTo(panel_.host(), panel_.port(), panel_.sweep());
     });
-    connect(&panel_, &LivePanel::disconnectRequested, &scanner_, &ScannerLink::disconnectScanner);
+    connect(&panel_, &LivePanel::disconnectRequested, this, [this] {
+        scanner_.disconnectScanner();
+        if (!showsScanner()) panel_.forgetScanner();
+    });
     connect(&panel_, &LivePanel::recordRequested, this, &Live::record);
     connect(&panel_, &LivePanel::keepRequested, this, &Live::keepLastMinute);
     connect(&panel_, &LivePanel::sweepRequested, this, &Live::useSweep);
@@ -115,15 +125,26 @@ void Live::useSweep() {
     if (!remarks.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, remarks.join('\n'));
 }
 
+bool Live::showsScanner() const {
+    const auto& shown = engine_.picture();
+    return shown && shown->source.stream == scanner_.stream();
+}
+
+bool Live::grows() const {
+    const auto& shown = engine_.picture();
+    if (!shown || !shown->source.growth.growing) return false;
+    return showsScanner() ? scanner_.connected() && scanner_.following() : timeline_.playing();
+}
+
 void Live::showHealth() {
     // LIVE above a picture that does not move, or comes from another source, would be misleading.
     const auto& shown = engine_.picture();
-    const bool own = !shown || shown->source.stream == scanner_.stream();
+    const bool own = !shown || showsScanner();
     const bool held = scanner_.connected() && !scanner_.following() && shown && own;
     panel_.showHealth(scanner_.health(), !own   ? HealthStrip::Picture::Other
                                          : held ? HealthStrip::Picture::Held
                                                 : HealthStrip::Picture::Follows);
-    views_.setStale(scanner_.showsStale() ? shownText(scanner_.health().badge) : QString());
+    views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note =
         held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(shownName(exactText(shown->detection->scan->name), 60))
              : QString();

@@ -37,9 +37,15 @@ public:
         return stream == scanner_.stream() ? scanner_.recordingPath() : QString();
     }
 
+    /// The picture on the screen gets more lines now.
+    [[nodiscard]] bool grows() const;
     [[nodiscard]] ScannerLink& scanner() { return scanner_; }
     [[nodiscard]] LivePanel& panel() { return panel_; }
     [[nodiscard]] Timeline& timeline() { return timeline_; }
+
+signals:
+    /// grows() may have changed without a new picture.
+    void growthChanged();
 
 private:
     void connectPanel();
@@ -49,6 +55,7 @@ private:
     void showReplayed(const ReplayedSweep& at);
     void loadTimeline(const QString& path);
     void reportSweepEnd();
+    [[nodiscard]] bool showsScanner() const; // the picture on the screen is of the newest connection
     [[nodiscard]] QString newRecordingPath(const char* kind) const;
 
     Engine& engine_;

@@ -1,7 +1,9 @@
 // Writes the report of the scan on the screen.
 #include "ui/controllers/scan_report.h"
 
+#include "core/base/inputs.h"
 #include "core/base/shell_quoted.h"
+#include "core/base/stop.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 #include "core/edges/settings/command_text.h"
@@ -11,6 +13,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/comparing.h"
 #include "ui/controllers/files/files.h"
+#include "ui/controllers/report_pdf.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/worker_bridge/in_background.h"
@@ -19,7 +22,19 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <atomic>
+#include <memory>
+
 namespace edgescan::ui {
+namespace {
+
+const QString kPdf = QStringLiteral(".pdf");
+
+bool isPdf(const QString& path) { return path.endsWith(kPdf, Qt::CaseInsensitive); }
+
+std::string bytesOf(const QByteArray& bytes) { return {bytes.constData(), static_cast<std::size_t>(bytes.size())}; }
+
+} // namespace
 
 ScanReport::ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
                        NoticeBar& notice, Preferences& preferences)
@@ -30,21 +45,41 @@ void ScanReport::ask() {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to report yet: open a scan first."));
         return;
     }
+    ReportWords words;
+    words.site = preferences_.text("report/site");
+    words.author = preferences_.text("report/author");
+    words.logo = preferences_.text("report/logo");
+    words.extension = preferences_.text("report/extension", ".html");
+    ReportForm form(words, notice_.window());
+    if (form.exec() != QDialog::Accepted) return;
+    words = form.words();
+    preferences_.keep("report/site", words.site);
+    preferences_.keep("report/author", words.author);
+    preferences_.keep("report/logo", words.logo);
+    preferences_.keep("report/extension", words.extension);
     SaveQuestion question;
     question.title = tr("Report");
-    question.extension = ".html";
+    question.extension = words.extension;
     const QString name = shownName(exactText(engine_.picture()->detection->scan->name), 80).replace(' ', '-').replace('/', '-');
-    question.place = QDir(preferences_.folder("exports")).filePath(name + "_report.html");
-    question.filters << tr("Page for any browser (*.html)");
+    question.place = QDir(preferences_.folder("exports")).filePath(name + "_report" + words.extension);
+    question.filters << tr("Page for any browser (*.html)") << tr("PDF (*.pdf)");
     const QString path = askWhereToSave(notice_.window(), question);
-    if (!path.isEmpty()) writeTo(path);
+    if (!path.isEmpty()) writeTo(path, words);
 }
 
-std::string ScanReport::commandFor(const edges::Detection& detection, const QString& path) const {
+std::string ScanReport::commandFor(const edges::Detection& detection, const QString& path, const ReportWords& words) const {
     const Scan& scan = *detection.scan;
     if (scan.path.empty()) return "the scan came from a scanner and has no file yet: record it, and report the recording";
+    const QString page = isPdf(path) ? path.chopped(kPdf.size()) + ".html" : path; // the program writes pages only
     std::string command =
-        "edgescan-cli report " + shellQuoted(exactBytes(absolutePath(exactText(scan.path)))) + " -o " + shellQuoted(exactBytes(path));
+        "edgescan-cli report " + shellQuoted(exactBytes(absolutePath(exactText(scan.path)))) + " -o " + shellQuoted(exactBytes(page));
+    const auto add = [&command](const char* flag, const QString& text) {
+        if (!text.isEmpty()) command += std::string(" ") + flag + " " + shellQuoted(exactBytes(text));
+    };
+    add("--operator", words.author);
+    add("--site", words.site);
+    add("--remark", words.remark);
+    add("--logo", words.logo.isEmpty() ? QString() : absolutePath(words.logo));
     const std::string reading = readingFlags(files_.options());
     command += (reading.empty() ? "" : " " + reading) + " " + edges::settingsFlags(detection.settings);
     std::string missing; // a remark in shell syntax
@@ -66,7 +101,7 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
     return (flags.empty() ? command : command + " " + flags) + missing;
 }
 
-void ScanReport::writeTo(const QString& path) {
+void ScanReport::writeTo(const QString& path, const ReportWords& words) {
     if (!engine_.picture()) return;
     if (rocks_.behind()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being worked out; try again.").arg(path));
@@ -76,27 +111,46 @@ void ScanReport::writeTo(const QString& path) {
     const std::shared_ptr<const edges::Detection> detection = rocks ? rocks->detection : engine_.picture()->detection;
     std::shared_ptr<const Comparison> compared = comparing_.comparison();
     if (compared && compared->asked.now != engine_.picture()) compared = nullptr; // of the previous picture
-    const exports::PageWords words{commandFor(*detection, path), {}, {}, utcText(utcNow())};
+    exports::PageWords said{commandFor(*detection, path, words),
+                            exactBytes(words.author),
+                            {},
+                            utcText(utcNow()),
+                            exactBytes(words.site),
+                            exactBytes(words.remark),
+                            {}};
+    if (!words.logo.isEmpty()) {
+        const auto bytes = readInput(exactBytes(words.logo));
+        const auto logo = bytes ? exports::logoFrom(textOf(*bytes), exactBytes(words.logo)) : Result<std::string>(bytes.error());
+        if (!logo) return notice_.showError(logo.error());
+        said.logoPng = *logo;
+    }
     preferences_.keepFolder("exports", path);
     ++working_;
+    const auto stop = std::make_shared<std::atomic<bool>>(false);
+    const std::shared_ptr<Works::Running> work =
+        engine_.works().start(tr("Making the report %1").arg(QFileInfo(path).fileName()), [stop] { *stop = true; });
     inBackground(
         this,
-        [this, detection, rocks, words, path, notebook = targets_.notebook(), compared]() -> std::function<void()> {
+        [this, detection, rocks, said, path, notebook = targets_.notebook(), compared, stop]() -> std::function<void()> {
+            const BindStop bound(*stop);
             exports::PageNotes notes{rocks ? &rocks->study : nullptr, &notebook, nullptr, {}};
             if (compared) {
                 const edges::Detection& before = *compared->asked.before->detection;
                 notes.change = &compared->change;
                 notes.earlier = compared->isOfTwoScans() ? before.scan->name : "this scan by other settings";
             }
-            const auto written = writeWholeFile(exactBytes(path), exports::scanPage(*detection, words, notes));
+            const std::string page = exports::scanPage(*detection, said, notes);
+            const auto written =
+                isPdf(path) ? writeWholeFile(exactBytes(path), bytesOf(pdfOfPage(page))) : writeWholeFile(exactBytes(path), page);
             return [this, written, path] {
                 if (!written) return notice_.showError(written.error());
-                notice_.showSaved(path, tr("a page for any browser"));
+                notice_.showSaved(path, isPdf(path) ? tr("pages to print") : tr("a page for any browser"));
                 emit saved(path);
             };
         },
         [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, tr("The report could not be made (%1).").arg(what)); },
-        [this] {
+        [this, running = std::make_shared<std::shared_ptr<Works::Running>>(work)] {
+            running->reset();
             --working_;
             emit ended();
         });

@@ -1,7 +1,8 @@
-// File > Report: one HTML page about the scan on the screen.
+// File > Report: one HTML page, or a PDF, about the scan on the screen.
 #pragma once
 
 #include "ui/engine/worker_bridge/engine.h"
+#include "ui/panels/dialogs/report_form.h"
 
 #include <QObject>
 #include <QString>
@@ -22,11 +23,11 @@ public:
     ScanReport(Engine& engine, const Files& files, const Rocks& rocks, const Targets& targets, const Comparing& comparing,
                NoticeBar& notice, Preferences& preferences);
 
-    /// Asks for the path.
+    /// Asks for site, author, remark, logo and format, and for the path.
     void ask();
     /// Writes the page about the scan on the screen, with rocks if they are shown, targets and measurements, and the changes since A; on a
-    /// separate thread.
-    void writeTo(const QString& path);
+    /// separate thread. A path that ends with .pdf becomes a PDF.
+    void writeTo(const QString& path, const ReportWords& words = {});
     [[nodiscard]] bool working() const { return working_ > 0; }
 
 signals:
@@ -36,7 +37,7 @@ signals:
 
 private:
     /// The command line that makes the same page.
-    [[nodiscard]] std::string commandFor(const edges::Detection& detection, const QString& path) const;
+    [[nodiscard]] std::string commandFor(const edges::Detection& detection, const QString& path, const ReportWords& words) const;
 
     Engine& engine_;
     const Files& files_;

@@ -3,6 +3,7 @@
 
 #include "core/base/whole_file.h"
 #include "core/edges/settings/parameters.h"
+#include "core/edges/tuning/flat_scan.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
@@ -74,6 +75,16 @@ void Tuning::followPicture() {
         panel_.forgetCounts();
     else
         counts_->want(picture.detection);
+    if (newScan && !picture.source.growth.growing) proposePreset(*picture.detection);
+}
+
+void Tuning::proposePreset(const edges::Detection& detection) {
+    if (!(detection.settings == edges::Settings{}) || !edges::isFlatAndQuiet(detection)) return;
+    notice_.showNotice(NoticeBar::Kind::Done,
+                       tr("This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too."));
+    notice_.offer(tr("Use It"), [this] {
+        if (const auto preset = edges::findPreset("smooth-walls")) usePreset(*preset);
+    });
 }
 
 void Tuning::change(const edges::Settings& settings, bool dragging) {
@@ -145,7 +156,8 @@ void Tuning::askSavePreset() {
     SaveQuestion question{tr("Save preset"), preferences_.folder("presets"), {tr("EdgeScan presets (*.json)")}};
     // Scans use this extension too.
     question.keeps = [](const QString& there) {
-        return edges::findPreset(exactBytes(there)) ? QString() : tr("%1 is no preset and stays as it is: choose another name.").arg(there);
+        return edges::findPreset(exactBytes(there)) ? QString()
+                                                    : tr("%1 is not a preset and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(panel_.window(), question);
     if (path.isEmpty()) return;

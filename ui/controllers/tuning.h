@@ -45,6 +45,7 @@ private:
     void recall();
     void change(const edges::Settings& settings, bool dragging);
     void noteChange();
+    void proposePreset(const edges::Detection& detection);
 
     Engine& engine_;
     EdgesPanel& panel_;

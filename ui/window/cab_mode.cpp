@@ -7,12 +7,14 @@
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/hold_button.h"
+#include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/theme.h"
@@ -26,6 +28,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <cmath>
+
 namespace edgescan::ui {
 namespace {
 
@@ -36,7 +40,7 @@ constexpr int kCancelAfterMs = 300;
 CabMode::CabMode(MainWindow& window, QWidget* middle)
     : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
-      menu_(new QMenu(&window)) {
+      menu_(new QMenu(&window)), keypad_(new Keypad(&window)) {
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
     back_->setObjectName("cab-back");
@@ -66,17 +70,20 @@ void CabMode::connectHead() {
         if (live.isVisible()) live.askAddress();
     });
     connect(head.warnings(), &QToolButton::clicked, &window_.viewer().warnings, &QToolButton::click);
-    connect(head.cancel(), &QToolButton::clicked, this, [this] { window_.viewer().engine.cancel(); });
+    connect(head.cancel(), &QToolButton::clicked, &window_.viewer().engine.works(), &Works::cancel);
     connect(head.locked(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.locked(), &HoldButton::releasedEarly, this,
             [this] { window_.viewer().notice.showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
     cancelSoon_.setSingleShot(true);
     cancelSoon_.setInterval(kCancelAfterMs);
-    connect(&cancelSoon_, &QTimer::timeout, head.cancel(), &QWidget::show);
-    connect(&window_.viewer().engine, &Engine::workStarted, this, [this] { cancelSoon_.start(); });
-    connect(&window_.viewer().engine, &Engine::workEnded, this, [this, cancel = head.cancel()] {
-        cancelSoon_.stop();
-        cancel->hide();
+    connect(&cancelSoon_, &QTimer::timeout, this, &CabMode::showWork);
+    connect(&window_.viewer().engine.works(), &Works::changed, this, [this] {
+        const bool none = window_.viewer().engine.works().newest() == nullptr;
+        if (none) cancelSoon_.stop();
+        if (none || frame_->head().working())
+            showWork();
+        else if (!cancelSoon_.isActive())
+            cancelSoon_.start();
     });
 }
 
@@ -120,7 +127,10 @@ void CabMode::set(bool on) {
     lockDocks(on);
     window_.viewer().legend.setBrief(on);
     window_.viewer().notice.setBrief(on);
+    window_.viewer().live.panel().setBrief(on);
     frame_->setCab(on);
+    keypad_->setOn(on);
+    window_.viewer().viewCube.setForGloves(on);
     for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
     window_.viewer().views.cloud().setForGloves(on);
     window_.viewer().live.panel().setVisible(!on || window_.viewer().live.scanner().connected());
@@ -143,10 +153,18 @@ void CabMode::lockDocks(bool on) {
     window_.lockDocks(on);
 }
 
+/// Stage and progress instead of the facts of the scan, and Cancel.
+void CabMode::showWork() {
+    const Works::Running* work = window_.viewer().engine.works().newest();
+    if (work == nullptr) return frame_->head().showWork(QString());
+    const QString stage = work->stage.isEmpty() ? QString() : ": " + work->stage;
+    frame_->head().showWork(tr("%1%2, %3 %").arg(work->title, stage).arg(std::lround(100.0 * work->fraction)));
+}
+
 void CabMode::showScan() {
     if (!on_) return;
     const Picture* picture = window_.viewer().engine.picture().get();
-    const PictureOrigin origin = originOf(picture, window_.viewer().live.scanner());
+    const PictureOrigin origin = originOf(window_.viewer().engine, window_.viewer().live.scanner());
     badge_->showState(origin.sign, origin.badge);
     badge_->setToolTip(origin.more);
     const QStringList warnings = window_.viewer().warnings.warnings();
@@ -164,7 +182,7 @@ void CabMode::showScan() {
         tr(" · %1 % no return")
             .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);
     for (const QString& warning : warnings) {
-        if (warning.startsWith("INCOMPLETE")) facts = "✕ INCOMPLETE · " + facts;
+        if (warning.startsWith("INCOMPLETE")) facts = tr("✕ INCOMPLETE") + " · " + facts;
     }
     if (scan.placement && scan.placement->outOfSpec) facts = tr("▲ OUT OF SPEC") + " · " + facts;
     frame_->head().showScan(shownName(exactText(scan.name)), facts);

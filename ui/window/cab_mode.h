@@ -15,6 +15,7 @@ namespace edgescan::ui {
 
 class CabFrame;
 class CornerPicture;
+class Keypad;
 class MainWindow;
 class StateBadge;
 struct TargetNumbers;
@@ -30,6 +31,7 @@ public:
     [[nodiscard]] bool on() const { return on_; }
     [[nodiscard]] CabFrame& frame() { return *frame_; }
     [[nodiscard]] CornerPicture& corner() { return *corner_; }
+    [[nodiscard]] Keypad& keypad() { return *keypad_; }
     /// True: the large pane is an image and the cloud is in the corner.
 
 signals:
@@ -45,6 +47,7 @@ private:
     void connectSide();
     void follow();
     void showScan();
+    void showWork();
     void showNumbers();
     void showSettings();
     void showCorner();
@@ -59,6 +62,7 @@ private:
     CornerPicture* corner_;
     CornerPicture* back_; // returns to the cloud, over the image
     QMenu* menu_;
+    Keypad* keypad_;
     QTimer cancelSoon_;
     Corner shown_ = Corner::Range;
     bool on_ = false;

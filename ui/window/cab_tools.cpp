@@ -1,4 +1,5 @@
 // Actions of the tools, the corner and the numbers of cab mode.
+#include "core/base/tolerance_text.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
 #include "ui/base/shown_text.h"
@@ -126,6 +127,7 @@ void CabMode::swap() {
     image.installEventFilter(back_);
     window_.showAlone(swapped_ ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(swapped_);
+    image.setTaken(swapped_ ? back_->reach() : 0);
     back_->setWords(back_->text()); // at the same place
 }
 
@@ -164,7 +166,8 @@ TargetNumbers CabMode::numbers() const {
     if (around.rock != nullptr) {
         values.rock = tr("Rock %1, visible").arg(around.rock->label);
         values.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
-        values.sizeRemark = tr("± %1 m").arg(metres(around.rock->toleranceM, 2)) + " · " + QObject::tr(rocks::kRockCaveat);
+        values.sizeRemark =
+            tr("± %1 m").arg(metres(shownTolerance(around.rock->toleranceM, 2), 2)) + " · " + QObject::tr(rocks::kRockCaveat);
     } else {
         values.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
     }

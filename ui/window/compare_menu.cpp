@@ -29,12 +29,18 @@ Command compareMenu(Comparing& comparing) {
             linked(command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
                    [](QAction& action) { action.setObjectName("compare-keep"); }),
             command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
+            command("&Demo before and after a Blast", "", [&comparing] { comparing.openDemoPair(); }),
             kLine,
             linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
             linked(toggle("Show What &Changed", "Shift+D", nullptr, true, [&comparing](bool on) { comparing.setDifferenceShown(on); }),
                    [](QAction& action) {
                        action.setChecked(true);
                        action.setProperty(kInSessions, "compare/changes");
+                   }),
+            linked(toggle("&Colour by Distance from A", "", nullptr, false, [&comparing](bool on) { comparing.setByDistance(on); }),
+                   [&comparing](QAction& action) {
+                       action.setObjectName("compare-distance");
+                       QObject::connect(&comparing, &Comparing::byDistanceChanged, &action, &QAction::setChecked);
                    }),
             linked(command("&Next Changed Region", "Shift+N", [&comparing] { comparing.nextRegion(); }), whileKept),
             kLine,

@@ -4,6 +4,7 @@
 #include "ui/base/view_plate.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/scale_plate.h"
 
 #include <QLayout>
 
@@ -41,6 +42,8 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
             QWidget* plate = over->itemAt(n)->widget();
             if (qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side) over->setAlignment(plate, side);
         }
+        over->activate(); // the scale avoids the legends where they are now
+        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label);
     };
     QObject::connect(&views, &LinkedViews::pinChanged, &cloud, look);
     QObject::connect(&cloud, &CloudView::frameDrawn, &cloud, look);

@@ -1,7 +1,7 @@
 // Builds the window and lays it out.
 #include "ui/window/main_window.h"
 
-#include "core/scan/georef/placed_points.h"
+#include "ui/base/core_words.h"
 #include "ui/base/dock_rail.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
@@ -30,12 +30,13 @@
 #include "ui/views/image/image_view.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/compare_menu.h"
+#include "ui/window/docks.h"
+#include "ui/window/first_tour.h"
 #include "ui/window/legend_place.h"
 #include "ui/window/menus.h"
 #include "ui/window/pane_notes.h"
-#include "ui/window/rock_docks.h"
+#include "ui/window/pane_places.h"
 #include "ui/window/session_menu.h"
-#include "ui/window/target_dock.h"
 #include "ui/window/theme_menu.h"
 #include "ui/window/tool_bar.h"
 #include "ui/window/tool_buttons.h"
@@ -43,8 +44,8 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -64,6 +65,23 @@ namespace {
 
 constexpr int kRememberAfterMs = 300;
 
+/// The bar of the badge, right of the tools, which give way: it is visible at every width.
+QToolBar* badgeBar(QWidget& badge) {
+    auto* bar = new QToolBar;
+    bar->setObjectName("badge-bar");
+    bar->setWindowTitle(MainWindow::tr("Source"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->toggleViewAction()->setVisible(false);
+    auto* place = new QWidget;
+    auto* row = new QHBoxLayout(place);
+    row->setContentsMargins(8, 0, 6, 0);
+    row->addStretch(1);
+    row->addWidget(&badge, 0, Qt::AlignVCenter);
+    bar->addWidget(place);
+    return bar;
+}
+
 } // namespace
 
 MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(parent), viewer_(preferences), rail_(new DockRail) {
@@ -78,25 +96,21 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     viewer_.scalePlate.raise();
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
-    addDock(tr("Edges"), "dock-edges", &viewer_.panel);
-    connect(rail_, &DockRail::changedByOperator, this, [this](QDockWidget* dock, bool open) {
-        dock->setProperty(kByHand, open ? "open" : "folded");
-        viewer_.preferences.keep("window/" + dock->objectName(), QString(open ? "open" : "folded"));
-        arrange();
-    });
-    addRockDocks(*this, viewer_.rocks, viewer_.rocksPanel, viewer_.rockTable);
-    addTargetDock(*this, viewer_.targets, viewer_.targetsPanel);
+    docks_ = new Docks(*this, *rail_, viewer_);
+    connect(docks_, &Docks::changed, this, &MainWindow::arrange);
     setStatusBar(&viewer_.statusLine);
     viewer_.statusLine.addPinned(&viewer_.warnings);
-    connect(&viewer_.warnings, &QToolButton::clicked, this,
-            [this] { viewer_.notice.showNotice(NoticeBar::Kind::Warning, viewer_.warnings.warnings().join('\n')); });
+    connect(&viewer_.warnings, &QToolButton::clicked, this, [this] {
+        viewer_.notice.showNotice(NoticeBar::Kind::Warning, viewer_.warnings.warnings().join('\n'));
+        viewer_.notice.unfold(true); // the operator asked for all of them
+    });
     connect(&viewer_.report, &ScanReport::saved, &viewer_.audit, [this](const QString& path) { viewer_.audit.noteExport("report", path); });
     connect(&viewer_.warnings, &WarningButton::warningsRaised, &viewer_.audit, &AuditTrail::noteWarnings);
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
-    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); }, sessionCommands(*this),
-                                  cabCommand(*cab_, viewer_.preferences)};
+    const WindowCommands commands{[this] { return screenshot(); }, [this] { resetLayout(); },    [this] { startTour(*this); },
+                                  sessionCommands(*this),          imagesFirstCommand(*places_), cabCommand(*cab_, viewer_.preferences)};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
@@ -146,28 +160,40 @@ void MainWindow::layOutViews() {
         splitter->setHandleWidth(5);
         connect(splitter, &QSplitter::splitterMoved, this, [this] { rememberTimer_.start(); });
     }
+    splitter_->installEventFilter(this);
     splitter_->setStretchFactor(0, 0); // additional width goes to the cloud
     splitter_->setStretchFactor(1, 1);
+    places_ = new PanePlaces(*splitter_, *images_, panes_, this);
+    followPlaces();
     auto* centre = new QWidget;
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    auto* top = new QVBoxLayout;
+    column->addLayout(top);
+    column->addWidget(&viewer_.livePanel);
     column->addWidget(&viewer_.notice);
     column->addWidget(splitter_, 1);
     column->addWidget(&viewer_.timeline);
-    column->addWidget(&viewer_.livePanel);
     cab_ = new CabMode(*this, centre);
+    addTour(*this, *top);
 }
 
-QDockWidget* MainWindow::addDock(const QString& title, const char* name, QWidget* content) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setProperty(kByHand, viewer_.preferences.text("window/" + dock->objectName()));
-    dock->setWidget(content);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    rail_->add(dock);
-    docks_ << dock;
-    return dock;
+/// A double-click on the title of an image exchanges it with the cloud; on the title of the cloud it shows the cloud alone.
+void MainWindow::followPlaces() {
+    for (Pane* pane : panes_)
+        connect(pane, &Pane::swapRequested, this, [this, pane] {
+            if (cab_->on()) return;
+            if (maximised_ != nullptr) return maximise(maximised_);
+            if (pane == places_->inCloudsPlace() && pane == panes_.back()) return maximise(pane);
+            places_->swap(pane);
+        });
+    connect(places_, &PanePlaces::changed, this, [this] {
+        viewer_.preferences.keep("window/large-view", places_->text());
+        arrangedImages_ = 0; // the width of the new places
+        arrange();
+        rememberTimer_.start();
+    });
 }
 
 // Over a free part of the cloud; more legends go above it.
@@ -180,12 +206,11 @@ void MainWindow::layOutLegend() {
     connect(&viewer_.legend, &EdgeLegend::classesRequested, this, [this](int classes) { viewer_.tuning.setParameter("classes", classes); });
 }
 
-// The badge is in the corner of the menu bar, where it is visible at every width.
 void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, &viewer_.tools);
     viewer_.tools.toggleViewAction()->setVisible(false);
     viewer_.origin.setObjectName("origin");
-    menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner);
+    addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
@@ -201,21 +226,24 @@ void MainWindow::layOutTools() {
 }
 
 void MainWindow::showOrigin() {
-    const PictureOrigin origin = originOf(viewer_.engine.picture().get(), viewer_.live.scanner());
-    const QSize before = viewer_.origin.sizeHint();
+    const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(origin.more);
-    if (viewer_.origin.sizeHint() != before)
-        menuBar()->setCornerWidget(&viewer_.origin, Qt::TopRightCorner); // it asks for the size only then
     viewer_.targets.setSource(origin.badge);
     emit originShown();
 }
 
 void MainWindow::connectEngine() {
-    connect(&viewer_.engine, &Engine::workStarted, &viewer_.statusLine, &StatusLine::startWork);
-    connect(&viewer_.engine, &Engine::workProgressed, &viewer_.statusLine, &StatusLine::showProgress);
-    connect(&viewer_.engine, &Engine::workEnded, &viewer_.statusLine, &StatusLine::endWork);
-    connect(&viewer_.statusLine, &StatusLine::cancelRequested, &viewer_.engine, &Engine::cancel);
+    Works& works = viewer_.engine.works();
+    connect(&works, &Works::changed, this, [this, &works] {
+        const Works::Running* work = works.newest();
+        work == nullptr ? viewer_.statusLine.endWork() : viewer_.statusLine.showWork(work->title, work->stage, work->fraction);
+    });
+    connect(&viewer_.statusLine, &StatusLine::cancelRequested, &works, &Works::cancel);
+    connect(&viewer_.engine, &Engine::replacingChanged, this, [this] {
+        showOrigin();
+        showTitle();
+    });
     connect(&viewer_.engine, &Engine::settingsChanged, this, [this] { viewer_.statusLine.showSettings(viewer_.engine.settings()); });
     viewer_.statusLine.showSettings(viewer_.engine.settings());
     connect(&viewer_.engine, &Engine::failed, this,
@@ -225,7 +253,7 @@ void MainWindow::connectEngine() {
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
         const edges::Detection& detection = *viewer_.engine.picture()->detection;
         viewer_.statusLine.showCounts(detection);
-        viewer_.statusLine.showPlace(*detection.scan);
+        viewer_.statusLine.showPlace(*detection.scan, viewer_.engine.picture()->source.growth.growing);
         const ScannerLink& scanner = viewer_.live.scanner();
         viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && viewer_.engine.picture()->source.stream == scanner.stream());
         viewer_.statusLine.showTime(viewer_.tuning.updateMs());
@@ -239,17 +267,13 @@ void MainWindow::connectEngine() {
 
 // The title of the picture on the screen: sweeps of a scanner and of a recording have their own names.
 void MainWindow::showTitle() {
-    setWindowTitle(shownName(exactText(viewer_.engine.picture()->detection->scan->name)) + viewer_.files.placeInSeries() + " - EdgeScan");
+    if (!viewer_.engine.picture()) return;
+    const QString arriving = viewer_.engine.replacing() ? tr("Opening another scan · still shown: ") : QString();
+    setWindowTitle(arriving + shownName(exactText(viewer_.engine.picture()->detection->scan->name)) + viewer_.files.placeInSeries() +
+                   " - EdgeScan");
 }
 
-void MainWindow::showWarnings() {
-    const Scan& scan = *viewer_.engine.picture()->detection->scan;
-    QStringList warnings;
-    for (const std::vector<std::string>& some : {scan.warnings, placeWarnings(scan)}) {
-        for (const std::string& warning : some) warnings << shownText(warning);
-    }
-    viewer_.warnings.showWarnings(warnings);
-}
+void MainWindow::showWarnings() { viewer_.warnings.showWarnings(warningsOf(*viewer_.engine.picture())); }
 
 /// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged.
 QImage MainWindow::screenshot() {
@@ -260,7 +284,7 @@ QImage MainWindow::screenshot() {
     QPainter painter(&image);
     painter.drawImage(QRect(viewer_.cloud.mapTo(this, QPoint(0, 0)), viewer_.cloud.size()), cloud);
     painter.end();
-    return withWarnings(image, viewer_.warnings.warnings(), font());
+    return withWarnings(image, coreSentence(viewer_.warnings.warnings().join('\n')).split('\n', Qt::SkipEmptyParts), font());
 }
 
 bool MainWindow::mayClose() {
@@ -300,14 +324,16 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    // Esc: first cancels the job, then closes the notice, the maximised view, the crosshair.
+    // Esc: first cancels the job, then closes the tour, the notice, the maximised view, the crosshair.
     if (event->key() != Qt::Key_Escape) {
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (viewer_.engine.opening()) {
+    if (viewer_.engine.opening()) { // a save or a comparison has its button
         viewer_.engine.cancel();
         viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+    } else if (endTour(*this)) {
+        return;
     } else if (viewer_.notice.isVisible())
         viewer_.notice.hide();
     else if (maximised_ != nullptr && !cab_->on())

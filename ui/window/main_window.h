@@ -12,15 +12,16 @@
 #include <memory>
 #include <string>
 
-class QDockWidget;
 class QSplitter;
 
 namespace edgescan::ui {
 
 class CabMode;
 class DockRail;
+class Docks;
 class Preferences;
 class Pane;
+class PanePlaces;
 class Sessions;
 
 class MainWindow : public QMainWindow {
@@ -33,6 +34,7 @@ public:
     [[nodiscard]] Viewer& viewer() { return viewer_; }
     [[nodiscard]] Sessions& sessions() { return *sessions_; }
     [[nodiscard]] CabMode& cab() { return *cab_; }
+    [[nodiscard]] PanePlaces& places() { return *places_; }
 
     void resetLayout();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
@@ -60,24 +62,24 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    static constexpr const char* kByHand = "byHand"; ///< of a dock: "open" or "folded" if the operator opened or folded it
     void layOutViews();
-    QDockWidget* addDock(const QString& title, const char* name, QWidget* content);
     void layOutLegend();
     void layOutTools();
     void connectEngine();
     void showOrigin();
     void escape();
     void showWarnings();
+    void followPlaces();
     void showTitle();
     void arrange();
     void setImagesWidth(int width);
+    void showImages();
     [[nodiscard]] bool mayClose();
     void maximise(Pane* pane);
-    void showRangeWindow();
     void followFrame();
     void remember();
     void restoreLayout();
@@ -91,13 +93,14 @@ private:
     QWidget* pictures_ = nullptr; // both images and the range window
     QSplitter* images_ = nullptr;
     QSplitter* splitter_ = nullptr;
+    PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;
-    QList<QDockWidget*> hiddenForCab_; // restored after cab mode
-    QList<QDockWidget*> docks_;
-    bool framed_ = false;                        // the desktop has reported the width of the window's frame
-    int arrangedImages_ = 0, arrangedPanel_ = 0; // widths set by arrange(): a panel that still has this width follows the window
-    QTimer rememberTimer_;                       // one write for a whole drag of window or splitter
-    std::unique_ptr<Sessions> sessions_;         // last: destroyed before the objects that it uses
+    Docks* docks_ = nullptr;
+    bool framed_ = false;                // the desktop has reported the width of the window's frame
+    int arrangedImages_ = 0;             // width set by arrange(): images that still have it follow the window
+    bool roomForImages_ = true;          // next to the cloud
+    QTimer rememberTimer_;               // one write for a whole drag of window or splitter
+    std::unique_ptr<Sessions> sessions_; // last: destroyed before the objects that it uses
 };
 
 } // namespace edgescan::ui

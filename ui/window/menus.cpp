@@ -7,6 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/contact_sheets.h"
 #include "ui/controllers/files/calibrating.h"
+#include "ui/controllers/files/placing.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/sheets.h"
@@ -17,6 +18,7 @@
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/view_cube.h"
 #include "ui/window/colour_menu.h"
 #include "ui/window/compare_menu.h"
 #include "ui/window/theme_menu.h"
@@ -127,14 +129,18 @@ Command languageMenu(Viewer& v, QMainWindow& window) {
     return menu;
 }
 
-std::vector<Command> lookCommands(Viewer& v) {
+/// A switch that the legend has too.
+Command ofLegend(Command made, EdgeLegend& legend, void (EdgeLegend::*signal)(bool)) {
+    return linked(std::move(made),
+                  [&legend, signal](QAction& action) { QObject::connect(&legend, signal, &action, &QAction::setChecked); });
+}
+
+std::vector<Command> edgeLook(Viewer& v) {
     LinkedViews& views = v.views;
-    CloudView& cloud = views.cloud();
     EdgeLegend& legend = v.legend;
     const auto setColourBlind = [&](bool on) {
         const EdgeColours& colours = on ? kColourBlindColours : kUsualColours;
         views.setEdgeColours(colours);
-        v.panel.setEdgeColours(colours);
         legend.showColours(colours);
     };
     const auto setByClass = [&](bool on) {
@@ -142,38 +148,89 @@ std::vector<Command> lookCommands(Viewer& v) {
         legend.showByClass(on);
     };
     const auto setEdges = [&](bool on) {
-        cloud.setEdgesVisible(on);
+        views.cloud().setEdgesVisible(on);
         legend.showEdges(on);
     };
-    const auto followLegend = [&legend](auto signal) {
-        return [&legend, signal](QAction& action) { QObject::connect(&legend, signal, &action, &QAction::setChecked); };
-    };
     return {
-        linked(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
-               [&cloud](QAction& action) { QObject::connect(&cloud, &CloudView::parallelChanged, &action, &QAction::setChecked); }),
-        toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
-        linked(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), followLegend(&EdgeLegend::edgesRequested)),
-        toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
-        toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
+        ofLegend(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), legend, &EdgeLegend::edgesRequested),
+        ofLegend(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), legend, &EdgeLegend::byClassRequested),
         toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setEdgesOverImage(on); }),
-        linked(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), followLegend(&EdgeLegend::byClassRequested)),
         toggle("&Colour-Blind Edge Colours", "Shift+C", "view/colour-blind", false, setColourBlind),
-        toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }),
     };
 }
 
+Command directions(CloudView& cloud) {
+    return submenu("Loo&k from", {
+                                     command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
+                                     command("&Front", "1", [&cloud] { cloud.viewFront(); }),
+                                     command("&Back", "Shift+1", [&cloud] { cloud.viewBack(); }),
+                                     command("&Right", "3", [&cloud] { cloud.viewRight(); }),
+                                     command("&Left", "Shift+3", [&cloud] { cloud.viewLeft(); }),
+                                     command("&Top", "7", [&cloud] { cloud.viewTop(); }),
+                                     command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
+                                     command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
+                                 });
+}
+
+Command savedViews(SavedViews& saved) {
+    static const std::vector<std::string> kNames = [] { // the shortcuts of commands are stored under their names
+        std::vector<std::string> names;
+        for (const char* what : {"Stored View ", "Store as View "}) {
+            for (int number = 1; number <= SavedViews::kMost; ++number) names.push_back(what + std::to_string(number));
+        }
+        for (const char* keys : {"Alt+", "Ctrl+"}) {
+            for (int number = 1; number <= SavedViews::kMost; ++number) names.push_back(keys + std::to_string(number));
+        }
+        return names;
+    }();
+    Command menu = submenu("Sto&red Views", {});
+    for (int n = 0; n < 2 * SavedViews::kMost; ++n) {
+        const bool store = n >= SavedViews::kMost;
+        const int number = n % SavedViews::kMost + 1;
+        if (n == SavedViews::kMost) menu.submenu.push_back(kLine);
+        Command made{.text = (store ? QObject::tr("Store as View &%1") : QObject::tr("View &%1")).arg(number),
+                     .keys = kNames[static_cast<std::size_t>(n + 2 * SavedViews::kMost)].c_str(),
+                     .run = [&saved, store, number] { store ? saved.store(number) : saved.recall(number); },
+                     .source = kNames[static_cast<std::size_t>(n)].c_str()};
+        menu.submenu.push_back(std::move(made));
+    }
+    return menu;
+}
+
+/// How the cloud is drawn and turned.
+Command cloudLook(Viewer& v, QMainWindow& window) {
+    CloudView& cloud = v.cloud;
+    return submenu(
+        "Clou&d",
+        {
+            linked(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
+                   [&cloud](QAction& action) { QObject::connect(&cloud, &CloudView::parallelChanged, &action, &QAction::setChecked); }),
+            toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
+            kLine,
+            toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
+            toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
+            toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }),
+            toggle("Vie&w Cube", "", "view/cube", true, [&cube = v.viewCube](bool on) { cube.setWanted(on); }),
+            colourMenu(window, v.look),
+            kLine,
+            command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
+            command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
+            command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }),
+        });
+}
+
+Command panelMenu(QMainWindow& window) {
+    Command menu = submenu("&Panels", {});
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) menu.submenu.push_back({.made = dock->toggleViewAction()});
+    return menu;
+}
+
+/// At most twenty entries: what is used daily; the rest is in submenus.
 Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands) {
     LinkedViews& views = v.views;
-    CloudView& cloud = views.cloud();
     Command menu = submenu("&View", {
-                                        command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
-                                        command("&Front", "1", [&cloud] { cloud.viewFront(); }),
-                                        command("&Back", "Shift+1", [&cloud] { cloud.viewBack(); }),
-                                        command("&Right", "3", [&cloud] { cloud.viewRight(); }),
-                                        command("&Left", "Shift+3", [&cloud] { cloud.viewLeft(); }),
-                                        command("&Top", "7", [&cloud] { cloud.viewTop(); }),
-                                        command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
-                                        command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
+                                        directions(v.cloud),
+                                        savedViews(v.savedViews),
                                         command("R&eset View", "R; Home", [&views] { views.resetView(); }),
                                         command("&Zoom In", "+; =", [&views] { views.zoomBy(1.25); }),
                                         command("Zoom O&ut", "-", [&views] { views.zoomBy(0.8); }),
@@ -181,15 +238,11 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
                                         kLine,
                                     });
     const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
-    add(lookCommands(v));
-    add({toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }),
-         colourMenu(window, v.look)});
-    add({kLine, command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
-         command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
-         command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }), mouseMenu(v, window),
-         themeMenu(window, v.preferences), languageMenu(v, window), kLine});
-    for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) add({{.made = dock->toggleViewAction()}});
-    add({command("Reset &Layout", "", commands.resetLayout), commands.cab,
+    add(edgeLook(v));
+    add({kLine, cloudLook(v, window),
+         toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }), kLine,
+         panelMenu(window), commands.imagesFirst, command("Reset &Layout", "", commands.resetLayout), kLine, mouseMenu(v, window),
+         themeMenu(window, v.preferences), languageMenu(v, window), commands.cab,
          command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});
     return menu;
 }
@@ -198,6 +251,12 @@ Command calibrateCommand(Viewer& v, QMainWindow& window) {
     auto* calibrating = new Calibrating(v.engine, v.files, v.notice, v.preferences, &window);
     QObject::connect(calibrating, &Calibrating::saved, &v.audit, [&v](const QString& path) { v.audit.noteExport("calibration", path); });
     return command("&Calibrate…", "", [calibrating] { calibrating->show(); });
+}
+
+Command placeCommand(Viewer& v, QMainWindow& window) {
+    auto* placing = new Placing(v.engine, v.files, v.notice, v.preferences, v.undo, &window);
+    placing->setObjectName("placing");
+    return command("P&ose and Mounting…", "Ctrl+P", [placing] { placing->show(); });
 }
 
 Command scanMenu(Viewer& v, QMainWindow& window) {
@@ -230,12 +289,13 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
             kLine,
             linked(command("P&lay or Pause", "Space", [&live] { live.timeline().togglePlay(); }), playable),
             step("Next Line", "Right", 1),
-            step("Last Line", "Left", -1),
+            step("Previous Line", "Left", -1),
             step("Ten Lines Forward", "Shift+Right", 10),
             step("Ten Lines Back", "Shift+Left", -10),
             kLine,
             linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
             command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
+            placeCommand(v, window),
             calibrateCommand(v, window),
             command("Does This Look &Right?", "", [&v] { v.opening.show(); }),
             command("&Properties…", "", showProperties),
@@ -268,7 +328,7 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
             command("Settings for These &Marks…", "", [&v] { v.markedEdges.propose(); }),
             command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
             command("Clear the Mar&ks", "", [&v] { v.markedEdges.clear(); }),
-            command("&Why Is This Cell an Edge, or None?", "W", [&v] { v.explanation.explainMarked(); }),
+            command("&Why Is This Cell an Edge or Not?", "W", [&v] { v.explanation.explainMarked(); }),
             confidenceCommand(v.confidence),
             command("&Reset to Preset", "", [&v] { v.tuning.usePreset(v.panel.preset()); }),
             command("Restore the &Default Settings", "Ctrl+D", [&v] { v.tuning.usePreset(edges::builtInPresets().front()); }),
@@ -382,7 +442,7 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
             rocksMenu(viewer, window),
             measureMenu(viewer),
             submenu("&Help", {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
-                              command("&Keys and Mouse", "F1; H; ?", showKeys),
+                              command("&Keys and Mouse", "F1; H; ?", showKeys), command("&Tour", "", commands.tour),
                               command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); }),
                               command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
 }

@@ -14,9 +14,9 @@ struct Viewer;
 /// What the window itself does.
 struct WindowCommands {
     std::function<QImage()> screenshot;
-    std::function<void()> resetLayout;
+    std::function<void()> resetLayout, tour;
     std::vector<Command> sessions;
-    Command cab;
+    Command imagesFirst, cab;
 };
 
 /// One entry per menu of the menu bar, for the window that holds the viewer. Both must outlive everything made from them.

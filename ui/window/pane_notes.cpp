@@ -14,8 +14,8 @@ namespace {
 QString rangeNote(MainWindow& window) {
     const RangeSpan ranges = window.viewer().views.rangesShown();
     QString note = Pane::tr("%1 to %2 m").arg(ranges.nearM, 0, 'f', 2).arg(ranges.farM, 0, 'f', 2);
-    const Growth& growth = window.viewer().engine.picture()->source.growth;
-    if (growth.growing) note = Pane::tr("line %1").arg(window.viewer().engine.picture()->detection->scan->lines()) + " · " + note;
+    if (window.viewer().engine.picture()->source.growth.growing)
+        note = Pane::tr("line %1").arg(window.viewer().engine.picture()->detection->scan->lines()) + " · " + note;
     return note;
 }
 
@@ -38,7 +38,7 @@ QString cloudNote(MainWindow& window) {
     const std::size_t all = window.viewer().views.shown()->cloud->validCount, shown = cloud.geometryOfCloud()->validCount;
     QString note =
         shown == all ? Pane::tr("%1 points").arg(countText(all)) : Pane::tr("%1 of %2 points").arg(countText(shown), countText(all));
-    if (window.viewer().engine.picture()->source.growth.growing) note += ", " + Pane::tr("growing");
+    if (window.viewer().live.grows()) note += ", " + Pane::tr("growing");
     return note;
 }
 
@@ -60,6 +60,7 @@ void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
     };
     QObject::connect(&window.viewer().views, &LinkedViews::picturesChanged, &window, update);
     QObject::connect(&window, &MainWindow::pictureShown, &window, update);
+    QObject::connect(&window.viewer().live, &Live::growthChanged, &window, update);
     CloudView& view = window.viewer().views.cloud();
     for (const auto changed : {&CloudView::parallelChanged, &CloudView::turntableChanged})
         QObject::connect(&view, changed, &window, update);

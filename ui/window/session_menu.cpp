@@ -7,6 +7,7 @@
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/main_window.h"
+#include "ui/window/pane_places.h"
 
 #include <QFileInfo>
 #include <QSplitter>
@@ -30,7 +31,8 @@ std::vector<StatePart> partsOf(MainWindow& w) {
         viewPart(views),
         switchesPart(w),
     };
-    const std::vector<StatePart> looks = looksParts(w.viewer().look, views, w.viewer().confidence, w.viewer().comparing);
+    const std::vector<StatePart> looks =
+        looksParts(w.viewer().look, views, w.viewer().savedViews, w.viewer().confidence, w.viewer().comparing);
     parts.insert(parts.end(), looks.begin(), looks.end());
     parts.push_back(
         partOf(w.viewer().comparing, &inspect::ViewerState::earlier, OnScan, &Comparing::pictureAChanged, &Comparing::rowsChanged));
@@ -63,6 +65,7 @@ std::map<std::string, std::string> MainWindow::layoutKept() const {
     return {{"docks", text(saveState())},
             {"views", text(splitter_->saveState())},
             {"pictures", text(images_->saveState())},
+            {"large", text(places_->text().toUtf8())},
             {"alone", text(alone)}};
 }
 
@@ -73,9 +76,10 @@ void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
     };
     if (cab_->on() || layout.empty()) return;
     restoreState(bytes("docks"));
+    places_->use(QString::fromUtf8(bytes("large")));
     splitter_->restoreState(bytes("views"));
     images_->restoreState(bytes("pictures"));
-    images_->setOrientation(Qt::Vertical);
+    places_->orient();
     const QByteArray alone = bytes("alone");
     const auto found = std::ranges::find_if(panes_, [&alone](const Pane* pane) { return pane->content()->objectName().toUtf8() == alone; });
     showAlone(found == panes_.end() ? nullptr : (*found)->content());

@@ -7,8 +7,10 @@
 #include "ui/panels/dialogs/sheets.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/start/start_page.h"
+#include "ui/panels/start/tour.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/window/first_tour.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>
@@ -27,10 +29,10 @@ constexpr int kSettleMs = 400; // time until docks have their positions
 /// Keeps the page over everything between tool bar and status bar. The notice bar stays visible, and the scanner panel closes the page.
 class OverViews : public QObject {
 public:
-    OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page) {
-        for (QObject* watched :
-             {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.viewer().notice),
-              static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.viewer().live.panel())})
+    OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page), tour_(window.findChild<Tour*>("tour")) {
+        for (QObject* watched : {static_cast<QObject*>(&page), static_cast<QObject*>(&window),
+                                 static_cast<QObject*>(&window.viewer().notice), static_cast<QObject*>(window.centralWidget()),
+                                 static_cast<QObject*>(&window.viewer().live.panel()), static_cast<QObject*>(tour_)})
             watched->installEventFilter(this);
         settle_.setSingleShot(true);
         settle_.setInterval(kSettleMs);
@@ -58,8 +60,10 @@ public:
 private:
     void place() {
         const QWidget& centre = *window_.centralWidget();
-        const NoticeBar& notice = window_.viewer().notice;
-        const int top = centre.mapTo(&window_, QPoint(0, 0)).y() + (notice.isVisible() ? notice.geometry().bottom() + 1 : 0);
+        int top = centre.mapTo(&window_, QPoint(0, 0)).y();
+        for (const QWidget* strip : {static_cast<QWidget*>(&window_.viewer().notice), tour_}) {
+            if (strip->isVisible()) top = std::max(top, strip->mapTo(&window_, QPoint(0, strip->height())).y());
+        }
         page_.setGeometry(0, top, window_.width(), std::max(0, window_.viewer().statusLine.mapTo(&window_, QPoint(0, 0)).y() - top));
         page_.raise();
         settle_.start();
@@ -67,6 +71,7 @@ private:
 
     MainWindow& window_;
     StartPage& page_;
+    QWidget* tour_;
     QTimer settle_; // then everything is painted again: a dock separator that moved under the page is black until then
     bool gone_ = false;
 };
@@ -86,6 +91,7 @@ StartPage* showStart(MainWindow& w, Preferences& preferences) {
     });
     QObject::connect(page, &StartPage::continueRequested, &w, [&w] { w.sessions().continueLast(); });
     QObject::connect(page, &StartPage::demoRequested, &w, [&w] { w.viewer().files.openDemo(); });
+    QObject::connect(page, &StartPage::demoPairRequested, &w, [&w] { w.viewer().comparing.openDemoPair(); });
     QObject::connect(page, &StartPage::scanRequested, &w, [&w](const QString& path) { w.sessions().open({path}); });
     QObject::connect(page, &StartPage::locateRequested, &w, [&w, &preferences, page](const QString& path) {
         const QString now =
@@ -107,6 +113,7 @@ StartPage* showStart(MainWindow& w, Preferences& preferences) {
     QObject::connect(&w.viewer().engine, &Engine::pictureReady, page, &QWidget::hide);
     page->showRecent(preferences.recentFiles());
     page->showSession(w.sessions().toGoOn());
+    offerTour(w, preferences);
     page->show();
     page->setFocus();
     return page;

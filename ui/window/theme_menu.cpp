@@ -4,6 +4,7 @@
 #include "ui/base/themes.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/pane_places.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -28,6 +29,12 @@ Command themeMenu(QObject& parent, Preferences& preferences) {
         }));
     }
     return menu;
+}
+
+Command imagesFirstCommand(PanePlaces& places) {
+    return linked(
+        toggle("Images F&irst", "Ctrl+M", "view/images-first", false, [&places](bool on) { places.setImagesFirst(on); }),
+        [&places](QAction& action) { QObject::connect(&places, &PanePlaces::imagesFirstChanged, &action, &QAction::setChecked); });
 }
 
 Command cabCommand(CabMode& cab, Preferences& preferences) {

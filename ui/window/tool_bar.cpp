@@ -32,7 +32,7 @@ ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new QLabel), wordsP
                               "QToolButton:hover { background: %1; border-color: %2; }"
                               "QToolButton:checked { background: %3; color: white; border-color: %4; }"
                               "QToolButton:focus { border: 2px solid %4; padding: 2px 4px; }"
-                              "QToolButton:disabled { color: %5; }"
+                              "QToolButton:disabled { color: %5; background: transparent; border-color: transparent; }"
                               "QToolButton::menu-indicator { image: none; }")
                           .arg(theme.button.name(), theme.edge.name(), theme.chosen.name(), theme.accent.name(), theme.unusable.name()));
     });
@@ -96,6 +96,18 @@ void ToolBar::fit() {
     const bool room = needed <= width();
     for (const Button& each : buttons_) {
         if (!room && each.shown == Word::IfSpace) each.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    }
+}
+
+QSize ToolBar::sizeHint() const {
+    const QSize least = QToolBar::sizeHint();
+    return parentWidget() == nullptr ? least : least.expandedTo({parentWidget()->width(), 0});
+}
+
+void ToolBar::setScanOpen(bool on) {
+    for (QAction* each : ofScan_) each->setEnabled(on);
+    for (const Button& each : buttons_) {
+        if (each.button->menu() != nullptr) each.button->setEnabled(on);
     }
 }
 

@@ -23,12 +23,18 @@ public:
     void add(QAction& action, const char* sign, const QString& word, Word shown = Word::IfSpace);
     /// A button that opens `menu`, which becomes its child. It is highlighted while one of `lights` is on.
     void add(QMenu* menu, const char* name, const char* sign, const QString& word, const QList<QAction*>& lights);
+    /// Disabled until a scan is open.
+    void needsScan(QAction& action) { ofScan_ << &action; }
     void addGap();
     /// The prompt of the tool; empty: none.
     void showAsked(const QString& words);
     /// Text about selected and hidden cells.
     void showSelected(const QString& words);
     [[nodiscard]] QString shown() const;
+    /// As wide as the window: only the badge right of it takes room.
+    [[nodiscard]] QSize sizeHint() const override;
+    /// Off: the buttons of a scan are disabled, with their commands.
+    void setScanOpen(bool on);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -43,6 +49,7 @@ private:
         Word shown = Word::IfSpace;
     };
     std::vector<Button> buttons_;
+    QList<QAction*> ofScan_;
     QLabel* words_;
     QAction* wordsPlace_;
     QString asked_, selected_;

@@ -21,7 +21,10 @@ struct ToolRow {
     const char* sign = nullptr;
     const char* word = nullptr;
     ToolBar::Word shown = ToolBar::Word::IfSpace;
+    bool ofScan = false; ///< disabled before a scan is open
 };
+
+constexpr bool kOfScan = true;
 
 constexpr std::array kBefore{
     ToolRow{"File/Open", "open", QT_TRANSLATE_NOOP("QObject", "Open"), ToolBar::Word::Always},
@@ -30,20 +33,21 @@ constexpr std::array kBefore{
     ToolRow{"Edit/Undo", "undo", QT_TRANSLATE_NOOP("QObject", "Undo")},
     ToolRow{"Edit/Redo", "redo", QT_TRANSLATE_NOOP("QObject", "Redo")},
     ToolRow{},
-    ToolRow{"Measure/Pin", "pin", QT_TRANSLATE_NOOP("QObject", "Pin")},
+    ToolRow{"Measure/Pin", "pin", QT_TRANSLATE_NOOP("QObject", "Pin"), ToolBar::Word::IfSpace, kOfScan},
 };
 constexpr std::array kBehind{
-    ToolRow{"Edges/Why Is This Cell an Edge, or None?", "why", QT_TRANSLATE_NOOP("QObject", "Why")},
+    ToolRow{"Edges/Why Is This Cell an Edge or Not?", "why", QT_TRANSLATE_NOOP("QObject", "Why"), ToolBar::Word::IfSpace, kOfScan},
     ToolRow{},
-    ToolRow{"View/From Scanner", "view-from-scanner", QT_TRANSLATE_NOOP("QObject", "Scanner")},
-    ToolRow{"View/Reset View", "fit", QT_TRANSLATE_NOOP("QObject", "Fit")},
+    ToolRow{"View/Look from/From Scanner", "view-from-scanner", QT_TRANSLATE_NOOP("QObject", "Scanner view"), ToolBar::Word::IfSpace,
+            kOfScan},
+    ToolRow{"View/Reset View", "fit", QT_TRANSLATE_NOOP("QObject", "Fit"), ToolBar::Word::IfSpace, kOfScan},
     ToolRow{},
-    ToolRow{"Rocks/Show Rocks", "rocks", QT_TRANSLATE_NOOP("QObject", "Rocks")},
+    ToolRow{"Rocks/Show Rocks", "rocks", QT_TRANSLATE_NOOP("QObject", "Rocks"), ToolBar::Word::IfSpace, kOfScan},
 };
 constexpr std::array kLast{
     ToolRow{},
-    ToolRow{"File/Export/Edge Cloud", "export", QT_TRANSLATE_NOOP("QObject", "Export")},
-    ToolRow{"File/Report", "report", QT_TRANSLATE_NOOP("QObject", "Report")},
+    ToolRow{"File/Export/Edge Cloud", "export", QT_TRANSLATE_NOOP("QObject", "Export"), ToolBar::Word::IfSpace, kOfScan},
+    ToolRow{"File/Report", "report", QT_TRANSLATE_NOOP("QObject", "Report"), ToolBar::Word::IfSpace, kOfScan},
     ToolRow{},
     ToolRow{"View/Cab Mode", "cab-mode", QT_TRANSLATE_NOOP("QObject", "Cab")},
 };
@@ -82,10 +86,12 @@ QAction& actionOf(const QList<KeyedCommand>& commands, const char* id) {
 template <class Rows>
 void addRows(ToolBar& bar, const QList<KeyedCommand>& commands, const Rows& rows) {
     for (const ToolRow& row : rows) {
-        if (row.command == nullptr)
+        if (row.command == nullptr) {
             bar.addGap();
-        else
-            bar.add(actionOf(commands, row.command), row.sign, QObject::tr(row.word), row.shown);
+            continue;
+        }
+        bar.add(actionOf(commands, row.command), row.sign, QObject::tr(row.word), row.shown);
+        if (row.ofScan) bar.needsScan(actionOf(commands, row.command));
     }
 }
 
@@ -112,6 +118,8 @@ void addToolButtons(MainWindow& window) {
     addRows(bar, commands, kBehind);
     addMenu(bar, commands, kCompares);
     addRows(bar, commands, kLast);
+    bar.setScanOpen(false);
+    QObject::connect(&window, &MainWindow::pictureShown, &bar, [&bar] { bar.setScanOpen(true); });
 }
 
 } // namespace edgescan::ui

@@ -17,6 +17,7 @@
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
+#include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/tool_bar.h"
 
@@ -24,9 +25,9 @@ namespace edgescan::ui {
 
 Viewer::Viewer(Preferences& ofPerson)
     : preferences(ofPerson), gray(*new ImageView), edges(*new ImageView(gray.viewPort())), cloud(*new CloudView),
-      scalePlate(*new ScalePlate(&cloud)), panel(*new EdgesPanel), livePanel(*new LivePanel), timeline(*new Timeline),
-      rocksPanel(*new RocksPanel), rockTable(*new RockTable), targetsPanel(*new TargetsPanel), tools(*new ToolBar), origin(*new StateBadge),
-      notice(*new NoticeBar), statusLine(*new StatusLine), warnings(*new WarningButton), legend(*new EdgeLegend),
+      scalePlate(*new ScalePlate(&cloud)), viewCube(*new ViewCube(&cloud)), panel(*new EdgesPanel), livePanel(*new LivePanel),
+      timeline(*new Timeline), rocksPanel(*new RocksPanel), rockTable(*new RockTable), targetsPanel(*new TargetsPanel), tools(*new ToolBar),
+      origin(*new StateBadge), notice(*new NoticeBar), statusLine(*new StatusLine), warnings(*new WarningButton), legend(*new EdgeLegend),
       changeLegend(*new ChangeLegend), confidenceLegend(*new ConfidenceLegend), rangeWindow(*new RangeWindow),
       views(engine, gray, edges, cloud), files(engine, notice, preferences, undo), opening(engine, files, notice),
       exports(engine, files, notice, preferences), tuning(engine, panel, notice, preferences, undo),
@@ -36,8 +37,8 @@ Viewer::Viewer(Preferences& ofPerson)
       selection(engine, views, rocks, notice, undo), sections(engine, views, rocks, targets, notice, preferences),
       comparing(engine, views, changeLegend, files, notice, preferences, undo),
       confidence(engine, views, targets, confidenceLegend, preferences), markedEdges(engine, views, targets, undo, notice),
-      look(engine, views, scalePlate, rangeWindow, preferences), report(engine, files, rocks, targets, comparing, notice, preferences),
-      audit(preferences.dataFolder(), engine, views, undo, notice) {
+      look(engine, views, scalePlate, rangeWindow, preferences), savedViews(views, notice),
+      report(engine, files, rocks, targets, comparing, notice, preferences), audit(preferences.dataFolder(), engine, views, undo, notice) {
     followPictures();
 }
 

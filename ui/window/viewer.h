@@ -10,6 +10,7 @@
 #include "ui/controllers/files/opening.h"
 #include "ui/controllers/live.h"
 #include "ui/controllers/rocks/rocks.h"
+#include "ui/controllers/saved_views.h"
 #include "ui/controllers/scan_look.h"
 #include "ui/controllers/scan_report.h"
 #include "ui/controllers/sections.h"
@@ -41,6 +42,7 @@ class StatusLine;
 class TargetsPanel;
 class Timeline;
 class ToolBar;
+class ViewCube;
 class WarningButton;
 
 /// GUI thread only.
@@ -56,6 +58,7 @@ struct Viewer {
     ImageView &gray, &edges;
     CloudView& cloud;
     ScalePlate& scalePlate;
+    ViewCube& viewCube;
     EdgesPanel& panel;
     LivePanel& livePanel;
     Timeline& timeline;
@@ -88,6 +91,7 @@ struct Viewer {
     Confidence confidence;
     MarkedEdges markedEdges;
     ScanLook look;
+    SavedViews savedViews;
     ScanReport report;
     AuditTrail audit;
 

@@ -8,8 +8,9 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/docks.h"
+#include "ui/window/pane_places.h"
 
-#include <QDockWidget>
 #include <QGuiApplication>
 #include <QScreen>
 #include <QSplitter>
@@ -23,18 +24,19 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kFoldedBelow = 1100;    // px of the window: in a narrower one the panels are folded unless the operator opens them
-constexpr double kCloudShare = 0.55;  // of the width, minimum
-constexpr int kRangeWindowFrom = 600; // px of the window's height
-constexpr int kLeastPanel = 240;      // px; narrower panels cut off text
-constexpr int kOpenFrame = 2;         // px: widths that differ by less count as equal
+constexpr int kNarrow = 1100;                   // px of the window: in a narrower one the images get their share of it
+constexpr double kCloudShare = 0.55;            // of the width, minimum
+constexpr double kImagesFirstShare = 2.0 / 3.0; // of the views' width, for both images side by side
+constexpr int kRangeWindowFrom = 600;           // px of the window's height
+constexpr int kLeastImages = 140;               // px of width
+constexpr int kLeastImage = 96;                 // px of height; in a lower column the range image is alone
+constexpr int kSameWidth = 2;                   // px: widths that differ by less count as equal
 
 // Widths at which the cloud has most of the window and images and panel stay readable.
 int usualImages(int window) {
-    const int wanted = window < kFoldedBelow ? static_cast<int>(0.23 * window) : static_cast<int>(std::lround(48 + 0.1843 * window));
+    const int wanted = window < kNarrow ? static_cast<int>(0.23 * window) : static_cast<int>(std::lround(48 + 0.1843 * window));
     return std::clamp(wanted, 140, 560);
 }
-int usualPanel(int window) { return std::clamp(static_cast<int>(std::lround(260 + 0.1656 * (window - 1280))), kLeastPanel, 400); }
 
 // A small screen is filled; on a large one some space is left.
 QSize usualWindow(const QRect& screen) {
@@ -45,32 +47,24 @@ QSize usualWindow(const QRect& screen) {
 
 } // namespace
 
+/// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged, as
+/// far as the cloud keeps its share. Folding order: the panels, the second image, the first image.
 void MainWindow::arrange() {
     if (!isVisible() || cab_->on()) return;
     const int wide = width();
-    for (QDockWidget* dock : docks_) {
-        const QString byHand = dock->property(kByHand).toString();
-        const bool open = byHand.isEmpty() ? wide >= kFoldedBelow : byHand == "open";
-        if (dock->isHidden() != open) continue;
-        dock->setVisible(open);
-        // Docked with others it gets their width and may be cut off: checked when its width is known.
-        if (open) QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
+    const int besideCloud = static_cast<int>(wide * (1.0 - kCloudShare)) - splitter_->handleWidth();
+    const int leastImages = std::max(kLeastImages, pictures_->minimumSizeHint().width());
+    docks_->fit(besideCloud);
+    const int most = besideCloud - docks_->setWidths(besideCloud);
+    roomForImages_ = places_->imagesFirst() || most >= leastImages;
+    showImages();
+    if (maximised_ != nullptr || !roomForImages_) return;
+    const bool follow = arrangedImages_ == 0 || std::abs(pictures_->width() - arrangedImages_) <= kSameWidth;
+    if (places_->imagesFirst()) {
+        if (follow) setImagesWidth(static_cast<int>(kImagesFirstShare * splitter_->width()));
+        return;
     }
-    const auto asArranged = [](int now, int arranged) { return arranged == 0 || std::abs(now - arranged) <= kOpenFrame; };
-    int panel = 0;
-    for (QDockWidget* dock : docks_) {
-        if (dock->isHidden() || dock->isFloating()) continue;
-        const int usual = std::max(usualPanel(wide), dock->minimumSizeHint().width());
-        // no operator wants a panel that cuts off text
-        const bool follows = asArranged(dock->width(), arrangedPanel_) || dock->width() < kLeastPanel;
-        if (follows) resizeDocks({dock}, {arrangedPanel_ = usual}, Qt::Horizontal);
-        panel = std::max(panel, follows ? usual : dock->width()); // its width changes later
-    }
-    if (maximised_ != nullptr) return;
-    const int most = static_cast<int>(wide * (1.0 - kCloudShare)) - panel;
-    if (asArranged(pictures_->width(), arrangedImages_))
-        setImagesWidth(std::min(usualImages(wide), std::max(most, pictures_->minimumSizeHint().width())));
-    showRangeWindow();
+    if (follow || pictures_->width() > most) setImagesWidth(std::clamp(usualImages(wide), leastImages, most));
 }
 
 void MainWindow::setImagesWidth(int width) {
@@ -80,18 +74,25 @@ void MainWindow::setImagesWidth(int width) {
 
 void MainWindow::maximise(Pane* pane) {
     maximised_ = maximised_ == pane ? nullptr : pane;
-    for (Pane* each : panes_) {
-        each->setVisible(maximised_ == nullptr || maximised_ == each);
-        each->showAlone(maximised_ == each);
-    }
-    pictures_->setVisible(maximised_ == nullptr || maximised_->content() != &viewer_.cloud);
-    showRangeWindow();
+    for (Pane* each : panes_) each->showAlone(maximised_ == each);
+    viewer_.views.setCaptionIn(maximised_ == nullptr ? nullptr : qobject_cast<const ImageView*>(maximised_->content()));
+    showImages();
 }
 
-/// Not if the images would lose their space, and not next to the edge map alone.
-void MainWindow::showRangeWindow() {
-    const bool wanted = maximised_ == nullptr || maximised_->content() == &viewer_.gray;
-    viewer_.rangeWindow.setVisible(wanted && height() >= kRangeWindowFrom);
+/// What has room next to the cloud, or the maximised view. The range window not if the images would lose their space, and not next to the
+/// edge map alone.
+void MainWindow::showImages() {
+    const bool all = maximised_ == nullptr;
+    const int room = splitter_->height() - (height() >= kRangeWindowFrom ? viewer_.rangeWindow.sizeHint().height() : 0);
+    const bool both = places_->imagesFirst() || room >= 2 * (kLeastImage + panes_.front()->minimumSizeHint().height());
+    const Pane* large = places_->inCloudsPlace();
+    const Pane* first = large == panes_.back() ? panes_.front() : panes_.back(); // the cloud is never the one that has no room
+    for (Pane* each : panes_) {
+        const bool fits = each == large || (roomForImages_ && (both || each == first));
+        each->setVisible(all ? fits : maximised_ == each);
+    }
+    pictures_->setVisible(all ? roomForImages_ : maximised_ != large);
+    viewer_.rangeWindow.setVisible((all || maximised_ == panes_.front()) && height() >= kRangeWindowFrom);
 }
 
 void MainWindow::remember() {
@@ -101,7 +102,7 @@ void MainWindow::remember() {
     viewer_.preferences.keep("window/views", splitter_->saveState());
     viewer_.preferences.keep("window/images", images_->saveState());
     viewer_.preferences.keep("window/images-width", QString::number(arrangedImages_));
-    viewer_.preferences.keep("window/panel-width", QString::number(arrangedPanel_));
+    viewer_.preferences.keep("window/panel-width", QString::number(docks_->arrangedWidth()));
 }
 
 void MainWindow::restoreLayout() {
@@ -111,10 +112,11 @@ void MainWindow::restoreLayout() {
     restoreGeometry(viewer_.preferences.bytes("window/geometry"));
     restoreState(viewer_.preferences.bytes("window/state"));
     images_->restoreState(viewer_.preferences.bytes("window/images"));
-    images_->setOrientation(Qt::Vertical); // a former version may have stored them side by side
+    places_->orient();
+    places_->use(viewer_.preferences.text("window/large-view"));
     splitter_->restoreState(viewer_.preferences.bytes("window/views"));
     arrangedImages_ = viewer_.preferences.text("window/images-width").toInt();
-    arrangedPanel_ = viewer_.preferences.text("window/panel-width").toInt();
+    docks_->setArrangedWidth(viewer_.preferences.text("window/panel-width").toInt());
     // A window on a screen that no longer exists is moved back; a window of a larger screen is shrunk.
     const QScreen* at = nullptr;
     for (const QScreen* each : QGuiApplication::screens()) {
@@ -137,15 +139,11 @@ void MainWindow::followFrame() {
 void MainWindow::resetLayout() {
     if (cab_->on()) return;
     if (maximised_ != nullptr) maximise(maximised_);
-    for (QDockWidget* dock : docks_) {
-        dock->setProperty(kByHand, QString());
-        viewer_.preferences.keep("window/" + dock->objectName(), QString());
-        dock->setFloating(false);
-        addDockWidget(Qt::RightDockWidgetArea, dock);
-    }
+    places_->use(QString());
+    places_->setImagesFirst(false);
+    arrangedImages_ = 0;
     images_->setSizes({1000, 1000});
-    arrangedImages_ = arrangedPanel_ = 0;
-    arrange();
+    docks_->reset();
     rememberTimer_.start();
 }
 
@@ -154,6 +152,13 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     arrange();
     followFrame();
     rememberTimer_.start();
+}
+
+/// A dock, a notice or the strip takes room of the views, or gives it back.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == splitter_ && event->type() == QEvent::Resize)
+        QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -150,7 +150,7 @@ def rocks(result: Result, *, region: Union[None, str, Iterable[Iterable[int]]] =
 @_keywords(("Choices of single formats, True or False:", _CHOICES))
 def save(what: Union[Scan, Result], path: Path, content: Optional[str] = None, *, frame: Literal["auto", "scanner", "local", "mine"] = "auto",
          ascii: bool = False, include_attached: bool = False, operator: str = "", role: str = "", **choices) -> int:
-    """Writes a Scan or a Result, with its record inside and beside it; what was there before stays if that fails.
+    """Writes a Scan or a Result, with its record inside it and next to it; what was there before stays if that fails.
 
     content: of a Result 'edges' (the edge points), 'cloud' (all points), 'mask', 'gray', 'range' (PNG) or 'scan' (every cell with its
     state); a Scan is always written whole. Without it .png is the mask, all else the edge points. The extension chooses the format.
@@ -195,7 +195,7 @@ def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: O
     address: HOST or HOST:PORT. Nothing but reads and a subscription is sent to it. record: new recording (.mcap) of every telegram.
     expected_lines: of a whole sweep, 0 = not known. axis, line_start, line_step: mounting of the stepper and its angles in degrees, as for
     open(). ticks_per_degree: encoder counts, where there is an encoder. calibration: the robot's file, which says axis and step. What
-    neither says is assumed; the scan's warnings and the recording report it. standing: the stepper stands while a line is measured.
+    neither says is assumed; the scan's warnings and the recording report it. standing: the stepper does not turn while a line is measured.
 
     timeout: seconds. connect() waits for the first scan line of the scanner, and raises edgescan.Error if it does not come in this time. So
     does the iterator if the sweep does not change for this time. The error says what the session waits for; while it waits, the logger

@@ -104,6 +104,8 @@ def typed(name, value, row):
         return number(name, value)
     if kind == "path":
         return path(name, value)
+    if kind == "name":
+        return word(name, value)
     if kind == "switch" or choices == ["off", "on"]:
         if isinstance(value, str) and value in choices:
             return value

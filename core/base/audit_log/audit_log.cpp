@@ -91,7 +91,7 @@ std::string auditText(const AuditLine& line) {
 Result<AuditLine> auditLine(std::string_view text, const std::string& where) {
     const auto object = parseOrderedJson(text, where, kLineJson);
     if (!object) return object.error();
-    const Error none{"this is no line of an audit log", where, "it was altered, or the file is another one"};
+    const Error none{"this is not a line of an audit log", where, "it was altered, or the file is another one"};
     if (!object->is_object() || object->size() != 6 || text.size() < kTailBytes) return none;
     for (const char* key : {"utc", "event", "before", "sha256"}) {
         if (!object->contains(key) || !(*object)[key].is_string()) return none;

@@ -260,7 +260,7 @@ Result<Shard> shardOf(const std::string& text) {
     const auto of = slash == std::string::npos ? std::nullopt : numberOf(std::string_view(text).substr(slash + 1));
     const auto whole = [](double value) { return value == std::floor(value); };
     if (!number || !of || !whole(*number) || !whole(*of) || *number < 1 || *of < *number || *of > kMost)
-        return Error{"this is no part of a run", text, "give it as 3/20: the third of twenty"};
+        return Error{"this is not a part of a run", text, "give it as 3/20: the third of twenty"};
     return Shard{static_cast<int>(*number), static_cast<int>(*of)};
 }
 

@@ -69,7 +69,7 @@ Result<Done> checkPattern(const std::string& pattern) {
         const bool closed = pattern[at] == '{' && end != std::string::npos && pattern[end] == '}';
         const std::string key = closed ? pattern.substr(at + 1, end - at - 1) : "";
         if (std::ranges::none_of(nameFields(), [&](const NameField& field) { return key == field.key; }))
-            return Error{"the template has braces around what is no field", pattern, "use " + known};
+            return Error{"the template has braces around something that is not a field", pattern, "use " + known};
         at = end;
     }
     return Done{};

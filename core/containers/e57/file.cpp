@@ -126,7 +126,7 @@ Result<Done> takeFields(const pugi::xml_node& parent, std::vector<E57Field>& fie
         }
         auto field = fieldOf(node);
         if (!field) {
-            return Error{"the limits of the column " + std::string(node.name()) + " in this E57 file are no numbers that make sense", where,
+            return Error{"the limits of the column " + std::string(node.name()) + " in this E57 file are not possible", where,
                          kExportAgain};
         }
         fields.push_back(std::move(*field));

@@ -4,7 +4,7 @@
 #include "core/base/bytes_behind.h"
 #include "core/base/checked_size.h"
 #include "core/base/memory.h"
-#include "core/containers/mcap/chunk_compression.h"
+#include "core/containers/compression/chunks.h"
 
 #include <algorithm>
 #include <array>
@@ -372,7 +372,7 @@ bool looksLikeMcap(ByteView bytes) {
 }
 
 Result<McapContent> readMcap(ByteView bytes, const std::string& where) {
-    if (!looksLikeMcap(bytes)) return Error{"this is no MCAP recording of a version that is known", where, "choose a recording"};
+    if (!looksLikeMcap(bytes)) return Error{"this is not an MCAP recording of a known version", where, "choose a recording"};
     return Reader(bytes, where).read();
 }
 

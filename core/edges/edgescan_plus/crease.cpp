@@ -113,9 +113,24 @@ EDGESCAN_INLINE int farthestOf(const SideSums& left, const SideSums& right, int 
     return static_cast<int>(largest<kLanes<Lanes>>(values.data()));
 }
 
+// The sums of one vector of cells: the sixteen registers of AVX2 have no room for two.
+template <class Lanes>
+EDGESCAN_INLINE void addUpOne(const Cells& at, int j, int farthest, SideSums& left, SideSums& right) {
+    LaneSums<Lanes> before(at.u + j, left.cells.data() + j), after(at.u + j, right.cells.data() + j);
+    Lanes distance = Lanes{} + static_cast<float>(farthest);
+    const float* back = at.u + j - farthest * at.step;
+    const float* on = at.u + j + farthest * at.step;
+    for (int n = farthest; n > 0; --n, back += at.step, on -= at.step, distance -= 1.0F) {
+        before.add(back, distance);
+        after.add(on, distance);
+    }
+    before.storeTo(left, j);
+    after.storeTo(right, j);
+}
+
 // The sums of two vectors of cells, whose additions do not depend on each other.
 template <class Lanes>
-EDGESCAN_INLINE void addUpLanes(const Cells& at, int j, int farthest, SideSums& left, SideSums& right) {
+EDGESCAN_INLINE void addUpTwo(const Cells& at, int j, int farthest, SideSums& left, SideSums& right) {
     const int k = j + kLanes<Lanes>;
     LaneSums<Lanes> before(at.u + j, left.cells.data() + j), after(at.u + j, right.cells.data() + j);
     LaneSums<Lanes> before2(at.u + k, left.cells.data() + k), after2(at.u + k, right.cells.data() + k);
@@ -138,7 +153,12 @@ template <class Lanes>
 EDGESCAN_INLINE void addUp(const Cells& at, int count, SideSums& left, SideSums& right) {
     for (int j = 0; j < count; j += kAlike) {
         const int farthest = farthestOf<Lanes>(left, right, j);
-        for (int k = j; k < std::min(j + kAlike, count); k += 2 * kLanes<Lanes>) addUpLanes<Lanes>(at, k, farthest, left, right);
+        const int end = std::min(j + kAlike, count);
+        if constexpr (std::is_same_v<Lanes, EightLanes>) {
+            for (int k = j; k < end; k += kLanes<Lanes>) addUpOne<Lanes>(at, k, farthest, left, right);
+        } else {
+            for (int k = j; k < end; k += 2 * kLanes<Lanes>) addUpTwo<Lanes>(at, k, farthest, left, right);
+        }
     }
 }
 
@@ -248,11 +268,6 @@ EDGESCAN_INLINE void foldLine(const Cells& beamwise, const Cells& linewise, int 
     }
 }
 
-EDGESCAN_INLINE void foldLineBySixteen(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits,
-                                       float* alongBeams, float* alongLines) {
-    foldLine<SixteenLanes>(beamwise, linewise, beams, limits, alongBeams, alongLines);
-}
-
 } // namespace
 
 void foldStrengths(const Lines& u, const Links& linksAlongBeams, const Links& linksAlongLines, const AngularSteps& steps, int line,
@@ -263,10 +278,8 @@ void foldStrengths(const Lines& u, const Links& linksAlongBeams, const Links& li
                          stepOf(u, Along::Lines)};
     float* alongBeams = strengths.alongBeams.next();
     float* alongLines = strengths.alongLines.next();
-    if (instructionSet() >= InstructionSet::Avx2)
-        vectorised<foldLineBySixteen>(beamwise, linewise, u.beams, limits, alongBeams, alongLines);
-    else
-        foldLine<FourLanes>(beamwise, linewise, u.beams, limits, alongBeams, alongLines);
+    vectorised<foldLine<FourLanes>, foldLine<EightLanes>, foldLine<SixteenLanes>>(beamwise, linewise, u.beams, limits, alongBeams,
+                                                                                  alongLines);
 }
 
 } // namespace edgescan::edges

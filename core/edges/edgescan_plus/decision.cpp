@@ -140,6 +140,35 @@ void linkChains(Grid<std::uint8_t>& state, int minimum, Keep keep) {
     }
 }
 
+// The cells in chains of at least `minimum` cells, ascending. Two cells at most two cells apart are linked: an edge may be connected over
+// the corner of a void.
+std::vector<std::uint32_t> longChains(const std::vector<std::uint32_t>& cells, int lines, int beams, int minimum) {
+    constexpr int kReach = 2;
+    std::vector<std::uint32_t> kept, chain;
+    if (cells.empty()) return kept;
+    Grid<std::uint8_t> waits(lines, beams);
+    for (const std::uint32_t k : cells) waits[k] = 1;
+    for (const std::uint32_t seed : cells) {
+        if (waits[seed] == 0) continue;
+        chain.assign(1, seed);
+        waits[seed] = 0;
+        for (std::size_t n = 0; n < chain.size(); ++n) {
+            const int line = static_cast<int>(chain[n]) / beams;
+            const int beam = static_cast<int>(chain[n]) % beams;
+            for (int i = std::max(line - kReach, 0); i <= std::min(line + kReach, lines - 1); ++i) {
+                for (int j = std::max(beam - kReach, 0); j <= std::min(beam + kReach, beams - 1); ++j) {
+                    if (waits.at(i, j) == 0) continue;
+                    waits.at(i, j) = 0;
+                    chain.push_back(static_cast<std::uint32_t>(waits.index(i, j)));
+                }
+            }
+        }
+        if (static_cast<int>(chain.size()) >= minimum) kept.insert(kept.end(), chain.begin(), chain.end());
+    }
+    std::ranges::sort(kept);
+    return kept;
+}
+
 } // namespace
 
 Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum) {
@@ -151,32 +180,15 @@ Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float l
     return state;
 }
 
-std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum) {
-    constexpr int kReach = 2; // two cells of an outline may be connected over a void corner
-    std::vector<std::uint32_t> kept, chain;
-    if (responses.silhouettes.empty()) return kept;
-    Grid<std::uint8_t> waits(responses.jump.lines, responses.jump.beams);
-    for (const std::uint32_t k : responses.silhouettes) waits[k] = 1;
-    const auto beams = static_cast<std::uint32_t>(waits.beams);
-    for (const std::uint32_t seed : responses.silhouettes) {
-        if (waits[seed] == 0) continue;
-        chain.assign(1, seed);
-        waits[seed] = 0;
-        for (std::size_t n = 0; n < chain.size(); ++n) {
-            const int line = static_cast<int>(chain[n] / beams);
-            const int beam = static_cast<int>(chain[n] % beams);
-            for (int i = std::max(line - kReach, 0); i <= std::min(line + kReach, waits.lines - 1); ++i) {
-                for (int j = std::max(beam - kReach, 0); j <= std::min(beam + kReach, waits.beams - 1); ++j) {
-                    if (waits.at(i, j) == 0) continue;
-                    waits.at(i, j) = 0;
-                    chain.push_back(static_cast<std::uint32_t>(waits.index(i, j)));
-                }
-            }
-        }
-        if (static_cast<int>(chain.size()) >= minimum) kept.insert(kept.end(), chain.begin(), chain.end());
-    }
-    std::ranges::sort(kept);
-    return kept;
+std::vector<ClassCells> edgesAtVoids(const DepthResponses& responses, const Settings& settings) {
+    const auto chains = [&](const std::vector<std::uint32_t>& cells) {
+        return longChains(cells, responses.jump.lines, responses.jump.beams, settings.minimumLength);
+    };
+    std::vector<ClassCells> edges;
+    if (wants(settings, kClassSilhouette)) edges.push_back({DepthEdge::Silhouette, chains(responses.silhouettes)});
+    if (wants(settings, kClassVoidRim)) edges.push_back({DepthEdge::VoidRim, chains(responses.rim)});
+    if (wants(settings, kClassBorder)) edges.push_back({DepthEdge::Border, responses.border});
+    return edges;
 }
 
 Grid<float> requestedStrength(const DepthResponses& responses, const Settings& settings) {
@@ -205,7 +217,8 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& set
         vectorised<markClasses>(responses.jump.cells.data() + from, responses.crease.cells.data() + from, result.mask.index(last, 0) - from,
                                 wanted, high, low, result.mask.cells.data() + from);
     });
-    std::vector<std::uint32_t> kept, outlines;
+    std::vector<std::uint32_t> kept;
+    std::vector<ClassCells> atVoids;
     const auto link = [&] {
         linkChains(result.mask, settings.minimumLength, [&](const Chain& chain) {
             kept.insert(kept.end(), chain.cells().begin(), chain.cells().end());
@@ -216,19 +229,15 @@ DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& set
             }
         });
     };
-    runParts(bands, {link, [&] {
-                         if (wants(settings, kClassSilhouette)) outlines = longSilhouettes(responses, settings.minimumLength);
-                     }});
+    runParts(bands, {link, [&] { atVoids = edgesAtVoids(responses, settings); }});
     for (const std::uint32_t k : kept) result.mask[k] = 255;
-    const auto add = [&result](const std::vector<std::uint32_t>& cells, DepthEdge kind) {
-        for (const std::uint32_t k : cells) {
+    for (const ClassCells& edges : atVoids) {
+        for (const std::uint32_t k : edges.cells) {
             if (result.mask[k] != 0) continue;
             result.mask[k] = 255;
-            result.kind[k] = kind;
+            result.kind[k] = edges.kind;
         }
-    };
-    add(outlines, DepthEdge::Silhouette);
-    if (wants(settings, kClassBorder)) add(responses.border, DepthEdge::Border);
+    }
     return result;
 }
 

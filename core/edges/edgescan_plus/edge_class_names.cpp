@@ -6,7 +6,7 @@
 namespace edgescan::edges {
 
 const char* edgeClassName(DepthEdge kind) {
-    static constexpr const char* kNames[]{"none", "jump", "convex", "concave", "border", "silhouette"};
+    static constexpr const char* kNames[]{"none", "jump", "convex", "concave", "border", "silhouette", "rim"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -5,9 +5,9 @@
 
 namespace edgescan::edges {
 
-/// "jump", "convex", "concave", "border", "silhouette"; "none".
+/// "jump", "convex", "concave", "border", "silhouette", "rim"; "none".
 [[nodiscard]] const char* edgeClassName(DepthEdge kind);
-/// The name for people, as on the switches: "data border", "outline before a void".
+/// The name for people, as on the switches: "data border", "outline before a void", "void rim".
 [[nodiscard]] const char* edgeClassLabel(DepthEdge kind);
 
 } // namespace edgescan::edges

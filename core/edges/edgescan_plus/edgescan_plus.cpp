@@ -7,6 +7,7 @@
 #include "core/edges/edgescan_plus/gap_detour.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
 #include "core/edges/edgescan_plus/surface_lines.h"
+#include "core/edges/edgescan_plus/void_rim.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/grid/marked_cells.h"
 #include "core/scan/grid/spikes.h"
@@ -100,12 +101,15 @@ void copyCracks(const SurfaceLines& surface, const Band& band, DepthCracks& crac
     copyLine(surface.folds(Along::Lines), surface.foldLine(), band, cracks.foldLines);
 }
 
-void respond(const DepthSurface& surface, const DepthLimits& limits, const Band& band, DepthResponses& result, DepthCracks* cracks) {
+void respond(const DepthSurface& surface, const DepthLimits& limits, const Band& band, DepthResponses& result, DepthCracks* cracks,
+             FoldingCells* folding) {
     const Grid<Support>& support = surface.inverse.support;
     SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits, std::max(0, band.first - SurfaceLines::kLinesBefore));
     while (lines.foldLine() < band.last) {
         lines.advance();
         if (cracks != nullptr) copyCracks(lines, band, *cracks);
+        if (const int line = lines.foldLine(); folding != nullptr && band.contains(line))
+            folding->note(line, lines.folds(Along::Beams).line(line), lines.folds(Along::Lines).line(line), support.line(line));
         // One line behind the newest: suppression reads the lines on both sides.
         if (const int line = lines.jumpLine() - 1; band.contains(line))
             vectorised<suppressJumps>(bothWays(lines.jumps(Along::Beams), lines.jumps(Along::Lines), line), support.line(line),
@@ -146,7 +150,7 @@ std::vector<std::uint32_t> borderCells(const Grid<Support>& support) {
 } // namespace
 
 DepthSurface depthSurface(const Scan& scan, bool straightened, int threads, NoiseKind noise) {
-    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, 0, {}, {}};
+    DepthSurface surface{inverseRange(scan, threads), {}, angularSteps(scan), {}, 0, {}, {}, withheldCells(scan)};
     surface.slips = straightened ? straighten(surface.inverse, threads) : noSlips(scan.lines());
     runParts(bandsFor(scan.cells(), threads), {[&] { surface.noise = rangeNoise(surface.inverse); },
                                                [&] { surface.scales = noiseScales(surface.inverse, noise == NoiseKind::Camera); }});
@@ -190,6 +194,7 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     limits.creaseDeg = static_cast<float>(settings.creaseDeg);
     limits.noisy = q > kNoisy;
     limits.passes = limits.noisy ? 2 : 1;
+    limits.turns = settings.turns;
     if (surface.slips.interlaced) limits.grazing = std::max(limits.grazing, kInterlacedGrazing);
     return limits;
 }
@@ -199,24 +204,35 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     const Grid<Support>& support = surface.inverse.support;
     const int bands = std::clamp(bandsFor(support.size(), threads), 1, std::max(1, support.lines));
     const auto clear = [&support](Grid<float>& grid) { grid = Grid<float>(support.lines, support.beams); };
-    DepthResponses result{
-        {}, {}, limits.noise, static_cast<double>(limits.jumpMm), surface.scales, limits.foldNoise, surface.memory.windowMm > 0, {}, {}};
+    DepthResponses result;
+    result.noise = limits.noise;
+    result.jumpMm = static_cast<double>(limits.jumpMm);
+    result.scales = surface.scales;
+    result.foldNoise = limits.foldNoise;
+    result.neighboursAlike = surface.memory.windowMm > 0;
     runParts(bands, {[&] { clear(result.jump); }, [&] { clear(result.crease); }});
     if (cracks != nullptr) {
         for (Grid<float>* grid : {&cracks->jumpBeams, &cracks->jumpLines, &cracks->smoothed, &cracks->foldBeams, &cracks->foldLines})
             clear(*grid);
     }
     // Bands of lines, and work that runs in parallel with them.
+    FoldingCells folding(support.lines, support.beams);
     std::vector<std::function<void()>> parts;
     for (int band = 0; band < bands; ++band)
         parts.emplace_back([&, band] {
             const Band lines{firstLineOfBand(support.lines, bands, band), firstLineOfBand(support.lines, bands, band + 1)};
-            respond(surface, limits, lines, result, cracks);
+            respond(surface, limits, lines, result, cracks, settings.roughScans ? &folding : nullptr);
         });
     parts.emplace_back([&] { result.silhouettes = silhouetteCells(surface.inverse, surface.steps, limits); });
     parts.emplace_back([&] { result.border = borderCells(support); });
+    parts.emplace_back([&] { result.rim = voidRimCells(surface.inverse, surface.steps, limits, surface.withheld); });
     runParts(bands, parts);
     moveResponsesOffGaps(surface.inverse, result.jump, result.crease);
+    if (settings.roughScans) result.roughness = roughnessOf(folding, surface.steps, surface.spacingMm, result.crease);
+    if (result.roughness.rough) {
+        result.unweighed = result.crease;
+        weighFolds(result.roughness, result.crease);
+    }
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/edges/edgescan_plus/noise_memory.h"
 #include "core/edges/edgescan_plus/range_field.h"
+#include "core/edges/edgescan_plus/roughness.h"
 #include "core/edges/settings/settings.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/gap_filling/gap_filling.h"
@@ -11,11 +12,11 @@
 namespace edgescan::edges {
 
 /// The strength of jumps and creases per cell, before the decision. 1 = at the threshold; 0 where a neighbour is stronger or the cell was
-/// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseMm and straighten; if another setting changes, only
-/// decideDepthEdges() runs again.
+/// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseMm, straighten and roughScans; if another setting changes,
+/// only decideDepthEdges() runs again.
 struct DepthResponses {
     Grid<float> jump;                  ///< lines x beams
-    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave
+    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave; weighed if the scan is rough
     RangeNoise noise;                  ///< measured or typed, mm
     double jumpMm = 0;                 ///< J0, automatic or typed, mm
     NoiseScales scales;                ///< of the measured noise
@@ -24,6 +25,9 @@ struct DepthResponses {
     std::vector<std::uint32_t> border; ///< measured cells next to a void of more than 4 cells, ascending
     /// those of `border` and beyond that are near sides of an outline (core/edges/edgescan_plus/silhouettes.h), ascending
     std::vector<std::uint32_t> silhouettes;
+    Roughness roughness;            ///< nothing if the settings do not ask for it
+    Grid<float> unweighed;          ///< `crease` before it was weighed; empty unless the scan is rough
+    std::vector<std::uint32_t> rim; ///< those of `border` at an open void (core/edges/edgescan_plus/void_rim.h), ascending
 };
 
 struct DepthEdges {
@@ -40,7 +44,8 @@ struct DepthSurface {
     RangeNoise noise;
     double spacingMm = 0;
     NoiseScales scales;
-    MemoryNoise memory; ///< the noise if errors of neighbours are correlated; empty if it is not needed
+    MemoryNoise memory;                  ///< the noise if errors of neighbours are correlated; empty if it is not needed
+    std::vector<std::uint32_t> withheld; ///< cells left out by a filter or lost, ascending: not open voids
 };
 [[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten, int threads = 0, NoiseKind noise = NoiseKind::Measured);
 
@@ -74,8 +79,14 @@ struct DepthCracks {
 /// Lines x beams.
 [[nodiscard]] Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float low, int minimum);
 
-/// The silhouettes in chains of at least `minimum` cells, ascending; two cells at most two cells apart are linked.
-[[nodiscard]] std::vector<std::uint32_t> longSilhouettes(const DepthResponses& responses, int minimum);
+/// Edge cells of one class, ascending.
+struct ClassCells {
+    DepthEdge kind = DepthEdge::None;
+    std::vector<std::uint32_t> cells;
+};
+/// The requested classes that no threshold decides, in the order in which they take cells: silhouettes and the rims of open voids, both in
+/// chains of the minimum length (two cells at most two cells apart are linked), and data borders.
+[[nodiscard]] std::vector<ClassCells> edgesAtVoids(const DepthResponses& responses, const Settings& settings);
 
 /// Step 7: classes, hysteresis and minimum length. The result is the same for any number of threads (0: as many as make it faster).
 [[nodiscard]] DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& settings, int threads = 1);

@@ -37,6 +37,7 @@ struct DepthLimits {
     float reliefMm = 5;   ///< roughness of a surface, mm, measured across it; along a slanted beam it is longer; depthLimits(): 5 q
     bool noisy = false;   ///< straight lines at jumps use three cells instead of two (q > 1.5)
     int passes = 1;       ///< number of smoothing passes
+    bool turns = true;    ///< lines are not linked at steps at which the stepper turned
     RangeNoise noise;
     RangeNoise foldNoise; ///< the white noise that causes as large folds within the window as the scan's noise does
 

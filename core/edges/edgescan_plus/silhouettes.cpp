@@ -2,74 +2,32 @@
 #include "core/edges/edgescan_plus/silhouettes.h"
 
 #include "core/base/simd.h"
+#include "core/edges/edgescan_plus/surface_end.h"
 #include "core/scan/grid/marked_cells.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 
 namespace edgescan::edges {
 namespace {
 
-constexpr int kSide = 5;          // cells of a surface used for its slope
-constexpr int kFewest = 3;        // least number of these
-constexpr float kSure = 1;        // jump thresholds
-constexpr float kBend = 0.25F;    // tangent of the angle by which a surface may bend across the void
-constexpr float kGrazing = 2.75F; // tangent of 70 degrees
-constexpr int kBridged = 4;       // longest gap that step 1 may have filled, cells
+constexpr float kSure = 1;     // jump thresholds
+constexpr float kBend = 0.25F; // tangent of the angle by which a surface may bend across the void
+constexpr int kBridged = 4;    // longest gap that step 1 may have filled, cells
 
-// The cells of one line in beam order, or of one beam in line order.
-struct Way {
-    const InverseRange& inverse;
-    const AngularSteps& steps;
-    Along along;
-    int at;               // line or beam
-    int count;            // number of cells
-    bool bridged = false; ///< filled gaps are examined, too: a surface may end at them
-
-    [[nodiscard]] std::size_t cell(int n) const { return along == Along::Beams ? inverse.u.index(at, n) : inverse.u.index(n, at); }
-    [[nodiscard]] bool isVoid(int n) const {
-        const Support support = inverse.support[cell(n)];
-        return support == Support::Void || (bridged && support == Support::Filled);
-    }
-    [[nodiscard]] float u(int n) const { return inverse.u[cell(n)]; }
-    [[nodiscard]] float angle(int n) const { return along == Along::Beams ? steps.beam[static_cast<std::size_t>(n)] : steps.lineAt(n, at); }
-};
-
-// The surface that ends at a cell: its slope of u per cell towards the void; unknown if there are too few cells or a break.
-struct End {
-    float u = 0, slope = 0;
-    bool known = false;
-};
-End endAt(const Way& way, int n, int awayFromVoid, const DepthLimits& limits) {
-    End end{way.u(n)};
-    float sum = 0, weighted = 0;
-    int cells = 0;
-    for (; cells < kSide; ++cells) {
-        const int m = n + cells * awayFromVoid;
-        if (m < 0 || m >= way.count || way.isVoid(m)) break;
-        const float there = way.u(m);
-        const float before = cells == 0 ? there : way.u(m - awayFromVoid);
-        if (std::abs(1000 / there - 1000 / before) > limits.jumpAt(1000 / before)) break;
-        sum += there - end.u;
-        weighted += static_cast<float>(cells) * (there - end.u);
-    }
-    const auto count = static_cast<float>(cells);
-    const float middle = 0.5F * (count - 1);
-    end.known = cells >= kFewest;
-    if (end.known) end.slope = -(weighted - middle * sum) / (count * (count * count - 1) / 12);
-    return end;
+// The least distance in mm from the near to the far end of a void of `cells` at an outline.
+float leastBehindMm(float farMm, int cells, float angle, const DepthLimits& limits) {
+    return kSure * limits.jumpAt(farMm) + kBend * static_cast<float>(cells + 1) * angle * farMm;
 }
 
 // Whether the surface of `near` ends before the void of `cells` and the other surface is behind it.
-bool isOutline(const End& near, const End& far, int cells, float angle, const DepthLimits& limits) {
-    if (!near.known || !far.known || std::abs(near.slope) > kGrazing * near.u * angle) return false;
+bool isOutline(const SurfaceEnd& near, const SurfaceEnd& far, int cells, float angle, const DepthLimits& limits) {
+    if (!near.known || !far.known || near.slants(angle)) return false;
     const auto steps = static_cast<float>(cells + 1);
     const float continued = near.u + steps * near.slope; // next to the far end
     const float backwards = far.u + steps * far.slope;   // next to the near end
     if (continued <= 0) return false;
     const float farMm = 1000 / far.u;
-    const float least = kSure * limits.jumpAt(farMm) + kBend * steps * angle * farMm;
+    const float least = leastBehindMm(farMm, cells, angle, limits);
     const bool behind = farMm - 1000 / near.u > least && farMm - 1000 / continued > least;
     return behind && (backwards <= 0 || 1000 / backwards - 1000 / near.u > least);
 }
@@ -79,8 +37,12 @@ void lookAtVoid(const Way& way, int before, int after, const DepthLimits& limits
     const bool first = way.u(before) >= way.u(after);
     const int at = first ? before : after;
     if (way.inverse.support[way.cell(at)] != Support::Measured) return;
-    const End near = endAt(way, at, first ? -1 : 1, limits);
-    const End far = endAt(way, first ? after : before, first ? 1 : -1, limits);
+    // Most gaps are on one surface: what isOutline() asks of the two ranges alone comes before the lines are fitted.
+    const int behind = first ? after : before;
+    const float farMm = 1000 / way.u(behind);
+    if (!(farMm - 1000 / way.u(at) > leastBehindMm(farMm, after - before - 1, way.angle(at), limits))) return;
+    const SurfaceEnd near = surfaceEnd(way, at, first ? -1 : 1, limits);
+    const SurfaceEnd far = surfaceEnd(way, behind, first ? 1 : -1, limits);
     if (isOutline(near, far, after - before - 1, way.angle(at), limits)) marked[way.cell(at)] = 1;
 }
 

@@ -88,6 +88,8 @@ void SurfaceLines::findCracks(int line) {
         crackJumps(field, Along::Lines, line, anglesOf(steps_, Along::Lines, line, work_.angles), slips_, limits_, crackLines_);
         surfaceLinks(field, crackBeams_, Along::Beams, line, slips_, linkBeams_);
         surfaceLinks(field, crackLines_, Along::Lines, line, slips_, linkLines_);
+        const bool turned = limits_.turns && !slips_.turned.empty() && slips_.turned[static_cast<std::size_t>(line)] != 0;
+        if (turned) std::fill_n(linkLines_.line(line) - 1, linkLines_.beams + 2, std::uint8_t{0});
     }
     if (isInside(line)) {
         jumpsOnNearerCells(field, crackBeams_, Along::Beams, line, jumpBeams_);

@@ -24,8 +24,8 @@ bool isDepth(const Why& why) { return why.depth.has_value(); }
 std::string inUnit(const Why& why, double value) { return number(value) + (isDepth(why) ? "" : std::string(" ") + why.unit); }
 
 const char* kindName(DepthEdge kind) {
-    static constexpr std::array<const char*, kDepthEdges> kNames{"edge",         "jump",        "convex fold",
-                                                                 "concave fold", "data border", "outline before a void"};
+    static constexpr std::array<const char*, kDepthEdges> kNames{
+        "edge", "jump", "convex fold", "concave fold", "data border", "outline before a void", "void rim"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -58,13 +58,13 @@ const DepthStepAtCell* stepOfNeighbour(const Why& why) {
 std::string reasonOfNone(const Why& why, const Settings& settings, const std::string& strength, const Thresholds& thresholds) {
     const bool lost = why.suppressedBy && (why.strength > why.lower || why.strength == 0);
     if (lost)
-        return place(*why.suppressedBy) + " beside it is " + (why.suppressedBy->strength > why.strength ? "stronger (" : "as strong (") +
+        return place(*why.suppressedBy) + " next to it is " + (why.suppressedBy->strength > why.strength ? "stronger (" : "as strong (") +
                inUnit(why, why.suppressedBy->strength) + "), and an edge is one cell wide";
     if (const DepthStepAtCell* step = stepOfNeighbour(why))
         return "the step of " + whole(step->stepMm) + " mm belongs to " + place(step->line, step->beam) + ", which is the nearer cell";
     if (why.level == StrengthLevel::Below) {
-        const std::string text = strength + (why.strength < why.lower ? " is below " : " is no more than ") + thresholds.lower;
-        return why.suppressedBy ? text + ", and " + place(*why.suppressedBy) + " beside it is stronger" : text;
+        const std::string text = strength + (why.strength < why.lower ? " is below " : " does not exceed ") + thresholds.lower;
+        return why.suppressedBy ? text + ", and " + place(*why.suppressedBy) + " next to it is stronger" : text;
     }
     if (why.chain.empty())
         return strength + " is above " + thresholds.lower + ", but no chain of such cells leads to one above " + thresholds.upper;
@@ -73,16 +73,17 @@ std::string reasonOfNone(const Why& why, const Settings& settings, const std::st
 }
 
 std::string reason(const Why& why, const Settings& settings, Naming naming) {
-    if (!why.takesPart) return why.probe.state == CellState::Valid ? "it stands alone and takes no part" : "it has no range";
+    if (!why.takesPart) return why.probe.state == CellState::Valid ? "it is a single cell and takes no part" : "it has no range";
     const std::string strength = isDepth(why) && why.kind != DepthEdge::None
                                      ? "the strength " + number(why.strength) + " of its " + kindName(why.kind)
                                      : "its strength " + inUnit(why, why.strength);
     const Thresholds thresholds = thresholdNames(why, settings, naming);
     if (!why.probe.edge) return reasonOfNone(why, settings, strength, thresholds);
     if (hasOneThreshold(settings.method)) return strength + " is above " + thresholds.upper;
-    if (why.probe.kind == DepthEdge::Border) return "it lies beside missing data, and such borders are wanted as a class of their own";
+    if (why.probe.kind == DepthEdge::Border) return "it is next to missing data, and such borders are a class that was chosen";
     if (why.probe.kind == DepthEdge::Silhouette)
-        return "the surface ends here before missing data, and what lies behind them is farther away";
+        return "the surface ends here before missing data, and what is behind them is farther away";
+    if (why.probe.kind == DepthEdge::VoidRim) return "the surface ends here at an open void, from which nothing came back";
     if (why.level == StrengthLevel::Above) return strength + " is above " + thresholds.upper;
     if (why.chain.size() > 1)
         return strength + " is above " + thresholds.lower + ", and " + std::to_string(why.chain.size() - 1) +
@@ -112,22 +113,30 @@ std::string foldText(const Why& why, const FoldAtCell& fold) {
     return text + ": strength " + number(fold.strength) + ".";
 }
 
+std::string roughText(const Judgement::RoughAround& rough) {
+    std::string text = "Rough scan: " + whole(100 * rough.share) + " % of what is within 15 degrees folds";
+    return text +
+           (rough.factor > 1 ? ", so a fold must be " + number(rough.factor) + " times as strong here." : "; a fold counts as elsewhere.");
+}
+
 // The measurements of the surface at the cell, one per line.
 std::string depthText(const Why& why) {
     const DepthProbe& depth = *why.depth;
     std::string text;
     if (depth.support == Support::Filled)
-        text += "\nNo range of its own: the gap is filled from both sides, and edges go round it by the cells beside it.";
+        text += "\nNo range of its own: the gap is filled from both sides, and edges go round it by the cells next to it.";
     if (depth.support == Support::RequestedFill)
         text += "\nNo range of its own: the gap was filled on request, and its cells take part like measured ones.";
-    if (why.movedFromGap) text += "\nThe edge of a cell without a range beside it goes round by this one.";
-    if (depth.support == Support::Void) text += "\nNothing is known here: no step and no fold is measured beside missing data.";
+    if (why.movedFromGap) text += "\nThe edge of a cell without a range next to it goes round by this one.";
+    if (depth.support == Support::Void) text += "\nNothing is known here: no step and no fold is measured next to missing data.";
     if (depth.snappedMm) text += "\nMixed pixel: taken at " + number(*depth.snappedMm / 1000) + " m, on the closer of two surfaces.";
     const DepthStepAtCell* decisive = stepOfNeighbour(why);
     if (!depth.steps.empty()) text += "\n" + stepText(why, decisive != nullptr ? *decisive : depth.steps.front());
     if (!depth.folds.empty()) text += "\n" + foldText(why, depth.folds.front());
-    if (depth.folds.size() > 1 && std::abs(depth.crease.before) > 1.005F * static_cast<float>(depth.folds.front().strength))
-        text += " Together with the other way " + number(static_cast<double>(std::abs(depth.crease.before))) + ".";
+    const double together = static_cast<double>(std::abs(depth.crease.before)) * (why.rough ? why.rough->factor : 1.0);
+    if (depth.folds.size() > 1 && together > 1.005 * depth.folds.front().strength)
+        text += " Together with the other way " + number(together) + ".";
+    if (why.rough && !depth.folds.empty()) text += "\n" + roughText(*why.rough);
     if (depth.support != Support::Void) {
         text += "\nRange noise used: sigma " + number(depth.noiseMm) + " mm here, " + number(depth.noiseAt5mMm) + " mm at 5 m.";
         if (depth.foldNoiseMm != depth.noiseMm)

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace edgescan::edges {
@@ -20,17 +23,49 @@ constexpr double kSmallestRatio = 5.0;      // far / near: a wall seen at 75 deg
 constexpr double kFractionsOfMm = 1024.0;   // limits of levels are rounded to this fraction, so that every libm gives the same mask
 constexpr std::size_t kTableMm = 1U << 17U; // ranges up to this are looked up in a table instead of searched
 
-// 1 % and 99 % of the valid ranges, at least a factor kSmallestRatio apart.
-GrayScale logScale(const Scan& scan) {
+// The number of valid cells of each whole millimetre; empty if a range is no whole millimetre or kTableMm and more.
+using Counts = std::vector<std::uint32_t>;
+Counts countsOf(const Scan& scan) {
+    std::array<Counts, 2> counts; // neighbours often have the same range: their additions do not wait for each other
+    counts.fill(Counts(kTableMm));
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] != CellState::Valid) continue;
+        const float range = scan.rangeMm[k];
+        if (!(range >= 0 && range < static_cast<float>(kTableMm))) return {};
+        const auto mm = static_cast<std::uint32_t>(range);
+        if (static_cast<float>(mm) != range) return {};
+        ++counts[k % 2][mm];
+    }
+    for (std::size_t mm = 0; mm < kTableMm; ++mm) counts[0][mm] += counts[1][mm];
+    return std::move(counts[0]);
+}
+
+// The ranges that kTrimmedShare of all valid ranges above 0 are below and above of, mm; 0 if there are none.
+std::array<double, 2> trimmedRanges(const Scan& scan, const Counts& counts) {
+    const auto trimmed = [](std::size_t all) { return static_cast<std::size_t>(kTrimmedShare * static_cast<double>(all - 1)); };
+    if (!counts.empty()) {
+        const std::size_t all = std::accumulate(counts.begin() + 1, counts.end(), std::size_t{0});
+        const auto nth = [&](std::size_t n) {
+            std::size_t mm = 1, upTo = counts[1];
+            while (upTo <= n) upTo += counts[++mm];
+            return static_cast<double>(mm);
+        };
+        if (all == 0) return {};
+        return {nth(trimmed(all)), nth(all - 1 - trimmed(all))};
+    }
     std::vector<float> ranges;
     ranges.reserve(scan.cells());
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         if (scan.state[k] == CellState::Valid && scan.rangeMm[k] > 0) ranges.push_back(scan.rangeMm[k]);
     }
     if (ranges.empty()) return {};
-    const auto trimmed = static_cast<std::size_t>(kTrimmedShare * static_cast<double>(ranges.size() - 1));
-    double nearMm = nthSmallest(ranges, trimmed);
-    double farMm = nthSmallest(ranges, ranges.size() - 1 - trimmed);
+    return {nthSmallest(ranges, trimmed(ranges.size())), nthSmallest(ranges, ranges.size() - 1 - trimmed(ranges.size()))};
+}
+
+// 1 % and 99 % of the valid ranges, at least a factor kSmallestRatio apart.
+GrayScale logScale(const Scan& scan, const Counts& counts) {
+    auto [nearMm, farMm] = trimmedRanges(scan, counts);
+    if (nearMm == 0) return {};
     if (farMm < nearMm * kSmallestRatio) {
         const double middle = std::sqrt(nearMm * farMm);
         nearMm = middle / std::sqrt(kSmallestRatio);
@@ -84,28 +119,40 @@ void fillLevels(GrayImage& gray, const Scan& scan, LevelOf levelOf) {
     }
 }
 
-void fillLogLevels(GrayImage& gray, const Scan& scan) {
+// Whole millimetres are looked up, other ranges are searched among the limits.
+void fillLogLevels(GrayImage& gray, const Scan& scan, const Counts& counts) {
     const std::array<double, 255> limits = logLimits(gray.scale);
     const auto search = [&](double range) {
         return static_cast<std::uint8_t>(std::upper_bound(limits.begin(), limits.end(), range) - limits.begin());
     };
-    std::vector<std::uint8_t> table(static_cast<std::size_t>(std::min(static_cast<double>(kTableMm), gray.scale.farMm + 2)));
-    for (std::size_t mm = 0; mm < table.size(); ++mm) table[mm] = search(static_cast<double>(mm));
-    const auto tabled = static_cast<double>(table.size());
-    fillLevels(gray, scan, [&](double range) {
-        if (!(range >= 0 && range < tabled)) return search(range);
-        const auto mm = static_cast<std::uint32_t>(range);
-        return static_cast<double>(mm) == range ? table[mm] : search(range);
-    });
+    std::vector<std::uint8_t> table(kTableMm);
+    std::size_t mm = 0;
+    for (std::size_t level = 0; level < limits.size(); ++level) {
+        for (; mm < kTableMm && static_cast<double>(mm) < limits[level]; ++mm) table[mm] = static_cast<std::uint8_t>(level);
+    }
+    std::fill(table.begin() + static_cast<std::ptrdiff_t>(mm), table.end(), std::uint8_t{255});
+    if (counts.empty()) {
+        fillLevels(gray, scan, [&](double range) {
+            if (!(range >= 0 && range < static_cast<double>(kTableMm))) return search(range);
+            const auto whole = static_cast<std::uint32_t>(range);
+            return static_cast<double>(whole) == range ? table[whole] : search(range);
+        });
+        return;
+    }
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        if (scan.state[k] == CellState::Valid) gray.levels[k] = table[static_cast<std::uint32_t>(scan.rangeMm[k])];
+    }
+    for (std::size_t range = 0; range < kTableMm; ++range) {
+        const auto here = static_cast<double>(range);
+        if (here < gray.scale.nearMm || here > gray.scale.farMm) gray.saturated += counts[range];
+    }
 }
 
-} // namespace
-
-GrayScale grayScale(const Scan& scan, const Settings& settings) {
+GrayScale scaleOf(const Scan& scan, const Settings& settings, const Counts& counts) {
     const bool logarithmic = settings.scaling == Scaling::Log;
     GrayScale scale;
     if (logarithmic) {
-        scale = logScale(scan);
+        scale = logScale(scan, counts);
     } else {
         const RangeLimits limits = rangeLimits(scan);
         scale = {limits.minMm, limits.maxMm, false};
@@ -119,16 +166,21 @@ GrayScale grayScale(const Scan& scan, const Settings& settings) {
     return scale;
 }
 
+} // namespace
+
+GrayScale grayScale(const Scan& scan, const Settings& settings) { return scaleOf(scan, settings, {}); }
+
 LinearLevels linearLevels(const GrayScale& scale) { return {kLevels / (scale.farMm - scale.nearMm), scale.nearMm, scale.farMm}; }
 
 GrayImage grayImage(const Scan& scan, const Settings& settings) {
-    GrayImage gray{Grid<std::uint8_t>(scan.lines(), scan.beams()), grayScale(scan, settings), 0};
+    const Counts counts = settings.scaling == Scaling::Log ? countsOf(scan) : Counts{};
+    GrayImage gray{Grid<std::uint8_t>(scan.lines(), scan.beams()), scaleOf(scan, settings, counts), 0};
     if (gray.scale.farMm <= gray.scale.nearMm) { // all ranges are equal, or a typed limit is beyond the other: no depth, all levels 0
         fillLevels(gray, scan, [](double) { return std::uint8_t{0}; });
         return gray;
     }
     if (settings.scaling == Scaling::Log) {
-        fillLogLevels(gray, scan);
+        fillLogLevels(gray, scan, counts);
         return gray;
     }
     if (settings.scaling == Scaling::Thesis) {

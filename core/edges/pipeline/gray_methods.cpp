@@ -117,17 +117,17 @@ Grid<float> cannyResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint
 }
 
 const Decision kCannyDecision{
-    "canny", cannyEdges, [](const Detection& detection) { return cannyThresholdMap(cannyGradient(detection), detection.settings); },
+    "canny", cannyEdges, [](const Detection& detection, double) { return cannyThresholdMap(cannyGradient(detection), detection.settings); },
     [](const Detection& detection, std::size_t k) { return cannyThresholdAt(cannyGradient(detection), detection.settings, k); },
     judgeCanny};
 
 const Decision kLogRangeDecision{
     "log range", [](const Detection& detection) { return FoundEdges{logRangeEdges(*detection.scan, detection.settings)}; },
-    [](const Detection& detection) { return logRangeThresholdMap(*detection.scan, detection.settings); },
+    [](const Detection& detection, double) { return logRangeThresholdMap(*detection.scan, detection.settings); },
     [](const Detection& detection, std::size_t k) { return logRangeThresholdAt(*detection.scan, detection.settings, k); }, judgeLogRange};
 
 const Decision kDetectorDecision{
-    "detector", detectorEdges, [](const Detection& detection) { return responseThresholdMap(responseOf(detection)); },
+    "detector", detectorEdges, [](const Detection& detection, double) { return responseThresholdMap(responseOf(detection)); },
     [](const Detection& detection, std::size_t k) { return responseThresholdAt(responseOf(detection), k); }, judgeDetector};
 
 } // namespace edgescan::edges

@@ -22,6 +22,12 @@ struct Judgement {
     double upper = 0.0;
     std::optional<CellStrength> suppressedBy; ///< the stronger neighbour across the edge
     std::optional<DepthProbe> depth;          ///< measurements of EdgeScan+ and its parts only
+    /// on a rough scan: the share of the cells within 15 degrees that fold, and how many times as strong a fold must be here
+    struct RoughAround {
+        double share = 0.0;
+        double factor = 1.0;
+    };
+    std::optional<RoughAround> rough;
     bool movedFromGap = false;                ///< the response was moved here from a cell without a range next to it
     DepthEdge kind = DepthEdge::None;         ///< class of the strongest response among the requested classes, edge or not
     std::function<float(std::size_t)> linked; ///< suppressed strength of a cell, linked by the thresholds; empty if there is only one

@@ -17,8 +17,8 @@ struct FoundEdges {
 struct Decision {
     const char* stage; ///< name of the stage in the timings
     FoundEdges (*edges)(const Detection& detection);
-    /// The map for all values of sweptParameter(), with all other settings unchanged. Costs as much as the edges.
-    ThresholdMap (*thresholds)(const Detection& detection);
+    /// The map for all values of sweptParameter() from `least` on, with all other settings unchanged. Costs as much as the edges.
+    ThresholdMap (*thresholds)(const Detection& detection, double least);
     /// The value of the map at one cell, without the memory for the map.
     double (*threshold)(const Detection& detection, std::size_t k);
     Judgement (*judge)(const Detection& detection, std::size_t k);
@@ -40,9 +40,10 @@ extern const Decision kCannyDecision, kLogRangeDecision, kDetectorDecision, kSur
 /// The gradient to which Canny applies suppression, as a response.
 [[nodiscard]] Grid<float> cannyResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
 
-/// The threshold map of a detection's method, with all other settings unchanged. Costs as much as a run of the method.
-[[nodiscard]] inline ThresholdMap thresholdMapOf(const Detection& detection) {
-    return rowOf(detection.settings.method).decision.thresholds(detection);
+/// The threshold map of a detection's method, with all other settings unchanged. Costs as much as a run of the method. Below `least` its
+/// values may be those of cells that are never an edge.
+[[nodiscard]] inline ThresholdMap thresholdMapOf(const Detection& detection, double least = 0.0) {
+    return rowOf(detection.settings.method).decision.thresholds(detection, least);
 }
 
 } // namespace edgescan::edges

@@ -134,9 +134,9 @@ Result<double> lowerOfStep(const TypedStep& step, const Settings& settings, cons
     const Parameter& parameter = *findParameter("lower");
     const StepGain gain = stepGain(settings);
     if (gain.straight <= 0)
-        return Error{"this method has no gray levels, so a depth is no threshold of it", "--lower", "choose a method such as canny"};
+        return Error{"this method has no gray levels, so its threshold is not a depth", "--lower", "choose a method such as canny"};
     if (scale.farMm <= scale.nearMm)
-        return Error{"the scan has no depth, so no threshold stands for one", "--lower", "give the threshold as a plain number"};
+        return Error{"the scan has no depth, so no threshold corresponds to one", "--lower", "give the threshold as a plain number"};
     if (step.percent && !scale.logarithmic)
         return Error{"a share of the range has one threshold only in logarithmic gray levels", "--lower", "give metres, or --scaling log"};
     double levels = 0;

@@ -16,26 +16,22 @@ FoundEdges surfaceEdges(const Detection& detection) {
     return {std::move(found.mask), std::move(found.kind)};
 }
 
-ThresholdMap surfaceThresholds(const Detection& detection) {
+ThresholdMap surfaceThresholds(const Detection& detection, double least) {
     const Settings& settings = detection.settings;
     const DepthResponses& responses = *detection.responses;
     ThresholdMap map =
-        linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength);
-    const auto always = [&map](const std::vector<std::uint32_t>& cells) {
-        for (const std::uint32_t k : cells) map.highest[k] = std::numeric_limits<double>::infinity();
-    };
-    if (wants(settings, kClassBorder)) always(responses.border);
-    if (wants(settings, kClassSilhouette)) always(longSilhouettes(responses, settings.minimumLength));
+        linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength, least);
+    for (const ClassCells& edges : edgesAtVoids(responses, settings)) {
+        for (const std::uint32_t k : edges.cells) map.highest[k] = std::numeric_limits<double>::infinity();
+    }
     return map;
 }
 
 double surfaceThreshold(const Detection& detection, std::size_t k) {
     const Settings& settings = detection.settings;
     const DepthResponses& responses = *detection.responses;
-    const auto has = [k](const std::vector<std::uint32_t>& cells) { return std::ranges::find(cells, k) != cells.end(); };
-    if ((wants(settings, kClassBorder) && has(responses.border)) ||
-        (wants(settings, kClassSilhouette) && has(longSilhouettes(responses, settings.minimumLength))))
-        return std::numeric_limits<double>::infinity();
+    const auto has = [k](const ClassCells& edges) { return std::ranges::binary_search(edges.cells, k); };
+    if (std::ranges::any_of(edgesAtVoids(responses, settings), has)) return std::numeric_limits<double>::infinity();
     return linkedThresholdAt(
         responses.jump.lines, responses.jump.beams, [&](std::size_t n) { return requestedStrengthAt(responses, settings, n); },
         settings.hysteresisPercent / 100.0, settings.minimumLength, k);
@@ -52,6 +48,15 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
     found.upper = settings.sensitivity;
     found.lower = settings.sensitivity * (settings.hysteresisPercent / 100.0);
     found.depth = probeDepth(*detection.scan, settings, static_cast<int>(k / beams), static_cast<int>(k % beams), filling);
+    if (const Roughness& roughness = responses.roughness; roughness.rough && found.takesPart) {
+        const int line = static_cast<int>(k / beams), beam = static_cast<int>(k % beams);
+        const float factor = roughness.factorAt(line, beam);
+        found.rough = {static_cast<double>(roughness.aroundAt(line, beam)), static_cast<double>(factor)};
+        found.depth->crease.before /= factor;
+        found.depth->crease.after /= factor;
+        if (auto& stronger = found.depth->crease.stronger)
+            stronger->strength /= static_cast<double>(roughness.factorAt(stronger->line, stronger->beam));
+    }
     const ThinnedStrength& jump = found.depth->jump;
     const ThinnedStrength& crease = found.depth->crease;
     // The response after suppression decides if it is strong enough; otherwise the larger of the responses before suppression.

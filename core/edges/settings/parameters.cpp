@@ -18,7 +18,8 @@ const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
                                    {kClassConvex, "convex", "convex"},
                                    {kClassConcave, "concave", "concave"},
                                    {kClassBorder, "border", "data border"},
-                                   {kClassSilhouette, "silhouette", "outline before a void"}};
+                                   {kClassSilhouette, "silhouette", "outline before a void"},
+                                   {kClassVoidRim, "rim", "void rim"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
 const std::vector<Choice> kScalings{
     {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
@@ -73,21 +74,25 @@ const std::vector<Parameter>& table() {
          15, 90, 1, 0, EDGESCAN_NUMBER(Settings, creaseDeg), 90, kNoAuto, !kAdvanced, {}, !kSeveral, readers<kReadsCreases>, Stage::Responses},
         {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
          1, 50, 1, 0, EDGESCAN_NUMBER(Settings, minimumLength), 50, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Edges},
-        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), and the near side of a void with something farther behind it; and, which is no edge of a rock, where the data end.",
-         0, 31, 1, 0, EDGESCAN_NUMBER(Settings, classes), 31, kNoAuto, !kAdvanced, kClasses, kSeveral, readers<kReadsClasses>, Stage::Edges},
+        {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.",
+         0, 63, 1, 0, EDGESCAN_NUMBER(Settings, classes), 63, kNoAuto, !kAdvanced, kClasses, kSeveral, readers<kReadsClasses>, Stage::Edges},
         {"hysteresis-low", "Hysteresis low", "% of high", "Weaker cells of this strength are edges where they continue a strong one.",
          30, 100, 1, 0, EDGESCAN_NUMBER(Settings, hysteresisPercent), 100, kNoAuto, kAdvanced, {}, !kSeveral, surface, Stage::Edges},
         {"grazing", "Grazing tolerance", "steps", "How far out of place a beam may be before a grazing surface shows a jump: 0.1 for a motor sweep, 1 for interlaced beams.",
          0, 2, 0.05, 2, EDGESCAN_NUMBER(Settings, grazing), 2, kNoAuto, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"slips", "Allow for slips", "", "Beams interlaced from two passes and lines at which the stepper slipped are recognised and taken into account.",
          0, 1, 1, 0, EDGESCAN_NUMBER(Settings, straighten), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, surface, Stage::Surface},
+        {"turns", "Allow for turns", "", "At the first and last lines of a sweep a stepper may still swing back, so that every surface seems to fold there; such folds are left out.",
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, turns), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, surface, Stage::Responses},
         {"noise", "Range noise at 5 m", "mm", "Sigma of the ranges at 5 m; auto measures it in the scan.",
          1, 30, 0.25, 2, EDGESCAN_NUMBER(Settings, noiseMm), 30, [](const Settings&, const Measured& m) { return m.noiseMm; }, kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"noise-kind", "Noise from cell to cell", "", "Whether each cell errs for itself, as with a laser, or neighbours err alike, as with a depth camera whose depth comes in steps: folds then have to exceed what such steps look like.",
          0, 2, 1, 0, EDGESCAN_NUMBER(Settings, noiseKind), 2, kNoAuto, kAdvanced, kNoiseKinds, !kSeveral, surface, Stage::Surface},
+        {"rough-scans", "Rough scans", "", "Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.",
+         0, 1, 1, 0, EDGESCAN_NUMBER(Settings, roughScans), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, readers<kReadsCreases>, Stage::Responses},
         {"fill", "Fill gaps", "cells", "Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.",
          0, 20, 1, 0, EDGESCAN_NUMBER(Settings, fillCells), 20, kNoAuto, kAdvanced, {}, !kSeveral, always, Stage::Surface},
-        {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that nobody measured.",
+        {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that no beam measured.",
          0, 1, 1, 0, EDGESCAN_NUMBER(Settings, fillEdges), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, fillEdges, Stage::Surface},
         {"lower", "Lower threshold", "levels", "A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.",
          0, 20000, 1, 1, EDGESCAN_NUMBER(Settings, lower), 340, kNoAuto, !kAdvanced, {}, !kSeveral, gray, Stage::Threshold},
@@ -113,7 +118,7 @@ const std::vector<Parameter>& table() {
          3, 7, 2, 0, EDGESCAN_NUMBER(Settings, aperture), 7, kNoAuto, kAdvanced, kApertures, !kSeveral, twoThresholds, Stage::Edges},
         {"norm", "Gradient norm", "", "How the two gradient components become one magnitude.",
          0, 1, 1, 0, EDGESCAN_NUMBER(Settings, norm), 1, kNoAuto, kAdvanced, kNorms, !kSeveral, readers<kReadsNorm>, Stage::Edges},
-        {"log-mask", "Laplacian mask", "", "Which mask stands for the Laplacian of Gaussian.",
+        {"log-mask", "Laplacian mask", "", "Which mask approximates the Laplacian of Gaussian.",
          0, 2, 1, 0, EDGESCAN_NUMBER(Settings, logMask), 2, kNoAuto, !kAdvanced, kLogMasks, !kSeveral, readers<kReadsLaplacianMask>, Stage::Edges},
     };
     return rows;
@@ -165,7 +170,7 @@ Result<double> parseSet(const Parameter& parameter, std::string_view text) {
         const auto found = std::ranges::find_if(parameter.choices, [&](const Choice& c) { return name == c.name; });
         if (found == parameter.choices.end()) {
             return Error{"\"" + std::string(name) + "\" is not one of " + choiceNames(parameter), flag(parameter),
-                         "give one or several of these, separated by commas, or all or none"};
+                         "give all, none, or one or several of these, separated by commas"};
         }
         set |= static_cast<int>(found->value);
         if (name.size() == rest.size()) return set;

@@ -27,7 +27,35 @@ Settings withoutMask(Scaling scaling) {
     return settings;
 }
 
+Settings smoothWalls() {
+    Settings settings;
+    settings.growthPercent = 0.3;
+    return settings;
+}
+
 } // namespace
+
+Settings defaultSettings(int version) {
+    Settings settings;
+    if (version >= 4) return settings;
+    settings.classes = kClassRock;
+    settings.minimumLength = 5;
+    settings.roughScans = false;
+    settings.turns = false;
+    return settings;
+}
+
+nlohmann::json settingsOfRecord(nlohmann::json settings, int version) {
+    if (!settings.is_object()) return settings;
+    constexpr int kAllBefore4 = kClassRock | kClassBorder;
+    if (version < 4 && settings.value("classes", nlohmann::json()) == "all")
+        settings["classes"] = formatValue(*findParameter("classes"), kAllBefore4);
+    const nlohmann::json usual = settingsToJson(defaultSettings(version));
+    for (const auto& [key, value] : usual.items()) {
+        if (!settings.contains(key)) settings[key] = value;
+    }
+    return settings;
+}
 
 Settings cannySettings() {
     Settings settings;
@@ -48,6 +76,12 @@ std::span<const Preset> builtInPresets() {
          {}},
         {"thesis", "The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.", withoutMask(Scaling::Thesis), {}},
         {"window", "As the thesis, but the gray levels run from the nearest to the farthest range.", withoutMask(Scaling::Window), {}},
+        {"smooth-walls", "As default, for flat and quiet surfaces: low steps are edges far away too.", smoothWalls(), {}},
+        {"default-3",
+         "The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as "
+         "any other.",
+         defaultSettings(3),
+         {}},
     };
     return presets;
 }

@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/edges/settings/settings.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <span>
 #include <string>
 #include <vector>
@@ -21,7 +23,7 @@ struct Preset {
 /// method.
 [[nodiscard]] Settings cannySettings();
 
-/// "default" first, then "log", "thesis" and "window" (docs/method/edges.md, "Gray levels and presets").
+/// "default" first, then "log", "thesis", "window", "smooth-walls" and "default-3" (docs/method/edges.md, "Gray levels and presets").
 [[nodiscard]] std::span<const Preset> builtInPresets();
 
 /// Name and version of the default settings; the version increases if a default changes. docs/reference/rules.md, "S19".
@@ -29,7 +31,14 @@ struct DefaultSet {
     const char* name;
     int version;
 };
-inline constexpr DefaultSet kDefaultSet{"default", 3};
+inline constexpr DefaultSet kDefaultSet{"default", 4};
+
+/// The default settings of a version. All versions before 4 give version 3, the first ones that are stored here.
+[[nodiscard]] Settings defaultSettings(int version);
+
+/// The settings that a record with this version of the default set holds, in the words of today: every key, and "all" as the classes of
+/// that time.
+[[nodiscard]] nlohmann::json settingsOfRecord(nlohmann::json settings, int version);
 
 /// Keys of the parameters that differ from the defaults and that the method of `settings` reads, in the table's order.
 [[nodiscard]] std::vector<std::string> changedFromDefault(const Settings& settings);

@@ -45,8 +45,8 @@ enum class LogMask : std::uint8_t {
 };
 
 /// The classes of edges that EdgeScan+ distinguishes.
-enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4, Silhouette = 5 };
-inline constexpr int kDepthEdges = 6; // including None
+enum class DepthEdge : std::uint8_t { None = 0, Jump = 1, Convex = 2, Concave = 3, Border = 4, Silhouette = 5, VoidRim = 6 };
+inline constexpr int kDepthEdges = 7; // including None
 
 /// The same as bits of Settings::classes.
 enum EdgeClassBits : std::uint8_t {
@@ -55,6 +55,7 @@ enum EdgeClassBits : std::uint8_t {
     kClassConcave = 4,
     kClassBorder = 8,
     kClassSilhouette = 16,
+    kClassVoidRim = 32,
     kClassRock = kClassJump | kClassConvex | kClassConcave | kClassSilhouette,
 };
 
@@ -69,17 +70,19 @@ struct Settings {
     Method method = Method::EdgeScanPlus;
 
     // EdgeScan+ and its parts (docs/method/edges.md, "Sliders")
-    double sensitivity = 1.0;        ///< high threshold of the hysteresis, as a factor
-    double jumpMm = kAutomatic;      ///< J0: smallest jump, mm; automatic: from the noise
-    double growthPercent = 1.0;      ///< p: added to J0, % of the range
-    double creaseDeg = 30.0;         ///< C0: smallest fold, degrees
-    int minimumLength = 5;           ///< cells of the shortest chain
-    int classes = kClassRock;        ///< EdgeClassBits
-    double hysteresisPercent = 70.0; ///< low threshold, % of the high one
-    double grazing = 0.1;            ///< g: displacement, in index steps, that is tolerated on a grazing surface
-    bool straighten = true;          ///< correct interlaced beams and slipped lines
-    double noiseMm = kAutomatic;     ///< range noise sigma at 5 m, mm; automatic = measured
+    double sensitivity = 1.0;                 ///< high threshold of the hysteresis, as a factor
+    double jumpMm = kAutomatic;               ///< J0: smallest jump, mm; automatic: from the noise
+    double growthPercent = 1.0;               ///< p: added to J0, % of the range
+    double creaseDeg = 30.0;                  ///< C0: smallest fold, degrees
+    int minimumLength = 4;                    ///< cells of the shortest chain
+    int classes = kClassRock | kClassVoidRim; ///< EdgeClassBits
+    double hysteresisPercent = 70.0;          ///< low threshold, % of the high one
+    double grazing = 0.1;                     ///< g: displacement, in index steps, that is tolerated on a grazing surface
+    bool straighten = true;                   ///< correct interlaced beams and slipped lines
+    double noiseMm = kAutomatic;              ///< range noise sigma at 5 m, mm; automatic = measured
     NoiseKind noiseKind = NoiseKind::Measured;
+    bool turns = true;      ///< allow for a stepper that turns at the ends of the sweep
+    bool roughScans = true; ///< on a scan of rough surfaces folds must exceed their surroundings
 
     // Gaps (docs/method/edges.md, "Gaps")
     int fillCells = 0;      ///< shorter side of the gaps to fill, cells; 0: no filling

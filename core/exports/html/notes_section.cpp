@@ -97,7 +97,7 @@ std::string changeSection(const edges::Detection& now, const inspect::SceneChang
     if (change.earlier.how.outOfSpec) html += "<p class=\"warning\">&#9650; OUT OF SPEC: the warnings below say why.</p>\n";
     html +=
         "<p>Before: " + htmlText(earlier) +
-        ". Surfaces and edges that this scan shows otherwise; what lies hidden in one of the two is no change.</p>\n<pre id=\"change\">" +
+        ". Surfaces and edges that this scan shows otherwise; what is hidden in one of the two is not a change.</p>\n<pre id=\"change\">" +
         linesOf(inspect::changeText(*now.scan, change)) + "</pre>\n";
     const auto png = containers::pngRgbBytes(smaller(inspect::changePicture(*now.scan, change), mostPixels), "report");
     html += "<figure class=\"picture\">" + htmlImage(png ? *png : std::string(), "What changed, on the grid of this scan") +

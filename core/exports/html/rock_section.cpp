@@ -2,6 +2,7 @@
 #include "core/exports/html/rock_section.h"
 
 #include "core/base/number_text.h"
+#include "core/base/tolerance_text.h"
 #include "core/exports/html/html.h"
 #include "core/exports/html/picture_numbers.h"
 #include "core/exports/html/scan_pictures.h"
@@ -151,7 +152,8 @@ Json rockFaceData(const rocks::Study& study) {
     for (const rocks::Rock& rock : study.rocks)
         rocks.push_back({places[rock.label], isDoubtful(rock) ? 1 : 0,
                          "visible " + twoDecimals(rock.longestCaliperM) + " x " + twoDecimals(rock.shortestCaliperM) + " m, ± " +
-                             twoDecimals(rock.toleranceM) + ", at " + twoDecimals(rock.distanceM) + " m; " + rocks::kRockCaveat});
+                             twoDecimals(shownTolerance(rock.toleranceM, 2)) + ", at " + twoDecimals(rock.distanceM) + " m; " +
+                             rocks::kRockCaveat});
     return {{"colours", colours}, {"rocks", rocks}};
 }
 

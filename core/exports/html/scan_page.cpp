@@ -6,6 +6,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/tolerance_text.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
@@ -82,7 +83,7 @@ std::string uncertaintyText(const edges::Detection& detection) {
     constexpr double kNearM = 5, kFarM = 10;
     const RangeNoise noise = inspect::noiseOf(detection);
     const auto twice = [&](double atM) {
-        return fixedText(inspect::kReportedSigmas * noise.at(atM), 0) + " mm at " + fixedText(atM, 0) + " m";
+        return fixedText(shownTolerance(inspect::kReportedSigmas * noise.at(atM), 0), 0) + " mm at " + fixedText(atM, 0) + " m";
     };
     return "ranges ± " + twice(kNearM) + ", ± " + twice(kFarM) + " (two standard deviations)" +
            (detection.scan->placement ? "; the pose does not say its own" : "");
@@ -103,6 +104,7 @@ std::string factsOf(const edges::Detection& detection, const Json& record, const
     const auto valid = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
     const auto edges = static_cast<double>(detection.edges->size());
     std::string facts = "<h2>What, when, where, by whom</h2>\n<dl class=\"facts\">\n";
+    if (!words.site.empty()) facts += fact("Site", words.site);
     facts += fact("File", scan.path) + fact("Format", scan.format);
     facts += fact("Grid", std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams");
     facts += fact("Ranges", valid > 0 ? metres(limits.minMm) + " to " + metres(limits.maxMm) : "none was measured");
@@ -152,7 +154,8 @@ std::string cssColour(const Rgb& colour) {
 }
 
 std::string edgeLegend(const edges::Detection& detection) {
-    constexpr const char* kNames[]{"edge", "jump", "convex crease", "concave crease", "border of the data", "outline before a void"};
+    constexpr const char* kNames[]{"edge",    "jump", "convex crease", "concave crease", "border of the data", "outline before a void",
+                                   "void rim"};
     std::string html = "<div class=\"legend\">";
     const auto counts = edges::countClasses(detection);
     for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? std::size(kNames) : std::size_t{1}); ++kind) {
@@ -262,7 +265,33 @@ std::string dataOf(const edges::Detection& detection, const ViewPoints& view, co
     return "<script id=\"data\" type=\"application/json\">" + scriptJson(data) + "</script>\n";
 }
 
+/// The logo, at most 3 cm high.
+std::string headOf(const PageWords& words) {
+    return words.logoPng.empty() ? std::string() : "<p class=\"logo\">" + htmlImage(words.logoPng, "Logo") + "</p>\n";
+}
+
+/// What the author wrote, line by line.
+std::string remarkOf(const PageWords& words) {
+    if (words.remark.empty()) return {};
+    std::string html = "<h2>Remark</h2>\n<p>";
+    for (std::size_t from = 0; from <= words.remark.size();) {
+        const std::size_t end = std::min(words.remark.find('\n', from), words.remark.size());
+        html += (from == 0 ? "" : "<br>\n") + htmlText(words.remark.substr(from, end - from));
+        from = end + 1;
+    }
+    return html + "</p>\n";
+}
+
 } // namespace
+
+Result<std::string> logoFrom(std::string_view bytes, const std::string& path) {
+    constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
+    if (!bytes.starts_with(kPng)) return Error{"the logo is not a PNG picture", path, "save it as PNG"};
+    if (bytes.size() > kMostLogoBytes)
+        return Error{"the logo has " + std::to_string(bytes.size()) + " bytes; at most " + std::to_string(kMostLogoBytes) + " are taken",
+                     path, "make the picture smaller"};
+    return std::string(bytes);
+}
 
 std::string scanPage(const edges::Detection& detection, const PageWords& words, const PageNotes& notes) {
     const rocks::Study* const rocks = notes.rocks;
@@ -276,10 +305,10 @@ std::string scanPage(const edges::Detection& detection, const PageWords& words, 
     const ViewPoints view = viewPoints(detection, kMostPagePoints, kMostPageEdges, faces ? &*faces : nullptr);
     const std::string title = "Scan " + (scan.name.empty() ? scan.path : scan.name);
     std::string body =
-        "<main>\n<h1>" + htmlText(title) +
+        "<main>\n" + headOf(words) + "<h1>" + htmlText(title) +
         "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "
         "not measured.</p>\n";
-    body += warningsOf(record) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
+    body += warningsOf(record) + remarkOf(words) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
             (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook)) +
             (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces)) +
             (notes.change == nullptr ? std::string() : changeSection(detection, *notes.change, notes.earlier, kMostPagePixels)) +

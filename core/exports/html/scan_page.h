@@ -1,12 +1,14 @@
 // The report of a scan: one page with the measurements, the results, and how to make it again (docs/reference/report.md).
 #pragma once
 
+#include "core/base/result.h"
 #include "core/edges/pipeline/detection.h"
 #include "core/inspect/change_detection/scene_change.h"
 #include "core/inspect/measure/notebook.h"
 #include "core/rocks/attributes/study.h"
 
 #include <string>
+#include <string_view>
 
 namespace edgescan::exports {
 
@@ -21,7 +23,14 @@ struct PageWords {
     std::string command; ///< the command that makes the report again
     std::string operatorName, role;
     std::string madeUtc;
+    std::string site{}, remark{}; ///< as typed; empty: left out
+    std::string logoPng{};        ///< the bytes of a PNG picture; empty: none
 };
+
+/// Largest logo of a report, in bytes.
+inline constexpr std::size_t kMostLogoBytes = 1'000'000;
+/// The logo from the bytes of a file, which must be a PNG picture; `path` is for the error.
+[[nodiscard]] Result<std::string> logoFrom(std::string_view bytes, const std::string& path);
 
 /// Further results on the scan, all for the same detection. Null: left out.
 struct PageNotes {

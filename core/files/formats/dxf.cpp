@@ -21,18 +21,20 @@ constexpr std::uint64_t kBytesPerPoint = 260;
 
 constexpr DxfLayer kCloudLayer{"CLOUD", "8"};
 /// Layers of points and of lines, by the number in the column "class"; 0: an edge of a method without classes.
-constexpr std::array<DxfLayer, 6> kPointLayers{{{"EDGE_POINTS", "3"},
+constexpr std::array<DxfLayer, 7> kPointLayers{{{"EDGE_POINTS", "3"},
                                                 {"EDGE_POINTS_JUMP", "3"},
                                                 {"EDGE_POINTS_CONVEX", "4"},
                                                 {"EDGE_POINTS_CONCAVE", "6"},
                                                 {"EDGE_POINTS_BORDER", "30"},
-                                                {"EDGE_POINTS_SILHOUETTE", "2"}}};
-constexpr std::array<DxfLayer, 6> kLineLayers{{{"EDGE_LINES", "3"},
+                                                {"EDGE_POINTS_SILHOUETTE", "2"},
+                                                {"EDGE_POINTS_RIM", "151"}}};
+constexpr std::array<DxfLayer, 7> kLineLayers{{{"EDGE_LINES", "3"},
                                                {"EDGE_LINES_JUMP", "3"},
                                                {"EDGE_LINES_CONVEX", "4"},
                                                {"EDGE_LINES_CONCAVE", "6"},
                                                {"EDGE_LINES_BORDER", "30"},
-                                               {"EDGE_LINES_SILHOUETTE", "2"}}};
+                                               {"EDGE_LINES_SILHOUETTE", "2"},
+                                               {"EDGE_LINES_RIM", "151"}}};
 
 /// The class of a row's edge: an index of the layers above.
 std::size_t classOf(const CloudColumn* classes, std::size_t row) {
@@ -145,7 +147,8 @@ Result<PointTable> dxfPoints(const Source& source) {
     for (std::size_t at = 0; at < text.size();) {
         const TextLine codeLine = textLineAt(text, at);
         const auto code = wholeText<int>(withoutBlanks(codeLine.text));
-        if (!code || codeLine.next >= text.size()) return source.refusedAtLine(line + 1, "this is no whole DXF group", "export it again");
+        if (!code || codeLine.next >= text.size())
+            return source.refusedAtLine(line + 1, "this is not a whole DXF group", "export it again");
         const TextLine valueLine = textLineAt(text, codeLine.next);
         const std::string_view value = withoutBlanks(valueLine.text);
         at = valueLine.next;
@@ -156,7 +159,7 @@ Result<PointTable> dxfPoints(const Source& source) {
         }
         if (!inPoint || (*code != 10 && *code != 20 && *code != 30)) continue;
         const auto number = wholeText<double>(value);
-        if (!number) return source.refusedAtLine(line, "this coordinate is no number", "export it again");
+        if (!number) return source.refusedAtLine(line, "this coordinate is not a number", "export it again");
         points.back()[*code / 10 - 1] = *number;
     }
     return table;

@@ -203,7 +203,7 @@ struct E57Choice {
 };
 
 Result<E57Choice> chosenScan(containers::E57File& file, const Source& source) {
-    const std::size_t wanted = source.options->scanIndex;
+    const std::size_t wanted = source.options->scanIndex.value_or(0);
     if (file.scans.empty()) {
         return source.refused("this E57 file holds no scan" +
                                   (file.pictures > 0 ? ", only " + std::to_string(file.pictures) + " pictures" : std::string()),
@@ -248,7 +248,7 @@ Result<E57Choice> readChoice(const Source& source) {
     if (!choice) return choice;
     containers::E57Scan& scan = choice->scan;
     PointTable& table = choice->table;
-    const std::string which = "scan " + std::to_string(source.options->scanIndex + 1) + " of this E57 file";
+    const std::string which = "scan " + std::to_string(source.options->scanIndex.value_or(0) + 1) + " of this E57 file";
     if (scan.points == 0) return source.refused(which + " holds no points", "choose another scan or file");
     const auto columns = columnsOf(scan);
     if (!columns) {
@@ -270,7 +270,8 @@ Result<E57Choice> readChoice(const Source& source) {
         table.remarks.push_back("What else a point of this file has is not read: " + unread + ".");
     if (file->pictures > 0) table.remarks.push_back("The pictures of this file (" + std::to_string(file->pictures) + ") are not read.");
     if (auto behind = bytesBehind(file->rest, "the end that the header gives")) table.remarks.push_back(std::move(*behind));
-    if (scan.poseIsNone) table.remarks.emplace_back("The pose in the file is no turn and shift, so the scan stays in the scanner's frame.");
+    if (scan.poseIsNone)
+        table.remarks.emplace_back("The pose in the file is not a rotation and shift, so the scan stays in the scanner's frame.");
     return choice;
 }
 

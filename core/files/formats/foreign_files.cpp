@@ -24,7 +24,7 @@ constexpr const char* kFromMeshLab = "save its points as PLY in MeshLab";
 constexpr const char* kFromRaster = "choose the scan that it was made from";
 constexpr const char* kAsNumbers = "save the ranges as .npy or .csv";
 
-constexpr std::array<ForeignKind, 27> kByBytes{{
+constexpr std::array<ForeignKind, 25> kByBytes{{
     {"\xff\xd8\xff"sv, "a JPEG picture, not a scan", kNoScan},
     {"GIF8"sv, "a GIF picture, not a scan", kNoScan},
     {"RIFF"sv, "a picture, sound or film (RIFF), not a scan", kNoScan},
@@ -48,11 +48,6 @@ constexpr std::array<ForeignKind, 27> kByBytes{{
     {"\x28\xb5\x2f\xfd"sv, "a zstd archive, not a scan", "unpack it (zstd -d) and open the scan in it"},
     {"7z\xbc\xaf\x27\x1c"sv, "a 7-Zip archive, not a scan", kUnpack},
     {"Rar!\x1a\x07"sv, "a RAR archive, not a scan", kUnpack},
-    {"#ROSBAG V"sv, "a ROS 1 bag, which is not read",
-     "turn its scans into PCD with \"rosrun pcl_ros bag_to_pcd\", or the bag into MCAP with \"mcap convert\" where it holds CoLa "
-     "telegrams"},
-    {"SQLite format 3\0"sv, "an SQLite database, as ROS 2 keeps bags, which is not read",
-     "turn the clouds of a bag into PCD with \"ros2 run pcl_ros pointcloud_to_pcd\" while it plays"},
     {"\x89HDF\r\n"sv, "an HDF5 file, which is not read", kAsNumbers},
     {"MATLAB 5.0"sv, "a MATLAB file, which is not read", "save the ranges with writematrix(ranges, 'scan.csv')"},
     {"\xd0\xcf\x11\xe0\xa1\xb1"sv, "an old Office document, not a scan", "save the table as .csv"},

@@ -25,6 +25,7 @@ Format rangePictureFormat();
 Format scan3dFormat();
 Format foxgloveFormat();
 Format recordingFormat();
+Format rosBagFormat();
 Format packetCaptureFormat();
 Format colaCaptureFormat();
 Format fileOfAnotherProgram();
@@ -34,10 +35,10 @@ namespace {
 /// In this order they are asked whether they recognise a content, and are listed in dialogs.
 const std::vector<Format>& rows() {
     static const std::vector<Format> all{
-        rawGridFormat(),   numpyFormat(),         numpyArchiveFormat(), fileThatIsNoScan(),    pcdFormat(),    plyFormat(),
-        pointListFormat(), rangeTableFormat(),    pointTableFormat(),   lasFormat(),           e57Format(),    dxfFormat(),
-        ptxFormat(),       objFormat(),           surpacFormat(),       rangePictureFormat(),  scan3dFormat(), foxgloveFormat(),
-        recordingFormat(), packetCaptureFormat(), colaCaptureFormat(),  fileOfAnotherProgram()};
+        rawGridFormat(),   numpyFormat(),      numpyArchiveFormat(),  fileThatIsNoScan(),   pcdFormat(),           plyFormat(),
+        pointListFormat(), rangeTableFormat(), pointTableFormat(),    lasFormat(),          e57Format(),           dxfFormat(),
+        ptxFormat(),       objFormat(),        surpacFormat(),        rangePictureFormat(), scan3dFormat(),        foxgloveFormat(),
+        recordingFormat(), rosBagFormat(),     packetCaptureFormat(), colaCaptureFormat(),  fileOfAnotherProgram()};
     return all;
 }
 

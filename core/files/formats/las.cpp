@@ -75,7 +75,7 @@ Result<LasHeader> readLasHeader(const Source& source) {
         header.offset[axis] = valueAt<double>(source, las::kOffset + 8 * static_cast<std::size_t>(axis));
     }
     if (!isScale(header.scale) || !isReasonable(header.offset))
-        return source.refused("the scale or offset in the LAS header is no number that coordinates have", "export the file again");
+        return source.refused("the scale or offset in the LAS header is not a number that coordinates can have", "export the file again");
     return header;
 }
 
@@ -159,7 +159,7 @@ void tellRest(PointTable& table, const LasHeader& header, const OwnRecords& own,
     if (own.missing > 0) {
         table.remarks.push_back("The end of the file is damaged or missing: " + std::to_string(own.missing) + " of " +
                                 std::to_string(header.extended) +
-                                " records behind the points cannot be read. A grid, cell states or a place in the mine that they told are "
+                                " records behind the points cannot be read. A grid, cell states or a place in the mine that they held are "
                                 "lost; copy the file again.");
     }
     if (table.format == "LAZ") return;

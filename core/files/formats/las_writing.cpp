@@ -124,7 +124,7 @@ struct Known {
           onlyEdges(colours[0] != nullptr && edge == nullptr) {}
 
     [[nodiscard]] std::size_t pointFormat() const { return colours[0] != nullptr ? 7 : 6; }
-    /// docs/reference/formats.md, "LAS": 1 not classified; from 64 on the file's own: 64 an edge, 65 to 69 its class.
+    /// docs/reference/formats.md, "LAS": 1 not classified; from 64 on the file's own: 64 an edge, 65 to 70 its class.
     [[nodiscard]] std::uint8_t classOf(std::size_t row) const {
         const bool isEdge = onlyEdges || (edge != nullptr && numberIn(*edge, row) != 0);
         if (!isEdge) return 1;

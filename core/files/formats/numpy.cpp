@@ -228,7 +228,8 @@ Result<Reading> readNpz(const Source& source) {
     if (!bytes) return bytes.error();
     Source inside = source;
     inside.bytes = *bytes;
-    if (!isNumpy(inside.bytes)) return source.refused("the part " + chosen->name + " of this archive is no numpy array", "save it again");
+    if (!isNumpy(inside.bytes))
+        return source.refused("the part " + chosen->name + " of this archive is not a numpy array", "save it again");
     auto reading = readArray(inside);
     if (!reading) return reading;
     if (auto behind = bytesBehind(containers::behindZip(source.bytes), "the archive")) reading->warnings.push_back(std::move(*behind));

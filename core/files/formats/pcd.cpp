@@ -232,7 +232,7 @@ Result<Done> readPoints(PointTable& table, const PcdHeader& header, const PcdLay
             return tooShort(source, layout, source.bytes.size() - header.firstByte);
         return readRows(table, layout.fields, {layout.points, layout.recordNumbers, header.firstByte, header.firstLine}, source);
     }
-    return source.refused("the encoding \"" + header.encoding.substr(0, 40) + "\" is none of ascii, binary, binary_compressed",
+    return source.refused("the encoding \"" + header.encoding.substr(0, 40) + "\" is not ascii, binary or binary_compressed",
                           "export the file again");
 }
 

@@ -109,7 +109,7 @@ Error cutOff(const PtxHeader& header, std::size_t index, const Source& source) {
 
 Result<PtxScan> findScan(const Source& source) {
     const std::string_view text = source.text();
-    const std::size_t wanted = source.options->scanIndex;
+    const std::size_t wanted = source.options->scanIndex.value_or(0);
     PtxScan found;
     std::size_t at = 0;
     std::size_t lineNumber = 1;
@@ -200,7 +200,7 @@ Result<Reading> readPtx(const Source& source) {
     if (auto read = readPoints(table, header, part); !read) return read.error();
     if (found->inFile > 1) {
         table.remarks.push_back("The file holds " + std::to_string(found->inFile) + " scans; this is number " +
-                                std::to_string(source.options->scanIndex + 1) + ", --scan chooses another.");
+                                std::to_string(source.options->scanIndex.value_or(0) + 1) + ", --scan chooses another.");
     }
     if (endsWithoutLineEnd(part.text())) table.remarks.emplace_back(kMayBeCutOff);
     if (found->restIsNone) table.remarks.emplace_back("Behind the last of these scans there is text that is none.");

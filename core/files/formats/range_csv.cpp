@@ -98,10 +98,11 @@ Result<Done> checkFirstRows(const TextLayout& layout, const RangeColumns& column
     for (std::size_t i = 0; i < kPeekedRows && rows.next(row); ++i) {
         for (std::size_t j = columns.first; j < std::min(row.size(), columns.first + columns.count); ++j) {
             if (!std::isfinite(row[j]) || row[j] >= 0 || isNoRangeMark(row[j])) continue;
-            return source.refusedAtLine(
-                rows.lineNumber(), "column " + std::to_string(j + 1) + " holds " + shortestText(row[j]) + ", so this is no table of ranges",
-                "for a list of points call its columns x, y and z in a first row, and leave out --beam-step and "
-                "--line-step");
+            return source.refusedAtLine(rows.lineNumber(),
+                                        "column " + std::to_string(j + 1) + " holds " + shortestText(row[j]) +
+                                            ", so this is not a table of ranges",
+                                        "for a list of points call its columns x, y and z in a first row, and leave out --beam-step and "
+                                        "--line-step");
         }
     }
     return Done{};

@@ -35,7 +35,7 @@ Result<NotRanges> clearNoRanges(BareRanges& ranges, const Source& source, const 
         found.infinite += std::isinf(value) ? 1 : 0;
         if (value < 0 && std::isfinite(value)) {
             if (!isNoRangeMark(value) || (marker < 0 && value != marker)) {
-                return source.refused(at(k / ranges.beams, k % ranges.beams) + " holds " + shortestText(value) + ", which is no range",
+                return source.refused(at(k / ranges.beams, k % ranges.beams) + " holds " + shortestText(value) + ", which is not a range",
                                       "check that these are ranges; points need columns x, y and z");
             }
             marker = value;

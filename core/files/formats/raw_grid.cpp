@@ -177,7 +177,7 @@ Result<Scan> readRawGridJson(const Source& source) {
 
 /// Through the counts; the description is NAME.json of the same folder.
 Result<Scan> readRawGridCounts(const Source& source) {
-    if (source.inMemory) return source.refused("counts alone are no raw grid", "give the description before them");
+    if (source.inMemory) return source.refused("counts alone are not a raw grid", "give the description before them");
     fs::path describedIn = withExtension(source.path, ".json");
     std::error_code ignored;
     for (const fs::path& name : namesOf(source.path)) {
@@ -187,7 +187,7 @@ Result<Scan> readRawGridCounts(const Source& source) {
     const auto json = readInput(describedIn);
     if (!json) {
         return source.refused("these counts need their description " + describedIn.filename().string() +
-                                  " beside them, and it cannot be read",
+                                  " next to them, and it cannot be read",
                               "copy it into the same folder");
     }
     const Source description{describedIn, *json, source.options};

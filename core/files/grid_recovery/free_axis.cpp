@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace edgescan::files {
@@ -204,15 +205,19 @@ void cutWhereBeamsStartOver(Model& model, const Returns& returns) {
     model.lines = std::move(lines);
 }
 
-/// Empty when the lines turn about no common axis.
-std::optional<Model> modelOf(const Returns& returns) {
+/// Called between passes over the returns; false cancels.
+using GoOn = std::function<bool(double fraction)>;
+
+/// Empty when the lines turn about no common axis, or when it was cancelled.
+std::optional<Model> modelOf(const Returns& returns, const GoOn& goOn) {
     Model model;
     auto frame = guessAxis(returns.points, returns.rounding);
-    if (!frame) return std::nullopt;
+    if (!frame || !goOn(0.1)) return std::nullopt;
     guessPlaceOnAxis(*frame, returns.points);
     model.frame = *frame;
     if (!takeLines(model, inFrame(model.frame, returns), returns.rounding, model.frame.misfit)) return std::nullopt;
     for (int pass = 0; pass < kPasses; ++pass) {
+        if (!goOn(0.2 + 0.3 * pass / kPasses)) return std::nullopt;
         if (pass > 0) cutWhereBeamsStartOver(model, returns);
         fitPlanes(model.frame, model.lines, model.fan, returns.points);
         const auto beams = fitRays(model.fan, model.inFans(returns), model.lines);
@@ -228,29 +233,37 @@ Returns scaled(Returns returns, double scale) {
     return returns;
 }
 
-/// The model fitted again to returns of another scale.
-Model fittedTo(const Returns& returns, Model model) {
+/// The model fitted again to returns of another scale; empty when their rays do not fit.
+std::optional<Model> fittedTo(const Returns& returns, Model model) {
     fitPlanes(model.frame, model.lines, model.fan, returns.points);
-    if (const auto beams = fitRays(model.fan, model.inFans(returns), model.lines)) model.beams = *beams;
+    const auto beams = fitRays(model.fan, model.inFans(returns), model.lines);
+    if (!beams) return std::nullopt;
+    model.beams = *beams;
     return model;
 }
 
-/// The scale of the grid at which lines and beams fit best; 1 where that is not clearly better. The square of the misfit is a parabola.
-double gridScaleOf(const Returns& returns, const Model& model) {
-    double best = 1.0;
+/// Takes the scale of the grid at which lines and beams fit best into returns and model. The result is this scale; 1 where the fit is not
+/// clearly better, or when it was cancelled: then nothing changes. The square of the misfit is a parabola.
+double takeGridScale(Returns& returns, Model& model, const GoOn& goOn) {
+    double best = 1.0, done = 0.5;
     for (const double reach : {5e-4, 5e-5}) {
-        const auto squares = [&](double scale) {
-            const double misfit = fittedTo(scaled(returns, scale), model).fan.misfit;
-            return misfit * misfit;
-        };
-        const double low = squares(best - reach), middle = squares(best), high = squares(best + reach);
-        const double bend = low - 2 * middle + high;
+        std::array<double, 3> squares{};
+        for (int i = 0; i < 3; ++i, done += 0.06) {
+            const auto fitted = goOn(done) ? fittedTo(scaled(returns, best + (i - 1) * reach), model) : std::nullopt;
+            if (!fitted) return 1.0;
+            squares[static_cast<std::size_t>(i)] = fitted->fan.misfit * fitted->fan.misfit;
+        }
+        const double bend = squares[0] - 2 * squares[1] + squares[2];
         if (!(bend > 0)) return 1.0;
-        best += reach * (low - high) / (2 * bend);
+        best += reach * (squares[0] - squares[2]) / (2 * bend);
         if (std::abs(best - 1.0) > kMostScale) return 1.0;
     }
-    const bool isBetter = fittedTo(scaled(returns, best), model).fan.misfit < kClearlyBetter * model.fan.misfit;
-    return isBetter ? best : 1.0;
+    Returns moved = scaled(returns, best);
+    auto fitted = fittedTo(moved, model);
+    if (!fitted || !(fitted->fan.misfit < kClearlyBetter * model.fan.misfit)) return 1.0;
+    returns = std::move(moved);
+    model = std::move(*fitted);
+    return best;
 }
 
 /// The fan looks along the axis (spin) or away from it (sweep), and its angles ascend in the list.
@@ -288,18 +301,17 @@ Eigen::Matrix3d scannerAxes(Axis axis) {
 Result<FreeAxis> findFreeAxis(const PointList& list) {
     Returns returns = returnsIn(list);
     std::optional<Model> model;
-    if (list.progress && !list.progress("finding the axis", 0.0)) return Error{"cancelled", "", ""};
-    if (returns.points.size() >= kFewestMoved) model = modelOf(returns);
-    if (list.progress && !list.progress("finding the axis", 0.5)) return Error{"cancelled", "", ""};
+    bool cancelled = false;
+    const GoOn goOn = [&](double fraction) {
+        cancelled = cancelled || (list.progress && !list.progress("finding the axis", fraction));
+        return !cancelled;
+    };
+    if (goOn(0.0) && returns.points.size() >= kFewestMoved) model = modelOf(returns, goOn);
+    if (cancelled) return Error{"cancelled", "", ""};
     if (!model) return Error{"they do not follow each other in scan lines that turn about an axis elsewhere", "", kWayOut};
     FreeAxis found;
-    if (model->fan.misfit > kExplained * returns.rounding) {
-        found.scale = gridScaleOf(returns, *model);
-        if (found.scale != 1.0) {
-            returns = scaled(std::move(returns), found.scale);
-            *model = fittedTo(returns, std::move(*model));
-        }
-    }
+    if (model->fan.misfit > kExplained * returns.rounding) found.scale = takeGridScale(returns, *model, goOn);
+    if (cancelled) return Error{"cancelled", "", ""};
     found.axis = turnLikeAScanner(*model, list.axis);
     found.fanDeg = fanDegOf(*model, found.axis);
     const double pitch = found.fanDeg > 0 ? pitchOf(*model, found.axis) : 0.0;

@@ -26,7 +26,7 @@ struct FreeAxis {
     double misfit = 0.0;                                ///< root mean square distance of the points from their planes and rays
 };
 
-/// Error: the list has no lines in order, or they turn about no common axis. `list.axis` names the mounting where it is known;
+/// Error: cancelled, the list has no lines in order, or they turn about no common axis. `list.axis` names the mounting where it is known;
 /// `list.rowLength` is not used.
 Result<FreeAxis> findFreeAxis(const PointList& list);
 

@@ -228,7 +228,7 @@ std::string sentenceFor(const std::array<NoFit, 3>& seen, const std::vector<Hypo
     for (std::size_t h = 0; h < hypotheses.size(); ++h) {
         text += std::string(h > 0 ? ", " : " ") + "about " + hypotheses[h].letter + " ";
         if (seen[h].lines == 0)
-            text += "no scan lines stand out";
+            text += "no scan lines can be recognised";
         else if (seen[h].beams == 0)
             text += percent(seen[h].onGrid) + " % lie on the best " + std::to_string(seen[h].lines) + " line angles";
         else

@@ -85,7 +85,7 @@ LiveStatus LiveFeed::status() const {
     LiveStatus status;
     status.statistics = connection_->statistics();
     const std::lock_guard lock(mutex_);
-    status.session = state_;
+    status.connection = state_;
     status.scanner = identity_;
     status.sweep = feed_.assembler().progress();
     status.lines = lines_;

@@ -16,9 +16,9 @@ namespace edgescan::files {
 /// Everything that the health of a live scan is derived from (docs/reference/rules.md, "S2", "S4", "S5"). A copy, true at the moment it was
 /// asked for.
 struct LiveStatus {
-    scanner::ConnectionState session;
+    scanner::ConnectionState connection;
     std::optional<scanner::ScannerIdentity> scanner;
-    scanner::SessionStatistics statistics;
+    scanner::ConnectionStatistics statistics;
     scanner::SweepProgress sweep;
     std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps
     std::int64_t linesAfter = 0;             ///< scan telegrams that came after the last line that is taken
@@ -67,7 +67,7 @@ public:
     /// Writes the last minute as a recording of its own.
     [[nodiscard]] Result<Done> keepRecent(const std::filesystem::path& path) const;
 
-    /// Ends the session; the sweep is finished as it is.
+    /// Ends the connection; the sweep is finished as it is.
     void stop();
 
 private:
@@ -82,7 +82,7 @@ private:
     scanner::SweepSettings sweepSettings_; // with the lock below, after the constructor
     RecordingClock clock_;
     RecentMessages recent_;
-    mutable std::mutex mutex_; // of all that follows, but not of the session
+    mutable std::mutex mutex_; // of all that follows, but not of the connection
     scanner::SweepFeed feed_;
     scanner::ConnectionState state_;
     std::optional<scanner::ScannerIdentity> identity_;

@@ -23,7 +23,7 @@ std::optional<double> ageOf(const LiveStatus& status, const scanner::SweepProgre
 }
 
 Liveness livenessOf(const LiveStatus& status, std::optional<double> ageSeconds) {
-    const scanner::ConnectionPhase phase = status.session.phase;
+    const scanner::ConnectionPhase phase = status.connection.phase;
     if (phase == scanner::ConnectionPhase::Stopped) return Liveness::Stopped;
     if (!ageSeconds) return phase == scanner::ConnectionPhase::Lost ? Liveness::Lost : Liveness::Connecting;
     if (phase == scanner::ConnectionPhase::Lost || phase == scanner::ConnectionPhase::Connecting) return Liveness::Lost;
@@ -61,7 +61,14 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
     const int left = sweep.expected - sweep.lines;
     if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep whole" : "sweep ended";
     if (liveness != Liveness::Live || status.linesPerSecond <= 0.0) return {}; // without lines the time of the last one is unknown
-    return "ends in " + ageText(std::ceil(left / status.linesPerSecond));
+    return ageText(std::ceil(left / status.linesPerSecond)) + " left";
+}
+
+/// A sweep that grows and lost nothing is under way, not incomplete: more lines come.
+std::string linesOf(const scanner::SweepProgress& sweep, Liveness liveness) {
+    if (liveness != Liveness::Live || !sweep.growing || sweep.received != sweep.lines) return sweep.text();
+    const std::string doubt = sweep.irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "";
+    return std::to_string(sweep.lines) + (sweep.expected > 0 ? "/" + std::to_string(sweep.expected) : "") + " lines" + doubt;
 }
 
 void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
@@ -81,7 +88,7 @@ void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::
         if (count > 0) health.remarks.push_back(std::to_string(count) + what);
     };
     tell(static_cast<std::uint64_t>(status.undecodable), " scan telegrams since the start could not be decoded: their lines are lost.");
-    tell(status.statistics.stream.skipped, " bytes since the start were no telegram and were skipped.");
+    tell(status.statistics.stream.skipped, " bytes since the start were not a telegram and were skipped.");
     if (health.remarks.empty()) return;
     health.telegrams = Condition::OutOfSpec;
     const std::size_t count = health.remarks.size();
@@ -113,10 +120,13 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     LiveHealth health;
     health.liveness = livenessOf(status, age);
     health.badge = badgeOf(health.liveness, age);
-    health.sentence = status.session.sentence;
+    health.sentence = status.connection.sentence;
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {
-        health.lines = lines.text();
+        health.lines = linesOf(lines, health.liveness);
+        health.row = lines.lines;
+        health.rows = lines.expected;
+        health.lostRows = lines.lost;
         health.noReturn = noReturnOf(lines);
         health.end = endOf(status, health.liveness);
         tellWindow(health, sweep);

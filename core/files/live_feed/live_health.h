@@ -31,8 +31,10 @@ struct LiveHealth {
     std::string sentence; ///< of the session: what happened and what to do
     std::string scanner;  ///< what the device says it is; empty before it said so
 
-    std::string lines;                ///< "1000/1000 lines", "INCOMPLETE 312/1000 lines"
+    std::string lines;                ///< "312/1000 lines" while it grows, "INCOMPLETE 312/1000 lines" where lines are missing
     std::string lost;                 ///< "3 lost: lines 5 and 9 to 10"; empty when none
+    int row = 0, rows = 0;            ///< of the sweep: so far, and of the whole sweep (0: unknown)
+    std::vector<int> lostRows;        ///< ascending
     std::string noReturn;             ///< "no return 4.2 %"
     std::string remark;               ///< "2 remarks", "COUNTERS IN DOUBT"; empty where all telegrams are as they should be
     std::vector<std::string> remarks; ///< each in a sentence
@@ -42,7 +44,7 @@ struct LiveHealth {
     Condition device = Condition::Good;
     std::string deviceState; ///< "device ok", "DEVICE ERROR"
     std::string pose;        ///< "no pose", "pose 12 s old"
-    std::string end;         ///< "ends in 27 s", "whole"; empty when it is not known
+    std::string end;         ///< "27 s left", "sweep whole"; empty when it is not known
     std::string recording;   ///< "recording 1.2 MB", "RECORDING ENDED: why"; empty when none is written
     Condition recorded = Condition::Good;
 

@@ -11,7 +11,6 @@ Result<Done> applyOptions(Scan& scan, const Source& source, bool placesItself) {
     const ReadingOptions& options = *source.options;
     applyGivenAngles(scan, options);
     if (placesItself || (options.pose.empty() && options.calibration.empty())) return Done{};
-    if (options.calibration.empty()) return source.refused("a pose needs the robot's calibration", "give --calibration ROBOT.json too");
     if (options.pose.empty()) return source.refused("a calibration alone gives no place", "give --pose POSE.json too");
     auto placement = openPlacement(options.pose, options.calibration, scan);
     if (!placement) return placement.error();

@@ -4,6 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/base/simd.h"
+#include "core/files/open_save/table_numbers.h"
 #include "core/scan/grid/cartesian.h"
 #include "core/scan/grid/placement.h"
 
@@ -31,9 +32,9 @@ EDGESCAN_INLINE bool isAnyOutside(const float* rangeMm, const CellState* states,
 
 Error outside(const PhysicalLimit& limit, double value, const std::string& place, const std::string& where) {
     const std::string unit = *limit.unit == '\0' ? "" : std::string(" ") + limit.unit;
-    const std::string text = significantText(value, 6) + unit + (place.empty() ? "" : " at ") + place + " is no " + limit.what +
-                             " that is measured: " + significantText(limit.limits.least, 6) + " to " +
-                             significantText(limit.limits.most, 6) + unit;
+    const std::string text = significantText(value, 6) + unit + (place.empty() ? "" : " at ") + place + " cannot be a measured " +
+                             limit.what + ": " + significantText(limit.limits.least, 6) + " to " + significantText(limit.limits.most, 6) +
+                             unit;
     return {text, where, "check the unit and the numbers of the file"};
 }
 
@@ -55,8 +56,7 @@ Result<Done> checkPolar(const PolarGeometry& polar, const std::string& where) {
 
 /// Points of no size, seen from far beyond the reach of a scanner, were measured from elsewhere.
 Result<Done> checkDistance(const Scan& scan, const std::string& where) {
-    constexpr float kFarMm = 1e6F;         // the nearest point
-    constexpr double kTimesTheirSize = 50; // within about a degree
+    constexpr float kFarMm = 1e6F; // the nearest point
     constexpr std::size_t kFewest = 12;
     const RangeLimits limits = rangeLimits(scan);
     if (limits.minMm < kFarMm) return Done{};
@@ -70,7 +70,7 @@ Result<Done> checkDistance(const Scan& scan, const std::string& where) {
     }
     if (points < kFewest) return Done{};
     const double size = box.diagonal().norm(), away = static_cast<double>(limits.minMm) / 1000.0;
-    if (away < kTimesTheirSize * size) return Done{};
+    if (away < kMostTimesTheirSize * size) return Done{};
     return Error{"all points are within " + significantText(size, 3) + " m of each other and at least " + significantText(away, 6) +
                      " m away from the scanner, which no scanner measures",
                  where, "give --sensor X,Y,Z, the place in metres that the scan was taken from, or check --unit"};

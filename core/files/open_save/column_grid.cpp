@@ -110,7 +110,7 @@ void takeSensorOfRanges(PointTable& table, bool sensorGiven) {
         if (!sensor || !fits(table, *sensor, unitMm)) continue;
         table.sensor = *sensor;
         table.unitMm = unitMm;
-        table.remarks.emplace_back("The sensor's place was found from the ranges that the file holds beside its points.");
+        table.remarks.emplace_back("The sensor's place was found from the ranges that the file holds with its points.");
         return;
     }
     table.rangeMm.clear();

@@ -9,7 +9,9 @@
 #include "core/files/open_save/apply_options.h"
 #include "core/files/open_save/check_measured.h"
 #include "core/files/open_save/place_on_grid.h"
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/files/open_save/unpack.h"
+#include "core/files/ros/bag_folder.h"
 
 #include <future>
 #include <new>
@@ -88,10 +90,13 @@ std::string scanName(const fs::path& path) {
 
 Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const LinePlayed& played) {
     return withinMemory(path, [&]() -> Result<Scan> {
-        const auto bytes = bytesAt(path, options);
+        const auto file = fileOfBag(path);
+        if (!file) return file.error();
+        const auto bytes = bytesAt(*file, options);
         if (!bytes) return bytes.error();
-        auto scan = scanOfBytes({path, bytes->bytes(), &options, isPipe(path), played});
-        if (scan) scan->path = path.string();
+        const ReadingOptions withPose = withPoseSidecar(options, *file);
+        auto scan = scanOfBytes({*file, bytes->bytes(), &withPose, isPipe(*file), played});
+        if (scan) scan->path = file->string();
         return scan;
     });
 }

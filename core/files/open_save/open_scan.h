@@ -14,8 +14,8 @@ namespace edgescan::files {
 
 class Replay;
 
-/// The file as a scan of lines x beams cells; "-" is standard input. A pipe is read to its end, and gzip is unpacked by content. `played`:
-/// called after every line of a recording. Error: one sentence; a file is never loaded in part.
+/// The file as a scan of lines x beams cells; "-" is standard input, and the folder of a ROS 2 bag is its file. A pipe is read to its end,
+/// and gzip is unpacked by content. `played`: called after every line of a recording. Error: one sentence; a file is never loaded in part.
 Result<Scan> openScan(const std::filesystem::path& path, const ReadingOptions& options = {},
                       const std::function<void(const Replay&)>& played = {});
 

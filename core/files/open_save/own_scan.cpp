@@ -48,7 +48,7 @@ Result<Scan> ownScan(PointTable table, const Source& source) {
     if (table.intensity.size() == cells) scan.intensity = Grid<float>(lines, beams, std::move(table.intensity));
     for (std::size_t k = 0; k < cells; ++k) {
         if (scan.state[k] == CellState::Valid && !physical::kRangeMm.hold(scan.rangeMm[k]))
-            return source.refused("a valid cell has a range that is no range", "save the scan again");
+            return source.refused("a valid cell has a number that is not a range", "save the scan again");
     }
     takeDescription(scan, *grid);
     scan.warnings = std::move(table.remarks);

@@ -162,7 +162,7 @@ void reportProjection(Scan& scan, const Regridded& grid, const std::string& abou
     text = stepGiven ? "The cells have the given " : "The cells have ";
     text += significantText(grid.beamStepDeg, 4);
     text += stepGiven ? " degrees" : " degrees, from the spacing of the points";
-    scan.warnings.push_back(text += grid.fan ? ", along lines that stand out in the cloud." : ".");
+    scan.warnings.push_back(text += grid.fan ? ", along lines that were recognised in the cloud." : ".");
     if (gridLookedFor)
         scan.warnings.emplace_back(
             "Edges of a projected cloud differ from those of its scan: a file with the points in the order of the scanner, "

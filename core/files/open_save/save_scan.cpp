@@ -16,7 +16,7 @@ namespace {
 Error unknownFormat(const std::filesystem::path& path, bool wholeScans) {
     const std::string extension = path.extension().string();
     return {extension.empty() ? "the file name has no extension that names a format"
-                              : "\"" + extension + "\" is no format that can be written",
+                              : "\"" + extension + "\" is not a format that can be written",
             path.string(), "use " + writtenExtensions(wholeScans)};
 }
 
@@ -112,7 +112,7 @@ std::vector<std::string> lostOnSaving(const Scan& scan, const std::filesystem::p
                        " cells of other states become no returns.");
     if (needsSidecar && !list)
         lost.push_back("The file holds numbers only: keep " + path.filename().string() +
-                       ".provenance.json beside it, which holds the grid, or write it with --comments.");
+                       ".provenance.json next to it, which holds the grid, or write it with --comments.");
     if (scan.intensity.size() > 0 && !format->keepsIntensity && !(bySidecar && options.choices.comments))
         lost.emplace_back("The file does not hold the intensities: .pcd, .ply, .las, .ptx and .csv do.");
     if (format->stepM > 0 && std::holds_alternative<PointGeometry>(scan.geometry) && options.frame == CoordinateFrame::Scanner)

@@ -152,7 +152,7 @@ std::optional<Scan> scanOfSidecar(PointTable& table, const std::optional<Written
     auto found = gridBeside(listed, source);
     if (!found) return std::nullopt;
     const auto notUsed = [&](const std::string& why) {
-        table.remarks.push_back("The record beside the file " + why + ", so the grid in it was not used.");
+        table.remarks.push_back("The record next to the file " + why + ", so the grid in it was not used.");
         return std::nullopt;
     };
     if (!*found) return notUsed(found->error().what);

@@ -35,7 +35,7 @@ std::string coarseStep(const PointTable& table) {
     if (largest < 1e5) return {};
     const auto step = static_cast<double>(std::nextafter(static_cast<float>(largest), std::numeric_limits<float>::infinity())) -
                       static_cast<double>(static_cast<float>(largest));
-    return "numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file can only be told apart by about " +
+    return "numbers up to " + std::to_string(static_cast<long long>(largest)) + " in this file have a resolution of about " +
            significantText(step, 3);
 }
 
@@ -112,14 +112,13 @@ Precision precisionAnywhere(const PointTable& table) {
 }
 
 bool dropImpossibleSensor(PointTable& table, const Source& source) {
-    constexpr double kTimesTheirSize = 50; // within about a degree
     if (source.options->sensorM || table.sensor.isZero(0.0)) return false;
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : table.points) {
         if (isReturn(p)) box.extend(p);
     }
     const double size = box.diagonal().norm(), away = box.exteriorDistance(table.sensor);
-    if (!(size > 0) || away < kTimesTheirSize * size) return false;
+    if (!(size > 0) || away < kMostTimesTheirSize * size) return false;
     table.remarks.push_back("The file puts the sensor " + significantText(away, 4) + " away from its points, which are all within " +
                             significantText(size, 3) +
                             " of each other (in its own numbers): no scanner measures so, and the place was not used.");

@@ -34,6 +34,9 @@ namespace edgescan::files {
 /// sensor elsewhere: one in which the ranges about it are whole millimetres, else metres within a scanner's reach, else the nearest.
 void takeGivenSensor(PointTable& table, const Source& source);
 
+/// A sensor farther away than that, in sizes of all that it measured, sees all points within about a degree: no scanner measures so.
+inline constexpr double kMostTimesTheirSize = 50;
+
 /// Takes the origin in place of a sensor's place of the file that cannot be: so far away that no scanner distinguishes the points from
 /// there. A remark says so. True where it did.
 [[nodiscard]] bool dropImpossibleSensor(PointTable& table, const Source& source);

@@ -1,9 +1,24 @@
 // Unpacks by content; most files are not packed and stay where they are.
 #include "core/files/open_save/unpack.h"
 
+#include "core/base/checked_size.h"
+#include "core/base/memory.h"
+#include "core/containers/compression/chunks.h"
 #include "core/containers/compression/gunzip.h"
 
 namespace edgescan::files {
+namespace {
+
+/// Of a zstd archive that says its size, and this is in reason; another one is named as a foreign file.
+std::optional<std::uint64_t> zstdSizeOf(const Source& packed) {
+    const ByteView bytes(reinterpret_cast<const std::uint8_t*>(packed.bytes.data()), packed.bytes.size());
+    if (!containers::isZstd(bytes)) return std::nullopt;
+    const auto size = containers::zstdSize(bytes);
+    if (!size || *size > mostUnpackedBytes(bytes.size())) return std::nullopt;
+    return size;
+}
+
+} // namespace
 
 Error UnpackedSource::refused(const Error& error) const {
     const std::string path = source.path.string();
@@ -17,6 +32,15 @@ Result<UnpackedSource> unpack(const Source& packed) {
         auto bytes = containers::gunzip(packed.bytes, packed.path.string(), [&](double done) { return packed.goOn("unpacking", done); });
         if (!bytes) return bytes.error();
         plain.bytes = std::make_shared<const std::vector<std::byte>>(std::move(*bytes));
+        plain.source.bytes = *plain.bytes;
+    }
+    if (const auto size = zstdSizeOf(packed)) { // rosbag2 packs whole files so
+        if (auto enough = checkMemory(*size, packed.path.string()); !enough) return enough.error();
+        const ByteView bytes(reinterpret_cast<const std::uint8_t*>(packed.bytes.data()), packed.bytes.size());
+        auto unpacked = containers::unpackChunk("zstd", bytes, *size, packed.path.string());
+        if (!unpacked) return unpacked.error();
+        const auto all = std::as_bytes(std::span(*unpacked));
+        plain.bytes = std::make_shared<const std::vector<std::byte>>(all.begin(), all.end());
         plain.source.bytes = *plain.bytes;
     }
     if (plain.source.bytes.empty()) return plain.refused(packed.refused("the file is empty", "copy it again or choose another"));

@@ -1,4 +1,4 @@
-// The bytes of a file without its gzip packing.
+// The bytes of a file without its packing.
 #pragma once
 
 #include "core/base/result.h"
@@ -18,7 +18,7 @@ struct UnpackedSource {
     [[nodiscard]] Error refused(const Error& error) const;
 };
 
-/// Recognises gzip by content. Error: damaged, too large for the memory, cancelled, or nothing is in it.
+/// Recognises gzip and zstd by content. Error: damaged, too large for the memory, cancelled, or nothing is in it.
 Result<UnpackedSource> unpack(const Source& packed);
 
 } // namespace edgescan::files

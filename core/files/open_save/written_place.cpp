@@ -36,7 +36,7 @@ void placeAsWritten(Scan& scan, const WrittenPlace& written, const Source& sourc
     const std::string format = written.format;
     const auto turn = written.fewDigits ? nearestRotation(written.turn) : written.turn;
     if (!turn) {
-        scan.warnings.emplace_back("The matrix in the file is no rotation and shift, so the scan stays in the scanner's frame.");
+        scan.warnings.emplace_back("The matrix in the file is not a rotation and shift, so the scan stays in the scanner's frame.");
         return;
     }
     if (!moves(*turn, written.place)) return;
@@ -44,7 +44,7 @@ void placeAsWritten(Scan& scan, const WrittenPlace& written, const Source& sourc
     if (!physical::kPlaceM.hold(placeM.x()) || !physical::kPlaceM.hold(placeM.y()) || !physical::kElevationM.hold(placeM.z())) {
         scan.warnings.push_back("The " + format + " file puts the scanner at " + significantText(placeM.x(), 6) + ", " +
                                 significantText(placeM.y(), 6) + ", " + significantText(placeM.z(), 6) +
-                                " m, which is no place on earth, so the scan stays in the scanner's frame.");
+                                " m, which is not a place on earth, so the scan stays in the scanner's frame.");
         return;
     }
     auto placement = std::make_shared<Placement>();

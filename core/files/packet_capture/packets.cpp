@@ -190,7 +190,7 @@ bool isPacketFile(ByteView file) { return pcapKind(file).has_value() || isPcapng
 Result<PacketFile> readPackets(ByteView file, const std::string& where) {
     if (const auto kind = pcapKind(file)) return readPcap(file, *kind, where);
     if (isPcapng(file)) return readPcapng(file, where);
-    return Error{"this is no capture of network packets", where, "choose a PCAP or PCAPNG file"};
+    return Error{"this is not a capture of network packets", where, "choose a PCAP or PCAPNG file"};
 }
 
 } // namespace edgescan::files

@@ -152,7 +152,7 @@ OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, c
 /// No surface distinguishes left from right: only a person who was there can.
 OpeningPoint orderOf(const PolarGeometry& polar, double step, const ReadingOptions& options) {
     OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : Source::Said};
-    point.taken = {"line angles from %1 to %2 degrees; whether left and right are exchanged no range tells",
+    point.taken = {"line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged",
                    {significantText(polar.lineDeg.front(), 4), significantText(polar.lineDeg.back(), 4)}};
     point.others.push_back({{"the other way round: left and right exchanged"}, withLines(options, -polar.lineDeg.front(), -step)});
     return point;
@@ -166,10 +166,10 @@ std::optional<OpeningPoint> gridOf(const Scan& scan, const ReadingOptions& optio
     const double leftOut = static_cast<double>(scan.pointsLeftOut) / static_cast<double>(scan.pointsRead);
     OpeningPoint point{"Grid", options.gridStepDeg ? Source::Typed : Source::Guessed};
     const std::string behind = significantText(100.0 * leftOut, 2);
-    point.taken = {"projected onto cells of %1 degrees; %2 % of the points stand behind others of their cell",
+    point.taken = {"projected onto cells of %1 degrees; %2 % of the points are behind others of their cell",
                    {significantText(std::abs(*step), 3), behind}};
     if (leftOut > kMostLeftOut)
-        point.against = {"%1 % of the points stand behind others of their cell: the cells are coarse, or the sensor stood elsewhere.",
+        point.against = {"%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.",
                          {behind}};
     for (const double times : {0.5, 2.0}) {
         ReadingOptions other = options;

@@ -31,7 +31,10 @@ struct Source {
 
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
     /// Named scan.pcd.gz: what is packed carries its own extension before the last one.
-    [[nodiscard]] bool isNamedPacked() const { return lowerCase(path.extension()) == ".gz"; }
+    [[nodiscard]] bool isNamedPacked() const {
+        const std::string last = lowerCase(path.extension());
+        return last == ".gz" || last == ".zst" || last == ".zstd";
+    }
     /// Lower case, with the dot; of what is packed its own.
     [[nodiscard]] std::string extension() const { return lowerCase(isNamedPacked() ? path.stem().extension() : path.extension()); }
     [[nodiscard]] static std::string lowerCase(const std::filesystem::path& name) {

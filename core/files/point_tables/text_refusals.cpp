@@ -63,7 +63,7 @@ Error thousandsApart(const Source& source, const GroupedNumber& number) {
         return source.refusedAtLine(number.line,
                                     "holds " + inQuotes(number.word) +
                                         " in a column whose numbers have three digits behind their mark or no mark at all, so that it may "
-                                        "stand before decimals or set thousands apart",
+                                        "separate decimals or thousands",
                                     "save the file with the same count of decimals in each number, or without separators of thousands");
     }
     return source.refusedAtLine(number.line, "holds " + inQuotes(number.word) + ", a number whose thousands are set apart", kPlainNumbers);
@@ -82,13 +82,13 @@ Error noNumber(const Source& source, std::size_t line, std::string_view cell) {
     if (words.size() > 1 && std::ranges::all_of(words, isNumber))
         return source.refusedAtLine(line, inQuotes(cell) + " is more than one number between two separators",
                                     "correct the line or export the file again");
-    return source.refusedAtLine(line, inQuotes(cell) + " is no number", "correct the line or export the file again");
+    return source.refusedAtLine(line, inQuotes(cell) + " is not a number", "correct the line or export the file again");
 }
 
 Error textWithoutNumbers(const Source& source) {
     const std::string_view text = source.text();
     if (const auto wrong = wrongCellBelowNames(text))
-        return source.refusedAtLine(wrong->line, inQuotes(wrong->cell) + " stands below x, y or z and is no number",
+        return source.refusedAtLine(wrong->line, inQuotes(wrong->cell) + " is below x, y or z and is not a number",
                                     "save the file with plain numbers in these columns, without units or marks");
     std::size_t at = 0;
     for (std::size_t number = 1; at < text.size() && number <= kSampleRows; ++number) {
@@ -100,7 +100,7 @@ Error textWithoutNumbers(const Source& source) {
                                         "write a first row with the names of the columns, such as id,x,y,z,code");
         }
         if (const auto odd = oddSeparatorIn(line.text)) {
-            return source.refusedAtLine(number, std::string("its numbers stand between \"") + *odd + "\", which separates none here",
+            return source.refusedAtLine(number, std::string("its numbers are separated by \"") + *odd + "\", which separates none here",
                                         "save the file with commas, semicolons, tabs or blanks between its numbers");
         }
     }

@@ -254,6 +254,7 @@ Result<Known> knownOf(RecordedRobot robot, const ReadingOptions& options, const 
     if (!options.pose.empty()) {
         auto poses = openPoses(options.pose);
         if (!poses) return poses.error();
+        if (poses->calibration) known.calibration = poses->calibration;
         known.poses = std::move(*poses);
         const auto source = sourceOf(options.pose);
         if (!source) return source.error();

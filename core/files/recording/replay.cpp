@@ -125,8 +125,8 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     if (!best.scan) {
         const std::string why = replay.feed().whyUndecodable();
         return Error{account.telegrams > 0
-                         ? "none of the " + std::to_string(account.telegrams) + " scan telegrams in this recording holds a line of ranges"
-                     : undecodable > 0 ? "none of the scan telegrams in this recording can be decoded" + (why.empty() ? why : ": " + why)
+                         ? "the " + std::to_string(account.telegrams) + " scan telegrams in this recording hold no line of ranges"
+                     : undecodable > 0 ? "no scan telegram in this recording can be decoded" + (why.empty() ? why : ": " + why)
                                        : "this recording holds no scan telegram" + recording->whatWasLeftOut(),
                      where, "choose another recording"};
     }
@@ -140,7 +140,7 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
         scan.warnings.push_back(std::to_string(undecodable) + " scan telegrams could not be decoded: " + replay.feed().whyUndecodable() +
                                 ".");
     if (const std::int64_t torn = replay.feed().torn(); torn > 0)
-        scan.warnings.push_back(std::to_string(torn) + " messages hold bytes that are no whole telegram: what was in them is lost.");
+        scan.warnings.push_back(std::to_string(torn) + " messages hold bytes that are not a whole telegram: what was in them is lost.");
     if (!recording->clean() && best.progress.expected == 0)
         scan.warnings.push_back("INCOMPLETE: " + std::to_string(best.progress.received) +
                                 " lines are there, how many there were is not known.");

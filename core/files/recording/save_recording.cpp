@@ -158,7 +158,7 @@ Result<Bytes> recordingOf(const Scan& scan, const std::string& where) {
         const auto opened = scanOf(*recording, where);
         if (opened && sameCells(scan, *opened)) return bytes;
     }
-    return Error{"this scan cannot be told by telegrams", where, kUsePcd};
+    return Error{"telegrams cannot describe this scan", where, kUsePcd};
 }
 
 } // namespace edgescan::files

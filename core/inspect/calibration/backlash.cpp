@@ -170,7 +170,7 @@ Result<Backlash> backlashOf(const Scan& there, const Scan& back) {
         if (std::abs(step) < 1e-6) break;
     }
     if (!(found.sdDeg < kMostSdDeg))
-        return Error{"the two passes tell the backlash to no better than " + fixedText(2 * found.sdDeg, 3) + " degrees", "",
+        return Error{"the two passes give the backlash to no better than " + fixedText(2 * found.sdDeg, 3) + " degrees", "",
                      "scan rocks or a corner, in fine steps"};
     return found;
 }

@@ -171,7 +171,7 @@ Agreement agreementOf(const std::vector<Pass>& passes, const AssemblyErrors& err
 std::optional<Error> sweepRefusal(const PolarGeometry& polar, const std::string& name) {
     if (turnOf(polar) < kLeastSweepDeg)
         return Error{"the stepper turned " + fixedText(turnOf(polar), 1) +
-                         " degrees about an axis that lies in the fan, which tells nothing twice",
+                         " degrees about an axis in the fan, so no surface is measured twice",
                      name, "turn the full 360 degrees once for the calibration, or mount the scanner to spin and turn 200"};
     const auto beyond = beyondAxisDeg(polar);
     if (std::max(beyond[0], beyond[1]) < kLeastBeyondDeg)

@@ -2,6 +2,7 @@
 #include "core/inspect/change_detection/change_report.h"
 
 #include "core/base/number_text.h"
+#include "core/base/tolerance_text.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <nlohmann/json.hpp>
@@ -22,9 +23,9 @@ std::string millimetres(double metres) { return fixedText(1000 * metres, 0) + " 
 std::string rowOf(const Scan& later, const ChangedRegion& region) {
     const auto beams = static_cast<std::uint32_t>(later.beams());
     std::string row = rightAligned(region.farther ? "farther" : "nearer", 8) + rightAligned(millimetres(region.byM), 11) + " ± " +
-                      rightAligned(millimetres(region.toleranceM), 6) + rightAligned(fixedText(region.areaM2, 2), 9) + " m²" +
-                      rightAligned(std::to_string(region.cells), 8) + " cells, at line " + std::to_string(region.cell / beams) + " beam " +
-                      std::to_string(region.cell % beams) + ", " + fixedText(region.rangeM, 2) + " m";
+                      rightAligned(millimetres(shownTolerance(region.toleranceM, 3)), 6) + rightAligned(fixedText(region.areaM2, 2), 9) +
+                      " m²" + rightAligned(std::to_string(region.cells), 8) + " cells, at line " + std::to_string(region.cell / beams) +
+                      " beam " + std::to_string(region.cell % beams) + ", " + fixedText(region.rangeM, 2) + " m";
     if (!later.placement) return row;
     const Eigen::Vector3d mine = minePoint(later, region.cell).enhM;
     return row + ", E " + fixedText(mine.x(), 2) + " N " + fixedText(mine.y(), 2) + " RL " + fixedText(mine.z(), 2);

@@ -52,22 +52,33 @@ std::vector<Eigen::Vector3d> directionsOf(const Scan& scan, Turn turn) {
     return directions;
 }
 
+bool inMine(RegistrationBasis by, const RegistrationRequest& wish) { return by == RegistrationBasis::Poses && !wish.poses; }
+
+std::array<PlacedScan, 2> placed(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier, RegistrationBasis by,
+                                 const RegistrationRequest& wish) {
+    if (inMine(by, wish)) {
+        const Eigen::Vector3d origin = later->placement->originEnhM;
+        return {placedInMine(later, origin), placedInMine(earlier, origin)};
+    }
+    const auto poses = wish.poses.value_or(std::array<RigidTransform, 2>{});
+    return {placedBy(later, poses[0]), placedBy(earlier, poses[1])};
+}
+
 PlacedPair placedPair(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier, RegistrationBasis by,
                       const RegistrationRequest& wish) {
-    if (by == RegistrationBasis::Poses && !wish.poses) {
+    std::array<PlacedScan, 2> both = placed(later, earlier, by, wish);
+    if (inMine(by, wish)) {
         const PlacedPoints mine(*later);
         const auto turn = [&](int i, int j, const Eigen::Vector3d& sensor, const Eigen::Vector3d& direction) {
             return (mine.local(i, j, sensor + direction) - mine.local(i, j, sensor)).normalized().eval();
         };
-        const Eigen::Vector3d origin = later->placement->originEnhM;
-        return {placedInMine(later, origin), placedInMine(earlier, origin), directionsOf(*later, turn)};
+        return {std::move(both[0]), std::move(both[1]), directionsOf(*later, turn)};
     }
     const RigidTransform ofLater = wish.poses ? (*wish.poses)[0] : RigidTransform{};
-    const RigidTransform ofEarlier = wish.poses ? (*wish.poses)[1] : RigidTransform{};
     const auto turn = [&](int, int, const Eigen::Vector3d&, const Eigen::Vector3d& direction) {
         return (ofLater.rotation * direction).eval();
     };
-    return {placedBy(later, ofLater), placedBy(earlier, ofEarlier), directionsOf(*later, turn)};
+    return {std::move(both[0]), std::move(both[1]), directionsOf(*later, turn)};
 }
 
 /// The median distance by which a correction moves the points, in steps of the grid.
@@ -126,7 +137,7 @@ Result<EarlierOnGrid> moved(const PlacedPair& pair, const Grid<std::uint8_t>& ed
         scan->rangeMm[*cell] = range;
     }
     if (hits == 0)
-        return Error{"no point of the earlier scan lies in a direction that the later one looked at", pair.earlier.scan->name,
+        return Error{"no point of the earlier scan is in a direction that the later one looked at", pair.earlier.scan->name,
                      "choose two scans of one place, with poses that say so"};
     auto mask = std::make_shared<Grid<std::uint8_t>>(later.lines(), later.beams());
     for (const Fallen& edge : edgeCells) {
@@ -143,8 +154,9 @@ Result<RegistrationBasis> waysOf(const Scan& later, const Scan& earlier, const R
     if (!later.placement && !earlier.placement) return RegistrationBasis::Surfaces;
     if (wish.bySurfaces) return RegistrationBasis::Surfaces;
     const Scan& without = later.placement ? earlier : later;
-    return Error{"one of the two scans has a place in the mine and this one has none, so nobody knows how they lie to each other",
-                 without.name, "give it a pose, or line the two up by their surfaces"};
+    return Error{
+        "one of the two scans has a place in the mine and this one has none, so their positions relative to each other are unknown",
+        without.name, "give it a pose, or line the two up by their surfaces"};
 }
 
 /// Adds the warnings about the registration.
@@ -160,10 +172,17 @@ void judge(RegistrationResult& how, double off) {
             " apart, and " + tenthsOfMm(how.surfaces->residualM) + " if one is moved by " + fixedText(off, 1) + " cells.");
     if (how.surfaces && how.surfaces->residualM > kMostOffM)
         say("the surfaces of the two scans lie " + tenthsOfMm(how.surfaces->residualM) +
-            " apart at best, so most of the place changed or they are no scans of one place.");
+            " apart at best, so most of the place changed or they are not scans of one place.");
 }
 
 } // namespace
+
+std::array<PlacedScan, 2> inOneFrame(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier,
+                                     const RegistrationResult& how, const RegistrationRequest& wish) {
+    std::array<PlacedScan, 2> both = placed(later, earlier, how.by, wish);
+    if (how.moved) both[1] = corrected(std::move(both[1]), *how.moved);
+    return both;
+}
 
 Result<EarlierOnGrid> earlierOnGridOf(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier,
                                       const std::shared_ptr<const Grid<std::uint8_t>>& edges, const RegistrationRequest& wish) {
@@ -194,7 +213,10 @@ Result<EarlierOnGrid> earlierOnGridOf(const std::shared_ptr<const Scan>& later, 
                                fixedText(off, 1) + " cells.");
     }
     if (how.sameCells) return EarlierOnGrid{earlier, edges, std::move(how)};
-    if (bySurfaces) pair.earlier = corrected(std::move(pair.earlier), aligned->correction);
+    if (bySurfaces) {
+        how.moved = aligned->correction;
+        pair.earlier = corrected(std::move(pair.earlier), *how.moved);
+    }
     Result<EarlierOnGrid> on = moved(pair, *edges);
     if (on) on->how = std::move(how);
     return on;

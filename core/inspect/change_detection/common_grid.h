@@ -34,6 +34,7 @@ struct RegistrationResult {
     /// cell k of one scan is cell k of the other; otherwise points were moved to the cells that they fall into
     bool sameCells = true;
     std::optional<ScanAlignment> surfaces; ///< the remaining distance of the surfaces, also if they were not moved; empty for one scan
+    std::optional<RigidTransform> moved;   ///< by which the earlier scan's points were moved in the common frame; empty: not at all
     bool outOfSpec = false;                ///< the warnings give the reasons
     std::vector<std::string> warnings;
 };
@@ -45,6 +46,10 @@ struct EarlierOnGrid {
     RegistrationResult how;
     std::size_t edgesLeftOut = 0; ///< edge cells of the earlier scan that do not fall into a cell of the later one
 };
+
+/// The points of the later and of the earlier scan in one frame, as they were registered. Both must be those of earlierOnGridOf().
+[[nodiscard]] std::array<PlacedScan, 2> inOneFrame(const std::shared_ptr<const Scan>& later, const std::shared_ptr<const Scan>& earlier,
+                                                   const RegistrationResult& how, const RegistrationRequest& wish = {});
 
 /// `edges`: of the earlier scan, not 0 = edge. Scans without a placement are registered by their surfaces; the result is OUT OF SPEC and
 /// carries a warning (docs/reference/rules.md, "S20"). Error: only one of them has a placement and `bySurfaces` is false, the surfaces do

@@ -22,7 +22,8 @@ std::optional<double> strengthAt(const edges::Detection& detection, const edges:
     const double jump = static_cast<double>(detection.responses->jump[probe.cell]);
     const double fold = std::abs(static_cast<double>(detection.responses->crease[probe.cell]));
     // The class of such a cell comes from the end of the data or from the surface behind a void, not from a response of the cell.
-    if (probe.kind == edges::DepthEdge::Border || probe.kind == edges::DepthEdge::Silhouette) return std::nullopt;
+    if (probe.kind == edges::DepthEdge::Border || probe.kind == edges::DepthEdge::Silhouette || probe.kind == edges::DepthEdge::VoidRim)
+        return std::nullopt;
     if (probe.kind == edges::DepthEdge::Jump) return jump;
     if (probe.kind != edges::DepthEdge::None) return fold;
     const double strongest = std::max(jump, fold);

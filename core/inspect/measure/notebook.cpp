@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kNotebookFormat = "edgescan-targets/1";
-constexpr const char* kNotebookHint = "move the file away to begin anew";
+constexpr const char* kNotebookHint = "move the file away to begin a new one";
 constexpr std::size_t kMostRows = 40;
 constexpr std::size_t kLongestRow = 200; // bytes
 
@@ -149,7 +149,7 @@ Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& sca
     const auto object = parseJson(text, where, kSettingsJson);
     if (!object) return object.error();
     if (!object->is_object() || !object->contains("format") || (*object)["format"] != kNotebookFormat)
-        return Error{std::string("these are no targets (") + kNotebookFormat + ")", where, kNotebookHint};
+        return Error{std::string("these are not targets (") + kNotebookFormat + ")", where, kNotebookHint};
     JsonFields fields(*object, where, kNotebookHint);
     (void)fields.text("format");
     if (auto same = checkScan(fields.object("scan"), scan, where); !same) return same.error();
@@ -157,7 +157,7 @@ Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& sca
     std::set<int> numbers;
     for (JsonFields& each : fields.objects("targets")) {
         notebook.targets.push_back(targetFrom(each, scan));
-        if (!numbers.insert(notebook.targets.back().number).second) each.refuse("number", "must stand once only");
+        if (!numbers.insert(notebook.targets.back().number).second) each.refuse("number", "must appear once only");
         each.done();
     }
     for (JsonFields& each : fields.objects("measures")) {

@@ -84,7 +84,7 @@ Result<RigidTransform> open3dtkPose(const std::filesystem::path& path) {
         const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
         const auto value = numberOf(std::string(word));
         if (!value || count == 6 || !physical::kPlaceM.hold(*value))
-            return Error{"this is no pose of 3DTK, which has three centimetres and three degrees", path.string(), "choose a .pose file"};
+            return Error{"this is not a pose of 3DTK, which has three centimetres and three degrees", path.string(), "choose a .pose file"};
         numbers[count++] = *value;
         rest.remove_prefix(word.size());
     }

@@ -1,56 +1,120 @@
-// A spatial index by Boost's R-tree.
+// A k-d tree.
 #include "core/inspect/registration/point_index.h"
 
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
-
 #include <algorithm>
-#include <iterator>
+#include <array>
+#include <cmath>
 
 namespace edgescan::inspect {
 namespace {
 
-using TreePoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using Entry = std::pair<TreePoint, std::uint32_t>;
-TreePoint treePoint(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
-
-std::vector<Entry> entriesOf(std::span<const Eigen::Vector3d> points) {
-    std::vector<Entry> entries;
-    for (std::size_t n = 0; n < points.size(); ++n) {
-        if (points[n].allFinite()) entries.emplace_back(treePoint(points[n]), static_cast<std::uint32_t>(n));
-    }
-    return entries;
-}
+constexpr std::uint32_t kPointsOfEnd = 10;
+constexpr std::size_t kDeepest = 64; // a tree of 2^32 points has 32 levels
 
 } // namespace
 
-struct PointIndex::Tree {
-    boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>> tree;
-};
+PointIndex::PointIndex(std::span<const Eigen::Vector3d> points) {
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (points[n].allFinite()) order_.push_back(static_cast<std::uint32_t>(n));
+    }
+    if (order_.empty()) return;
+    nodes_.reserve(4 * order_.size() / kPointsOfEnd + 1);
+    halve(0, static_cast<std::uint32_t>(order_.size()), points);
+    ordered_.reserve(order_.size());
+    for (const std::uint32_t n : order_) ordered_.push_back(points[n]);
+}
 
-PointIndex::PointIndex(std::span<const Eigen::Vector3d> points)
-    : tree_(std::make_unique<Tree>(Tree{decltype(Tree::tree)(entriesOf(points))})), points_(points.begin(), points.end()) {}
-PointIndex::PointIndex(PointIndex&&) noexcept = default;
-PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
-PointIndex::~PointIndex() = default;
+void PointIndex::halve(std::uint32_t first, std::uint32_t count, std::span<const Eigen::Vector3d> points) {
+    const std::size_t own = nodes_.size();
+    nodes_.push_back({first, count});
+    if (count <= kPointsOfEnd) return;
+    const auto begin = order_.begin() + first, end = begin + count, middle = begin + count / 2;
+    Eigen::Array3d least = points[*begin], most = least;
+    for (auto n = begin; n != end; ++n) {
+        least = least.min(points[*n].array());
+        most = most.max(points[*n].array());
+    }
+    int axis = 0;
+    (most - least).maxCoeff(&axis);
+    std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b) {
+        return points[a][axis] < points[b][axis] || (points[a][axis] == points[b][axis] && a < b);
+    });
+    const double split = points[*middle][axis];
+    halve(first, count / 2, points);
+    nodes_[own] = {first, count, static_cast<std::uint32_t>(nodes_.size()), axis, split};
+    halve(first + count / 2, count - count / 2, points);
+}
+
+template <class Visit, class Limit>
+void PointIndex::search(const Eigen::Vector3d& p, Visit visit, Limit limit) const {
+    if (nodes_.empty()) return;
+    struct Pending {
+        std::uint32_t node;
+        double square; ///< no point of the node is nearer than its root
+    };
+    std::array<Pending, kDeepest> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {0, 0.0};
+    while (depth > 0) {
+        Pending at = stack[--depth];
+        if (at.square > limit()) continue;
+        while (nodes_[at.node].upper != 0) {
+            const Node& node = nodes_[at.node];
+            const double off = p[node.axis] - node.split;
+            const std::uint32_t lower = at.node + 1;
+            stack[depth++] = {off < 0 ? node.upper : lower, std::max(at.square, off * off)};
+            at.node = off < 0 ? lower : node.upper;
+        }
+        visit(nodes_[at.node].first, nodes_[at.node].count);
+    }
+}
 
 std::vector<std::uint32_t> PointIndex::nearest(const Eigen::Vector3d& p, unsigned count) const {
-    std::vector<std::uint32_t> found;
-    tree_->tree.query(boost::geometry::index::nearest(treePoint(p), count),
-                      boost::make_function_output_iterator([&](const Entry& entry) { found.push_back(entry.second); }));
-    // Boost does not define the order of points at equal distance; they are sorted by index, so that every machine gives the same result.
-    std::ranges::sort(found, [&](std::uint32_t a, std::uint32_t b) {
-        const double da = (points_[a] - p).squaredNorm(), db = (points_[b] - p).squaredNorm();
-        return da < db || (da == db && a < b);
-    });
-    return found;
+    using Found = std::pair<double, std::uint32_t>; // square of the distance, index
+    std::vector<Found> found;                       // a heap with the farthest on top
+    if (count == 0) return {};
+    found.reserve(count + 1);
+    search(
+        p,
+        [&](std::uint32_t first, std::uint32_t points) {
+            for (std::uint32_t n = first; n < first + points; ++n) {
+                const Found one{(ordered_[n] - p).squaredNorm(), order_[n]};
+                if (found.size() == count && !(one < found.front())) continue;
+                found.push_back(one);
+                std::ranges::push_heap(found);
+                if (found.size() <= count) continue;
+                std::ranges::pop_heap(found);
+                found.pop_back();
+            }
+        },
+        [&] { return found.size() < count ? std::numeric_limits<double>::infinity() : found.front().first; });
+    std::ranges::sort_heap(found);
+    std::vector<std::uint32_t> indices;
+    for (const Found& one : found) indices.push_back(one.second);
+    return indices;
 }
 
 std::optional<std::uint32_t> PointIndex::nearest(const Eigen::Vector3d& p) const {
-    const auto found = nearest(p, 1);
-    return found.empty() ? std::nullopt : std::optional(found.front());
+    std::pair<double, std::uint32_t> best{std::numeric_limits<double>::infinity(), 0};
+    search(
+        p,
+        [&](std::uint32_t first, std::uint32_t points) {
+            for (std::uint32_t n = first; n < first + points; ++n) best = std::min(best, {(ordered_[n] - p).squaredNorm(), order_[n]});
+        },
+        [&] { return best.first; });
+    return std::isfinite(best.first) ? std::optional(best.second) : std::nullopt;
+}
+
+double PointIndex::distance(const Eigen::Vector3d& p, double mostM) const {
+    const double limit = mostM * mostM;
+    double least = std::numeric_limits<double>::infinity();
+    search(
+        p,
+        [&](std::uint32_t first, std::uint32_t points) {
+            for (std::uint32_t n = first; n < first + points; ++n) least = std::min(least, (ordered_[n] - p).squaredNorm());
+        },
+        [&] { return std::min(limit, least); });
+    return least <= limit ? std::sqrt(least) : std::numeric_limits<double>::infinity();
 }
 
 } // namespace edgescan::inspect

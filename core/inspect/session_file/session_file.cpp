@@ -192,7 +192,8 @@ Result<ReadSession> sessionFromText(std::string_view text, const fs::path& folde
     const auto object = parseJson(text, where, kSessionJson);
     if (!object) return object.error();
     if (!object->is_object() || !object->contains("format") || (*object)["format"] != kSessionFormat)
-        return Error{std::string("this is no session (") + kSessionFormat + ")", where, "choose a file that EdgeScan saved as a session"};
+        return Error{std::string("this is not a session (") + kSessionFormat + ")", where,
+                     "choose a file that EdgeScan saved as a session"};
     JsonFields fields(*object, where, "open another session, or the scan itself");
     (void)fields.text("format");
     (void)fields.text("program");

@@ -26,8 +26,8 @@ std::vector<exports::SheetMark> rockLegend() {
             {"split", {226, 70, 0}, exports::MarkShape::Cross},
             {"lost to the wall", {170, 30, 140}, exports::MarkShape::Plus},
             {"missed otherwise", {160, 110, 0}, exports::MarkShape::Slash},
-            {"region told as a rock", {120, 20, 50}, exports::MarkShape::Square},
-            {"region told as no rock", {120, 120, 120}, exports::MarkShape::Slash}};
+            {"region reported as a rock", {120, 20, 50}, exports::MarkShape::Square},
+            {"region reported as not a rock", {120, 120, 120}, exports::MarkShape::Slash}};
 }
 
 RockMark markOf(const RockVerdict& verdict) {
@@ -126,7 +126,7 @@ Grid<Rgb> rockSheet(const Scan& scan, const RockScene& scene, const RockDetectio
             const std::string place = "lines " + std::to_string(part.line) + ".., beams " + std::to_string(part.beam) + "..";
             tiles.push_back({cut(gray, part), cut(ofTruth ? truth : told, part),
                              (&part == parts.data() ? "where most is missed: " : "where most is found: ") +
-                                 std::string(ofTruth ? "true rocks" : "regions told"),
+                                 std::string(ofTruth ? "true rocks" : "regions reported"),
                              ofTruth ? place + ": " + std::to_string(good) + " found, " + std::to_string(bad) + " missed" : place});
         }
     }

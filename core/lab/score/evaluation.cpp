@@ -74,6 +74,17 @@ Json countsJson(const EdgeCounts& counts) {
             {"truth", counts.truth},           {"found", counts.found},     {"false", counts.false_}};
 }
 
+// Names of sim::EdgeClass from 1 on.
+constexpr std::array<const char*, 4> kClassNames{"occluding", "contact", "crease", "void"};
+
+Json placesJson(const EdgePlaces& places) {
+    Json json{{"truth", places.truth}};
+    for (std::size_t n = 0; n < kPlaceDistances.size(); ++n) json["within_" + std::to_string(kPlaceDistances[n])] = places.share(n);
+    json["offset"] = places.offset();
+    json["offsets"] = places.measured;
+    return json;
+}
+
 double shareOfRocks(const std::vector<ScoredOutline>& rocks, double least) {
     if (rocks.empty()) return 0.0;
     const auto count = std::count_if(rocks.begin(), rocks.end(), [&](const ScoredOutline& rock) { return rock.share() >= least; });
@@ -106,6 +117,7 @@ Evaluation& Evaluation::operator+=(const Evaluation& other) {
     errorsMm.insert(errorsMm.end(), other.errorsMm.begin(), other.errorsMm.end());
     pratt += other.pratt;
     scans += other.scans;
+    for (std::size_t n = 0; n < places.size(); ++n) places[n] += other.places[n];
     return *this;
 }
 
@@ -135,8 +147,12 @@ double prattMerit(const Grid<std::uint8_t>& thin, const sim::EdgeTruth& truth) {
 
 Evaluation evaluateMask(const Grid<std::uint8_t>& mask, const sim::TruthSet& truth, const Scan* scan, double tolerance) {
     const EdgeMatches matches = matchWithTruth(mask, truth.edges, tolerance);
-    return {scoreMatches(matches, truth.edges), rockOutlines(matches, truth),
-            scan != nullptr ? errorsMm(matches, truth, *scan) : std::vector<double>(), prattMerit(matches.thin, truth.edges), 1};
+    return {scoreMatches(matches, truth.edges),
+            rockOutlines(matches, truth),
+            scan != nullptr ? errorsMm(matches, truth, *scan) : std::vector<double>(),
+            prattMerit(matches.thin, truth.edges),
+            1,
+            edgePlaces(matches.thin, truth)};
 }
 
 Json evaluationJson(const Evaluation& evaluation) {
@@ -147,6 +163,9 @@ Json evaluationJson(const Evaluation& evaluation) {
                      {"at_least_90_percent", shareOfRocks(evaluation.rocks, 0.9)}};
     if (!evaluation.errorsMm.empty())
         json["error_mm"] = {{"p50", errorAt(evaluation.errorsMm, 0.50)}, {"p95", errorAt(evaluation.errorsMm, 0.95)}};
+    Json& places = json["places"];
+    for (std::size_t n = 0; n < kClassNames.size(); ++n) places[kClassNames[n]] = placesJson(evaluation.places[n + 1]);
+    places["all"] = placesJson(allPlaces(evaluation.places));
     json["pratt"] = evaluation.scans == 0 ? 0.0 : evaluation.pratt / evaluation.scans;
     return json;
 }

@@ -1,6 +1,7 @@
 // All figures of one mask, or of a method over its thresholds, compared with the truth.
 #pragma once
 
+#include "core/lab/score/places.h"
 #include "core/lab/score/score.h"
 #include "core/sim/truth/truth_files.h"
 
@@ -28,6 +29,7 @@ struct Evaluation {
     std::vector<double> errorsMm;
     double pratt = 0.0; ///< sum over scans of Pratt's figure of merit, each 0..1
     int scans = 0;
+    PlacesByClass places{};
 
     Evaluation& operator+=(const Evaluation& other);
 };
@@ -45,7 +47,7 @@ struct ThresholdSweep {
     std::vector<std::vector<Evaluation>> perScan; ///< [scan][threshold]
 };
 
-/// "precision", "recall", "f" per group, rocks, 3D error, Pratt.
+/// "precision", "recall", "f" per group, rocks, 3D error, Pratt, and per class where the detections are.
 [[nodiscard]] nlohmann::ordered_json evaluationJson(const Evaluation& evaluation);
 
 /// One entry per rock: index of its file, object number, outline cells, found ones and their share.

@@ -2,6 +2,7 @@
 #include "core/rocks/attributes/rock_columns.h"
 
 #include "core/base/number_text.h"
+#include "core/base/tolerance_text.h"
 
 #include <array>
 
@@ -51,7 +52,7 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
          [](Row r) { return fixed(r.rock->shortestCaliperM, kHundredths); }, true},
         {"tolerance_m", "± [m]", "Of a and b: spacing of the points and width of the beam, twice",
          [](Row r) -> RockValue { return millimetres(r.rock->toleranceM); },
-         [](Row r) { return fixed(r.rock->toleranceM, kHundredths); }, true},
+         [](Row r) { return fixed(shownTolerance(r.rock->toleranceM, kHundredths), kHundredths); }, true},
         {"distance_m", "distance [m]", "From the scanner: median of its ranges",
          [](Row r) -> RockValue { return millimetres(r.rock->distanceM); },
          [](Row r) { return fixed(r.rock->distanceM, kHundredths); }, true},

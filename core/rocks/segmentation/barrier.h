@@ -25,7 +25,8 @@ struct CellLinks {
 /// Strength of the separation between rocks, per cell: the jump or the valley after suppression, whichever is stronger; 0 on a ridge,
 /// because a ridge is inside one rock.
 [[nodiscard]] inline float separationStrength(const edges::DepthResponses& responses, std::size_t k) {
-    return std::max({responses.jump[k], -responses.crease[k], 0.0F});
+    const Grid<float>& folds = responses.roughness.rough ? responses.unweighed : responses.crease;
+    return std::max({responses.jump[k], -folds[k], 0.0F});
 }
 
 /// Exact distance of each cell to the nearest barrier, in cells, 0 on a barrier. Lines x beams. Barriers are chains of separating edges,

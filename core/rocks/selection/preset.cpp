@@ -35,7 +35,7 @@ Result<Preset> rockPresetFromText(std::string_view text, int lines, int beams, c
     }
     if (object->is_object() && object->contains("sha256")) {
         const nlohmann::json& hash = (*object)["sha256"];
-        if (!hash.is_string()) return Error{"\"sha256\" is no text", where, "give edits that were made on this scan"};
+        if (!hash.is_string()) return Error{"\"sha256\" is not a text", where, "give edits that were made on this scan"};
         preset.sha256 = hash.get<std::string>();
         if (!sha256.empty() && preset.sha256 != sha256)
             return Error{"these edits were made on a file of other content", where, "give those of this scan, or move the file away"};

@@ -22,12 +22,12 @@ constexpr std::array kRockParameters{
                   4, 0.1, 1, EDGESCAN_NUMBER(RockSettings, level)},
     RockParameter{"min-cells", "Smallest rock", "cells", "Pieces of fewer measured cells are fines and no rocks.", 20, 100000, 1, 0,
                   EDGESCAN_NUMBER(RockSettings, minimumCells)},
-    RockParameter{"farthest", "Farthest rock", "m", "What lies farther away is no rock.", 0.5, 100, 0.5, 1,
+    RockParameter{"farthest", "Farthest rock", "m", "A region farther away is not a rock.", 0.5, 100, 0.5, 1,
                   EDGESCAN_NUMBER(RockSettings, farthestM)},
     RockParameter{"largest", "Largest size expected", "m", "Pieces that are larger need better signs of being a rock and not a wall.", 0.1,
                   50, 0.1, 1, EDGESCAN_NUMBER(RockSettings, largestM)},
-    RockParameter{"oversize", "Oversize", "m", "The share of rocks whose visible width is larger is told; 0 tells none.", 0, 50, 0.1, 2,
-                  EDGESCAN_NUMBER(RockSettings, oversizeM)},
+    RockParameter{"oversize", "Oversize", "m", "The share of rocks whose visible width is larger is reported; 0 reports none.", 0, 50, 0.1,
+                  2, EDGESCAN_NUMBER(RockSettings, oversizeM)},
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/base/simd.h"
 #include "core/scan/angle_correction/line_slips.h"
 #include "core/scan/angle_correction/slip_votes.h"
+#include "core/scan/angle_correction/turned_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,13 +93,13 @@ void moveBeams(InverseRange& inverse, const std::vector<float>& parity) {
 
 SweepSlips noSlips(int lines) {
     const std::vector<float> none(static_cast<std::size_t>(lines));
-    return {none, {none, none}, {none, none}, false, 0};
+    return {none, {none, none}, {none, none}, false, 0, {}};
 }
 
 SweepSlips straighten(InverseRange& inverse, int threads) {
     const int lines = inverse.u.lines;
     // A sample of the lines shows whether measuring all of them is worth the time.
-    SweepSlips result{parities(inverse, std::max(1, lines / kSampledLines)), {}, {}, false, 0};
+    SweepSlips result{parities(inverse, std::max(1, lines / kSampledLines)), {}, {}, false, 0, turnedSteps(inverse)};
     result.interlaced = std::any_of(result.parity.begin(), result.parity.end(), [](float steps) { return steps != 0; });
     if (result.interlaced) {
         result.parity = parities(inverse, 1);

@@ -5,6 +5,7 @@
 #include "core/scan/angle_correction/line_slips.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace edgescan {
@@ -19,6 +20,8 @@ struct SweepSlips {
     LineSteps measured; ///< all slips as measured, index steps
     bool interlaced = false; ///< true if most lines show interlaced beams; otherwise parity is all 0
     int slipCount = 0;       ///< values of `measured` that are not 0
+    std::vector<std::uint8_t>
+        turned; ///< steps at which the stepper turned (core/scan/angle_correction/turned_steps.h); empty if it did not
 };
 
 /// The result for a sweep in which every line and beam is at its recorded angle.

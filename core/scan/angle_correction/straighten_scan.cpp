@@ -53,6 +53,7 @@ struct Displacement {
     int slipCount = 0;             // number of values of slipSteps that are not 0
     double uneven = 0;             // normal difference between steps, index steps
     double surest = 0;             // the largest slip, index steps
+    int turnedSteps = 0;           // steps at which the stepper swung back
     int left = 0;                  // slips on which even and odd beams disagree
 };
 
@@ -93,6 +94,7 @@ Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
         found.oddAheadDeg = beyond(odd.steps * found.stepDeg, oddSkewDeg(polar), kAgreeBeams * std::abs(found.stepDeg));
         found.oddSurest = odd.surest;
     }
+    found.turnedSteps = static_cast<int>(std::ranges::count(slips.turned, std::uint8_t{1}));
     found.uneven = slips.slipCount > 0 ? static_cast<double>(stepUnevenness(inverse)) : 0.0;
     const double usualDeg = medianStepDeg(polar.lineDeg);
     found.slipSteps.resize(polar.lineDeg.size());
@@ -164,6 +166,13 @@ std::string phasesText(const LinePhases& found, const PolarGeometry& polar) {
            sureText(found.significance);
 }
 
+// A sentence about the lines at which the stepper turned; empty if it did not.
+std::string turnText(const Displacement& found) {
+    if (found.turnedSteps == 0) return "";
+    return " At " + std::to_string(found.turnedSteps) +
+           " of the first and last lines the stepper still swung back: folds there are left out.";
+}
+
 constexpr const char* kDisplaced = "Not measured at the angles that the file gives: ";
 
 } // namespace
@@ -186,7 +195,7 @@ Scan straightened(Scan scan) {
     moveLines(*polar, found.slipSteps, found.stepDeg);
     const std::string text = displacementText(found);
     if (!text.empty())
-        scan.warnings.push_back("Straightened: " + text + ".");
+        scan.warnings.push_back("Straightened: " + text + "." + turnText(found));
     else if (found.left == 0)
         scan.warnings.emplace_back("Straightened: no interlaced beams and no slips were found; the angles stay.");
     if (found.left > 0)
@@ -204,10 +213,12 @@ std::optional<std::string> displacementWarning(const Scan& scan) {
         return kDisplaced + phasesText(phases, *polar) +
                "; edges across the lines are combed: --straighten (Scan > Straighten Beams) puts these lines side by side as one.";
     }
-    const std::string text = displacementText(displacementOf(std::move(inverse), *polar));
+    const Displacement found = displacementOf(std::move(inverse), *polar);
+    const std::string text = displacementText(found);
     if (text.empty()) return std::nullopt;
     return kDisplaced + text +
-           "; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan > Straighten Beams) corrects the angles.";
+           "; EdgeScan+ allows for it, but the cloud does not: --straighten (Scan > Straighten Beams) corrects the angles." +
+           turnText(found);
 }
 
 bool isDisplacementWarning(const std::string& warning) { return warning.starts_with(kDisplaced); }

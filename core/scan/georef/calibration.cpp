@@ -53,6 +53,7 @@ void readInclinometer(JsonFields inclinometer, Calibration& c) {
 
 void readBoom(JsonFields boom, Calibration& c) {
     c.slewAboutRobotZ = boom.choice("azimuth_about", kAzimuths) == 1;
+    if (!boom.has("head_in_robot_m") && !boom.has("pivot_in_robot_m")) c.leftOut.emplace_back(kHeadKey);
     c.headInRobotM = boom.vector("head_in_robot_m", c.headInRobotM, kLever);
     if (boom.has("pivot_in_robot_m")) {
         if (boom.has("head_in_robot_m")) boom.refuse("pivot_in_robot_m", "and \"head_in_robot_m\" exclude each other");
@@ -76,10 +77,13 @@ Result<Calibration> parseCalibration(std::string_view json, const std::string& w
     readInclinometer(fields.object("inclinometer"), c);
     readBoom(fields.object("boom"), c);
     JsonFields talin = fields.object("talin");
+    if (!talin.has("in_robot_m")) c.leftOut.emplace_back("talin.in_robot_m");
+    if (!talin.has("boresight_rpy_deg")) c.leftOut.emplace_back("talin.boresight_rpy_deg");
     c.talinInRobotM = talin.vector("in_robot_m", c.talinInRobotM, kLever);
     c.boresightRpyDeg = talin.vector("boresight_rpy_deg", c.boresightRpyDeg, kAngle);
     talin.done();
     JsonFields grid = fields.object("grid");
+    if (!grid.has("convergence_deg")) c.leftOut.emplace_back(kConvergenceKey);
     c.convergenceDeg = grid.number("convergence_deg", c.convergenceDeg, physical::kRollDeg.limits);
     c.gridScale = grid.number("scale", c.gridScale, {0.99, 1.01});
     grid.done();

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace edgescan {
 
@@ -26,6 +27,9 @@ enum class TiltReading : std::uint8_t {
     Elevations, ///< elevations of the X and Y axes above the horizon
     PitchRoll,  ///< Euler angles
 };
+
+inline constexpr const char* kHeadKey = "boom.head_in_robot_m";
+inline constexpr const char* kConvergenceKey = "grid.convergence_deg";
 
 struct Calibration {
     std::string robot; ///< its name; a pose file that names another robot is refused
@@ -56,6 +60,8 @@ struct Calibration {
 
     double tiltChangeLimitDeg = 0.2; ///< a larger change of tilt during a static sweep makes the scan OUT OF SPEC
     double poseAgeLimitS = 0.0;      ///< a pose may be this much older than the start of the scan
+
+    std::vector<std::string> leftOut{}; ///< keys of measured mountings that the file does not name; their values are 0
 };
 
 /// Error: unknown key, missing unit in a name, number outside its limits, not a rotation, axis of length 0. `where` is the path.

@@ -115,6 +115,17 @@ void judgeStillness(Placement& placement, const Calibration& calibration, const 
              shortNumber(calibration.tiltChangeLimitDeg) + ".");
 }
 
+/// Warns about mountings that were not measured. A head that the pose gives and headings from the grid's north need no value.
+void judgeMounting(Placement& placement, const Calibration& calibration, const PoseTrack& poses) {
+    std::string names;
+    for (const std::string& key : calibration.leftOut) {
+        if (key == kHeadKey && poses.headInRobotM.allFinite()) continue;
+        if (key == kConvergenceKey && std::ranges::none_of(poses.talin, &TalinReading::trueNorth)) continue;
+        names += (names.empty() ? "" : ", ") + key;
+    }
+    if (!names.empty()) warn(placement, false, "The calibration leaves out " + names + ": 0 was taken.");
+}
+
 /// Warns about lines measured before the first or after the last reading: their pose is a guess.
 void judgeCover(Placement& placement, const PoseTrack& poses, const std::vector<double>& times) {
     const double first = std::max(poses.inclinometer.front().timeS, poses.talin.front().timeS);
@@ -156,6 +167,7 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
     placement->scanEndUtc = utcText(poses.scanEndS);
     const TalinReading mean = averageTalin(poses.talin);
     placement->originEnhM = chooseOrigin(mean.enhM);
+    judgeMounting(*placement, calibration, poses);
     const double startS = lineTimesS.empty() ? poses.scanStartS : lineTimesS.front();
     if (poses.moving) {
         if (times->empty()) {
@@ -183,17 +195,19 @@ Result<std::string> sourceOf(const std::filesystem::path& file) {
 
 Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::path& pose, const std::filesystem::path& calibration,
                                                        const Scan& scan, std::span<const double> lineTimesS) {
-    const auto robot = openCalibration(calibration);
-    if (!robot) return robot.error();
-    auto poses = openPoses(pose);
+    const auto poses = openPoses(pose);
     if (!poses) return poses.error();
+    if (calibration.empty() && !poses->calibration)
+        return Error{"a pose needs the robot's calibration", pose.string(), "give --calibration ROBOT.json too"};
+    const auto robot = calibration.empty() ? Result<Calibration>(*poses->calibration) : openCalibration(calibration);
+    if (!robot) return robot.error();
     const auto poseSource = sourceOf(pose);
-    const auto robotSource = sourceOf(calibration);
+    const auto robotSource = calibration.empty() ? Result<std::string>(std::string()) : sourceOf(calibration);
     if (!poseSource || !robotSource) return poseSource ? robotSource.error() : poseSource.error();
     const auto placed = placeScan(scan, *robot, *poses, lineTimesS);
     if (!placed) return Error{placed.error().what, pose.string(), placed.error().hint};
     auto named = std::make_shared<Placement>(**placed);
-    named->source = *poseSource + " with " + *robotSource;
+    named->source = *poseSource + (robotSource->empty() ? "" : " with " + *robotSource);
     return std::shared_ptr<const Placement>(named);
 }
 

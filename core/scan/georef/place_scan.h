@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,7 @@ struct PoseTrack {
     Eigen::Vector3d headInRobotM = Eigen::Vector3d::Constant(kUnknownTime); ///< NaN: the value of the calibration
     std::vector<InclinometerReading> inclinometer;                          ///< at least one, with ascending times where known
     std::vector<TalinReading> talin;                                        ///< at least one
+    std::optional<Calibration> calibration;                                 ///< of the robot, if the pose file holds it
 };
 
 /// Reads a pose file: {"format": "edgescan-pose/1", ...}. Error: unknown key, number outside its limits, times out of order ... `where` is
@@ -71,7 +73,8 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
 /// "pose.json (SHA-256 ...)": the name of a file in Placement::source.
 Result<std::string> sourceOf(const std::filesystem::path& file);
 
-/// Reads both files and computes the place of the scan, for --pose POSE.json --calibration ROBOT.json.
+/// Reads both files and computes the place of the scan, for --pose POSE.json --calibration ROBOT.json. An empty path: the pose file holds
+/// the calibration.
 Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::path& pose, const std::filesystem::path& calibration,
                                                        const Scan& scan, std::span<const double> lineTimesS = {});
 

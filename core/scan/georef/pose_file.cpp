@@ -3,6 +3,7 @@
 
 #include "core/base/inputs.h"
 #include "core/base/json_fields.h"
+#include "core/base/json_text.h"
 #include "core/base/whole_file.h"
 #include "core/scan/georef/calibration.h"
 
@@ -82,6 +83,11 @@ Result<PoseTrack> parsePoses(std::string_view json, const std::string& where) {
     boom.done();
     for (const JsonFields& reading : fields.objects("inclinometer")) poses.inclinometer.push_back(readInclinometer(reading));
     for (const JsonFields& reading : fields.objects("talin")) poses.talin.push_back(readTalin(reading, poses));
+    if (const nlohmann::json& robot = fields.value("calibration"); !robot.is_null()) {
+        auto calibration = parseCalibration(jsonText(robot), where);
+        if (!calibration) return calibration.error();
+        poses.calibration = std::move(*calibration);
+    }
     checkTimes(fields, poses.inclinometer, "inclinometer", poses.moving);
     checkTimes(fields, poses.talin, "talin", poses.moving);
     fields.done();

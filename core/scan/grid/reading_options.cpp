@@ -25,7 +25,7 @@ std::string textOf(const std::optional<double>& value) {
 std::string textOf(const std::optional<Eigen::Vector3d>& v) {
     return v ? textOf(v->x()) + "," + textOf(v->y()) + "," + textOf(v->z()) : std::string();
 }
-std::string textOf(std::size_t value) { return value == 0 ? std::string() : std::to_string(value); }
+std::string textOf(const std::optional<std::size_t>& value) { return value ? std::to_string(*value) : std::string(); }
 std::string textOf(bool value) { return value ? "on" : ""; }
 std::string textOf(const std::string& value) { return value; }
 
@@ -50,7 +50,7 @@ void read(std::optional<Eigen::Vector3d>& value, const std::string& text) {
     const std::vector<double> numbers = numbersOf(text);
     value = Eigen::Vector3d(numbers.at(0), numbers.at(1), numbers.at(2));
 }
-void read(std::size_t& value, const std::string& text) { value = static_cast<std::size_t>(numbersOf(text).at(0)); }
+void read(std::optional<std::size_t>& value, const std::string& text) { value = static_cast<std::size_t>(numbersOf(text).at(0)); }
 void read(bool& value, const std::string& text) { value = text == "on"; }
 void read(std::string& value, const std::string& text) { value = text; }
 
@@ -89,6 +89,8 @@ const std::vector<ReadingOption>& table() {
          "Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped", {},
          EDGESCAN_OPTION(straighten)},
         {"scan", kBoth, Kind::Whole, "Which scan of a file that holds several, from 0", {}, EDGESCAN_OPTION(scanIndex), &kScanIndex},
+        {"topic", kBoth, Kind::Name, "Topic of a ROS bag that is the scan; otherwise the laser with most lines", {}, EDGESCAN_OPTION(topic)},
+        {"joint", kBoth, Kind::Name, "Joint of a ROS bag that turns the laser; otherwise the transforms say it", {}, EDGESCAN_OPTION(joint)},
         {"pose", ReadingOption::kFlag, Kind::Path, "Pose file of the scan; a recording may hold its own", {}, EDGESCAN_OPTION(pose)},
         {"calibration", ReadingOption::kFlag, Kind::Path, "Calibration file of the robot; a recording may hold its own", {}, EDGESCAN_OPTION(calibration)},
     };
@@ -144,7 +146,7 @@ Result<Done> checked(const ReadingOption& option, const std::string& text) {
     if (option.kind == Kind::Word && std::ranges::find(option.words, text) == option.words.end()) {
         std::string words;
         for (const std::string& word : option.words) words += (words.empty() ? "" : &word == &option.words.back() ? " or " : ", ") + word;
-        return Error{"\"" + text + "\" is none of its values", flag, "use " + words};
+        return Error{"\"" + text + "\" is not one of its values", flag, "use " + words};
     }
     if (option.limit == nullptr) return Done{};
     const std::vector<double> numbers = numbersOf(text);
@@ -166,7 +168,7 @@ std::string readingFlags(const ReadingOptions& options) {
         const std::string text = option.get(options);
         if ((option.uses & ReadingOption::kFlag) == 0 || text.empty()) continue;
         flags += (flags.empty() ? "--" : " --") + std::string(option.key);
-        if (option.kind != Kind::Switch) flags += " " + (option.kind == Kind::Path ? shellQuoted(text) : text);
+        if (option.kind != Kind::Switch) flags += " " + (option.kind == Kind::Path || option.kind == Kind::Name ? shellQuoted(text) : text);
     }
     return flags;
 }

@@ -35,10 +35,13 @@ struct ReadingOptions {
     std::optional<Eigen::Vector3d> sensorM; ///< position of the sensor, metres, in the frame of the cloud's points
     std::optional<double> gridStepDeg;      ///< size of a projected cloud's cells; empty: from the spacing of its points
     Projection projection = Projection::Auto;
-    std::string pose;          ///< pose file; together with the calibration it gives the scan its place in the mine
-    std::string calibration;   ///< the robot's calibration file
-    bool straighten = false;   ///< correct the angles of interlaced beams and slipped lines; openAsAsked() does this, openScan() does not
-    std::size_t scanIndex = 0; ///< index, from 0, of the scan in a file that holds several
+    std::string pose;        ///< pose file; together with the calibration it gives the scan its place in the mine
+    std::string calibration; ///< the robot's calibration file
+    bool straighten = false; ///< correct the angles of interlaced beams and slipped lines; openAsAsked() does this, openScan() does not
+    std::string topic;       ///< of a ROS bag: the topic that is the scan
+    std::string joint;       ///< of a ROS bag: the joint that turns the laser
+    /// index, from 0, of the scan in a file that holds several; empty: the first, or of sweeps and clouds of a bag the largest
+    std::optional<std::size_t> scanIndex;
 
     /// Called by the opening thread with the stage and the share of it that is done (0..1). If it returns false, opening ends with the
     /// Error "cancelled".
@@ -47,7 +50,7 @@ struct ReadingOptions {
 
 /// One row of the table. A new option needs a row and a member.
 struct ReadingOption {
-    enum class Kind : std::uint8_t { Number, ThreeNumbers, Whole, Word, Switch, Path };
+    enum class Kind : std::uint8_t { Number, ThreeNumbers, Whole, Word, Switch, Path, Name };
     enum Use : std::uint8_t { kFlag = 1, kRecord = 2 };
 
     const char* key; ///< flag without "--", and key in records

@@ -55,7 +55,7 @@ Result<ColaAnswer> parseAnswer(ByteView payload, Dialect dialect) {
     ColaReader reader(payload, dialect);
     const std::string_view letters = reader.word();
     const auto form = std::find_if(kForms.begin(), kForms.end(), [&](const Form& f) { return f.letters == letters; });
-    if (form == kForms.end()) return Error{"this is no answer of a scanner", "byte 0 of the telegram", {}};
+    if (form == kForms.end()) return Error{"this is not an answer of a scanner", "byte 0 of the telegram", {}};
     ColaAnswer answer;
     answer.kind = form->kind;
     answer.dialect = dialect;

@@ -98,7 +98,7 @@ Result<Done> EmulatedScanner::Server::listen() {
     const std::string where = addressText(settings.address, settings.port);
     error_code problem;
     const auto address = asio::ip::make_address(settings.address, problem);
-    if (problem) return Error{"this is no IP address to listen on", where, "use 127.0.0.1, or 0.0.0.0 for all"};
+    if (problem) return Error{"this is not an IP address to listen on", where, "use 127.0.0.1, or 0.0.0.0 for all"};
     const tcp::endpoint endpoint(address, settings.port);
     acceptor.open(endpoint.protocol(), problem);
     error_code ignored;

@@ -50,7 +50,7 @@ struct LineTiming {
     std::int64_t hostNs = 0;             ///< when it arrived
     std::int64_t stampNs = 0;            ///< its time stamp by the host's clock
     double seconds = 0.0;                ///< device clock, continuous over restarts
-    double secondsPerTurn = 0.04;        ///< of the mirror
+    double secondsPerTurn = 0.04;        ///< of the mirror; negative: it turns from large beam angles to small ones
     std::optional<std::int64_t> encoder; ///< count since the zero position
     std::optional<double> stepperDeg;    ///< as the stepper reported
     bool stepperSettled = false;         ///< true: later readings cannot change it

@@ -46,7 +46,7 @@ ConnectionState ScannerConnection::state() const {
     return state_;
 }
 
-SessionStatistics ScannerConnection::statistics() const {
+ConnectionStatistics ScannerConnection::statistics() const {
     const std::uint64_t connections = connections_;
     return {link_.counts(), scans_, connections, connections > 0 ? connections - 1 : 0};
 }

@@ -42,7 +42,7 @@ struct ConnectionSettings {
     ScannerTimeouts timeouts;
 };
 
-/// All functions are called on the session's thread and delay receiving while they run. They are not called after stop() has returned.
+/// All functions are called on the connection's thread and delay receiving while they run. They are not called after stop() has returned.
 struct ConnectionEvents {
     std::function<void(const ConnectionState&)> stateChanged;
     std::function<void(const ScannerIdentity&)> identified; ///< at every connection
@@ -50,7 +50,7 @@ struct ConnectionEvents {
     std::function<void(const ColaFrame&)> frameSent;        ///< `received` is the time of sending
 };
 
-struct SessionStatistics {
+struct ConnectionStatistics {
     ColaCounts stream; ///< bytes, frames, skipped bytes and reasons, over all connections
     std::uint64_t scans = 0;
     std::uint64_t connections = 0;
@@ -69,7 +69,7 @@ public:
     void stop();
 
     [[nodiscard]] ConnectionState state() const;
-    [[nodiscard]] SessionStatistics statistics() const;
+    [[nodiscard]] ConnectionStatistics statistics() const;
 
 private:
     using Clock = ColaLink::Clock;

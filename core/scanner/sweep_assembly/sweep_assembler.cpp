@@ -38,7 +38,7 @@ void SweepAssembler::push(SweepLine line, std::int64_t hostNs) {
         lost = lostInRestart(line);
     } else if (last_ && (stamp.clock == ClockStep::Jumped || stamp.clock == ClockStep::Stopped)) {
         const double lines = static_cast<double>((lost + 1) * std::max(1, settings_.outputInterval));
-        restartSeconds_ = last_->seconds + lines * line.facts.secondsPerTurn - deviceSeconds;
+        restartSeconds_ = last_->seconds + lines * std::abs(line.facts.secondsPerTurn) - deviceSeconds;
     }
     if (restarted || stamp.clock == ClockStep::Jumped || stamp.clock == ClockStep::Stopped) clock_.restart();
     line.facts.seconds = deviceSeconds + restartSeconds_;

@@ -164,8 +164,9 @@ void SweepAssembler::describe(Scan& scan) {
     for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
     if (!now.assumed.empty()) warn(now.assumed);
     if (angles.source == AngleSource::Time) warn("The line angles are reckoned from time alone: a change of speed bends the cloud.");
-    if (encoderWithoutScale_) warn("The telegrams carry encoder counts, but nobody said how many make a degree: they are not used.");
-    if (encoderWasReset_) warn("The scanner lost its encoder count when it started anew: line angles behind that are reckoned.");
+    if (encoderWithoutScale_)
+        warn("The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.");
+    if (encoderWasReset_) warn("The scanner lost its encoder count when it restarted: the line angles after that are computed.");
     const DeviceFlags& ever = now.deviceEver;
     const std::string from = " (from line " + std::to_string(std::max(0, sweep_->firstFlagged())) + " on).";
     if (ever.error) warn("The scanner reported an error or was not ready" + from);

@@ -8,6 +8,7 @@
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/scene.h"
 #include "core/sim/settings_json.h"
+#include "core/sim/truth/facets.h"
 
 #include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,10 @@ namespace edgescan::sim {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kFacetClass = "gt_class_facets.png";
+constexpr const char* kFacetIgnore = "gt_ignore_facets.png";
+
 using Json = nlohmann::ordered_json;
 
 Grid<std::uint16_t> wholeMm(const Grid<float>& mm) {
@@ -117,6 +122,12 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
     for (const auto& [name, grid] : {std::pair{"gt_class.png", &truth.edges.edgeClass}, std::pair{"gt_ignore.png", &truth.edges.ignore}}) {
         if (auto written = containers::savePng8(*grid, folder / name); !written) return written;
     }
+    if (!settings.surface.empty()) {
+        const EdgeTruth facets = edgeTruth(withFacetFolds(simulation));
+        for (const auto& [name, grid] : {std::pair{kFacetClass, &facets.edgeClass}, std::pair{kFacetIgnore, &facets.ignore}}) {
+            if (auto written = containers::savePng8(*grid, folder / name); !written) return written;
+        }
+    }
     if (auto written = containers::savePng16(truth.object, folder / "object.png"); !written) return written;
     if (auto written = containers::savePng16(simulation.truth->face, folder / "face.png"); !written) return written;
     if (auto written = containers::savePng16(wholeTears(simulation.truth->toNextBeam), folder / "tear_beam.png"); !written) return written;
@@ -124,10 +135,12 @@ Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& 
     return containers::savePng16(truth.cleanMm, folder / "range_clean.png");
 }
 
-Result<TruthSet> readTruth(const fs::path& folder) {
-    auto edgeClass = containers::readPng8(folder / "gt_class.png");
+Result<TruthSet> readTruth(const fs::path& folder, Facets facets) {
+    std::error_code failed;
+    const bool folds = facets == Facets::Folds && fs::exists(folder / kFacetClass, failed);
+    auto edgeClass = containers::readPng8(folder / (folds ? kFacetClass : "gt_class.png"));
     if (!edgeClass) return edgeClass.error();
-    auto ignore = containers::readPng8(folder / "gt_ignore.png");
+    auto ignore = containers::readPng8(folder / (folds ? kFacetIgnore : "gt_ignore.png"));
     if (!ignore) return ignore.error();
     auto object = readTruthNumbers(folder / "object.png");
     if (!object) return object.error();

@@ -14,9 +14,13 @@ struct TruthSet {
     Grid<std::uint16_t> cleanMm; ///< range without noise, whole mm, 0 = no range; empty if unknown
 };
 
-/// Writes gt_class.png, gt_ignore.png, object.png, face.png, range_clean.png, tear_beam.png, tear_line.png (gap in depth to the next beam
-/// and line, mm), rocks.json (true size, volume, visible cells and visible spans of each rock, metres) and scene.json (every setting,
-/// including the seed) into the folder, which is created if it does not exist.
+/// Which folds of a re-scanned surface count: none, or those between its facets (core/sim/truth/facets.h). Other scenes have one truth.
+enum class Facets : std::uint8_t { None, Folds };
+
+/// Writes gt_class.png, gt_ignore.png (of a re-scan also gt_class_facets.png and gt_ignore_facets.png), object.png, face.png,
+/// range_clean.png, tear_beam.png, tear_line.png (gap in depth to the next beam and line, mm), rocks.json (true size, volume, visible cells
+/// and visible spans of each rock, metres) and scene.json (every setting, including the seed) into the folder, which is created if it does
+/// not exist.
 Result<Done> writeTruth(const Simulation& simulation, const SimulationSettings& settings, const std::filesystem::path& folder);
 
 /// Numbers of a 16-bit picture of the truth; empty if the file does not exist. Error: damaged, not such a picture.
@@ -29,6 +33,7 @@ Result<Grid<std::uint16_t>> readTruthNumbers(const std::filesystem::path& path);
 [[nodiscard]] TruthSet truthSetOf(const Simulation& simulation);
 
 /// Reads gt_class.png and gt_ignore.png, and object.png and range_clean.png if they exist. Error: missing, damaged, of different shapes.
-Result<TruthSet> readTruth(const std::filesystem::path& folder);
+/// With Facets::Folds: the pictures of facets in their place if there are any.
+Result<TruthSet> readTruth(const std::filesystem::path& folder, Facets facets = Facets::None);
 
 } // namespace edgescan::sim

@@ -359,7 +359,7 @@ TEST(Provenance, AnAlteredRecordIsNoticed) {
     const auto verified = verifyExport(path);
     ASSERT_TRUE(verified) << verified.error().sentence();
     EXPECT_FALSE(verified->identical);
-    EXPECT_NE(verificationText(*verified).find("The record beside the export is damaged or was altered"), std::string::npos);
+    EXPECT_NE(verificationText(*verified).find("The record next to the export is damaged or was altered"), std::string::npos);
     // The record inside was altered and there is no sidecar: no record can be trusted.
     std::filesystem::remove(files::sidecarPath(path));
     std::string inside = readText(path);
@@ -448,7 +448,7 @@ TEST(Provenance, WhatCannotBeExportedOrVerifiedIsSaid) {
     ASSERT_TRUE(saveEdges(*detection->scan, *detection->mask, folder / "bare.pcd"));
     const auto bare = verifyExport(folder / "bare.pcd");
     ASSERT_FALSE(bare);
-    EXPECT_NE(bare.error().sentence().find("there is no record in the export and none beside it"), std::string::npos);
+    EXPECT_NE(bare.error().sentence().find("there is no record in the export and none next to it"), std::string::npos);
     EXPECT_FALSE(verifyExport(folder / "missing.pcd"));
     for (const char* hostile : {"{", "[]", "{\"format\":\"edgescan-provenance/1\",\"record\":[[[[",
                                 "{\"format\":\"edgescan-provenance/1\",\"record\":{\"record_sha256\":7}}"}) {

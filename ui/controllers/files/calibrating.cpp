@@ -5,6 +5,7 @@
 #include "core/base/whole_file.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/inspect/calibration/seam_edges.h"
 #include "core/inspect/calibration/views_picture.h"
 #include "ui/base/notice_bar.h"
@@ -296,7 +297,8 @@ void Calibrating::saveTo(const QString& path) {
 QString Calibrating::whyNotApplied() const {
     const Scan& scan = *engine_.picture()->detection->scan;
     const bool recorded = scan.format == "recording" || scan.format == "sweep";
-    if (!files_.options().pose.empty() || (recorded && scan.placement)) return {};
+    const bool posed = !files_.options().pose.empty() || isFile(exactText(files::poseSidecar(scan.path).string()));
+    if (posed || (recorded && scan.placement)) return {};
     return tr(
         "This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan > How the Scan Is "
         "Read.");

@@ -25,11 +25,11 @@ CalibrationShown calibrationWords(const inspect::SelfCalibration& found) {
                   errorRow(QObject::tr("beam index"), e.indexDeg(), sd.indexDeg(), deg, 4),
                   found.turnIsEstimated
                       ? errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)
-                      : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("stays"), QObject::tr("not told")}};
+                      : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("stays"), QObject::tr("not measured")}};
     shown.verdict = QObject::tr("found from %1 cells, %2° seen twice").arg(found.cells).arg(decimals(found.overlapDeg, 1));
     shown.about =
         QObject::tr("The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan "
-                    "never tells a shift along the axis, an offset of all ranges or the stepper's zero.")
+                    "never shows a shift along the axis, an offset of all ranges or the stepper's zero.")
             .arg(decimals(found.medianBeforeMm, 1), decimals(found.medianAfterMm, 1), decimals(found.noiseMm, 1));
     return shown;
 }
@@ -39,7 +39,7 @@ CalibrationPicture seamWords(std::size_t lateEdges, const std::array<double, 2>&
     CalibrationPicture picture;
     picture.title = QObject::tr("Edges of both views");
     const QString signs = QObject::tr("orange – late view, blue | early view, white + both");
-    picture.before = QObject::tr("Before: %1 % of %2 late edges lie beside an early one (%3)").arg(share(0)).arg(lateEdges).arg(signs);
+    picture.before = QObject::tr("Before: %1 % of %2 late edges are next to an early one (%3)").arg(share(0)).arg(lateEdges).arg(signs);
     picture.after = QObject::tr("After: %1 % do").arg(share(1));
     return picture;
 }

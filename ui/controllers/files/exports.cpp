@@ -76,20 +76,24 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
     }
     const std::shared_ptr<const edges::Detection> detection = engine_.picture()->detection;
     ExportDialog dialog(detection, wanted, {selection_, selectedOnly}, notice_.window());
+    std::vector<ExportDialog::Format> formats;
+    for (const files::Format& each : files::formats()) {
+        if (each.write == nullptr) continue;
+        for (const char* extension : each.writes) formats.push_back({filterOf(each, {extension}), extension});
+    }
+    dialog.offerFormats(formats, preferences_.text("export/extension", ".pcd"));
     if (dialog.exec() != QDialog::Accepted) return;
     const bool cloud = exports::isCloud(dialog.content());
     SaveQuestion question;
     question.title = cloud ? tr("Export %1 points").arg(dialog.count()) : tr("Export");
-    question.extension = cloud ? preferences_.text("export/extension", ".pcd") : ".png";
+    question.extension = dialog.extension();
     QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
     if (dialog.options().selection) name += "_selected";
     question.place = QDir(preferences_.folder(cloud ? "exports" : "images")).filePath(name + question.extension);
     if (!cloud)
         question.filters << tr("PNG picture (*.png)");
     else
-        for (const files::Format& each : files::formats()) {
-            if (each.write != nullptr) question.filters << filterOf(each, each.writes);
-        }
+        for (const ExportDialog::Format& each : formats) question.filters << each.filter;
     // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);

@@ -1,12 +1,13 @@
 // Opens files, a series of files, and the same file again.
 #include "ui/controllers/files/files.h"
 
+#include "core/files/open_save/pose_sidecar.h"
 #include "core/scan/angle_correction/straighten_scan.h"
-#include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/file_filters.h"
+#include "ui/controllers/files/source.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/reading_dialog.h"
 
@@ -39,7 +40,7 @@ QStringList scansInFolder(const QString& path) {
         if (name.starts_with('.') || !entry->is_regular_file(gone) || ::access(entry->path().c_str(), R_OK) != 0) continue;
         if (!QDir::match(patterns, exactText(name))) continue;
         // A raw grid is a description and a file of numbers: the opened one of both counts.
-        const bool part = entry->path().extension() == ".u16" || name.ends_with(".provenance.json");
+        const bool part = entry->path().extension() == ".u16" || name.ends_with(".provenance.json") || files::isPoseSidecar(name);
         if (!part || entry->path().filename() == own.filename()) names << exactText(name);
     }
     names.sort();
@@ -175,9 +176,7 @@ void Files::noteOpened(const QString& path) {
 void Files::showWarnings() {
     const Picture& picture = *engine_.picture();
     const Scan& scan = *picture.detection->scan;
-    QStringList warnings;
-    for (const std::string& warning : scan.warnings) warnings << shownText(warning);
-    for (const std::string& warning : placeWarnings(scan)) warnings << shownText(warning);
+    const QStringList warnings = warningsOf(picture);
     // The health strip reports the warnings of a live scan.
     if (warnings.isEmpty() || picture.source.growth.growing) return;
     notice_.showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));

@@ -2,8 +2,10 @@
 #include "ui/controllers/files/source.h"
 
 #include "core/base/utc_time.h"
+#include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/placement.h"
+#include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/live/scanner_link.h"
 
@@ -41,14 +43,29 @@ PictureOrigin scannersOwn(const Acquisition& measured, const ScannerLink& scanne
     const QString last = timeWords(measured.endUtc);
     const QString at = last.isEmpty() ? QObject::tr(" · no time") : " · " + last;
     if (scanner.connected() && scanner.following())
-        return {signOf(scanner.health().liveness), shownText(scanner.health().badge) + at,
-                QObject::tr("What the scanner sends now, with the time of its newest line. %1").arg(shownText(scanner.health().sentence))};
+        return {
+            signOf(scanner.health().liveness), coreWords(scanner.health().badge) + at,
+            QObject::tr("What the scanner sends now, with the time of its newest line. %1").arg(coreSentence(scanner.health().sentence))};
     return {StateBadge::Sign::Waiting, QObject::tr("HELD") + at,
             scanner.connected() ? QObject::tr("The scanner goes on, this picture does not: the time is that of its newest line")
                                 : QObject::tr("The scanner is no longer connected: the time is that of the newest line")};
 }
 
 } // namespace
+
+QStringList warningsOf(const Picture& picture) {
+    const Scan& scan = *picture.detection->scan;
+    QStringList warnings;
+    for (const std::vector<std::string>& some : {scan.warnings, placeWarnings(scan)}) {
+        for (const std::string& warning : some) {
+            if (picture.source.growth.growing && warning.starts_with("INCOMPLETE")) continue;
+            warnings << shownText(warning);
+        }
+    }
+    return warnings;
+}
+
+namespace {
 
 PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
     if (picture == nullptr) return {StateBadge::Sign::Off, QObject::tr("NO PICTURE"), QString()};
@@ -67,6 +84,19 @@ PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
             (time.isEmpty() ? QObject::tr("The file does not say when it was measured")
                             : QObject::tr("First line, by %1").arg(shownText(measured.clockSource))) +
                 placedWords(scan)};
+}
+
+} // namespace
+
+PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner) {
+    const Picture* picture = engine.picture().get();
+    PictureOrigin origin = originOf(picture, scanner);
+    const bool awaited = scanner.connected() && scanner.following() && picture != nullptr && picture->source.stream != scanner.stream();
+    if (!engine.replacing() && !awaited) return origin;
+    origin.sign = StateBadge::Sign::Waiting;
+    origin.badge = QObject::tr("OLD PICTURE") + " · " + origin.badge;
+    origin.more = QObject::tr("Another scan is on its way: this is the picture before it.") + "\n" + origin.more;
+    return origin;
 }
 
 } // namespace edgescan::ui

@@ -4,9 +4,11 @@
 #include "ui/panels/live/state_badge.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace edgescan::ui {
 
+class Engine;
 class ScannerLink;
 struct Picture;
 
@@ -16,7 +18,11 @@ struct PictureOrigin {
     QString more;  ///< a tool tip
 };
 
-/// `picture`: null = no picture yet. Values missing in the file are shown as unknown; none are guessed.
-[[nodiscard]] PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner);
+/// Values missing in the file are shown as unknown; none are guessed. While another scan is opened or a scanner is connected, the picture
+/// is called an old one.
+[[nodiscard]] PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner);
+
+/// The warnings of the scan. That lines are still to come is none: a growing sweep becomes INCOMPLETE when it ends too early.
+[[nodiscard]] QStringList warningsOf(const Picture& picture);
 
 } // namespace edgescan::ui

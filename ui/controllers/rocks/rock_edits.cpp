@@ -54,9 +54,8 @@ void Rocks::setPart(const std::optional<rocks::Preset>& part) {
     const bool replaces = operatorEdits() != OperatorEdits{};
     pushOperatorEdits(stepName("Open Session"), byHandThen);
     if (replaces)
-        notice_.showNotice(
-            NoticeBar::Kind::Warning,
-            tr("The session's edits of rocks took the place of those that were kept beside the scan; Ctrl+Z brings them back."));
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back."));
 }
 
 void Rocks::setOperatorEdits(const OperatorEdits& byHand) {

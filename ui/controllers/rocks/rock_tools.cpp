@@ -83,7 +83,7 @@ void Rocks::splitAt(std::size_t cell) {
     rocks::Edit edit = family_.nested.pieces[piece_].edit;
     useTool(RockTool::None);
     if (edit.cells.empty()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: this rock is one piece with nothing to tell its parts by."));
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: this rock is one piece without a line that separates parts."));
         return;
     }
     select({cell});

@@ -76,6 +76,7 @@ void Rocks::connectViews() {
         connect(view, &ImageView::cleared, this, [this] { select({}); });
     }
     connect(&views_, &LinkedViews::cellMenuOpens, this, &Rocks::addToMenu);
+    connect(&views_, &LinkedViews::pinChanged, this, &Rocks::followPin);
     CloudView& cloud = views_.cloud();
     connect(&cloud, &CloudView::hovered, this, [this, &cloud](qint64 cell) { point(static_cast<std::size_t>(cell), &cloud); });
     connect(&cloud, &CloudView::hoverLeft, this, [this, &cloud] { point(std::nullopt, &cloud); });
@@ -169,7 +170,7 @@ QString Rocks::remark() const {
     if (engine_.picture() && engine_.picture()->source.growth.growing && picture_)
         words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(picture_->labels.lines);
     if (on_ && engine_.picture() && !picture_) words << tr("being worked out …");
-    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being worked out anew");
+    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
     return words.join(" · ");
 }
@@ -195,6 +196,12 @@ void Rocks::showFaces() {
     }
     if (engine_.picture()) overlay.caption += (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     views_.put(std::move(overlay));
+}
+
+/// The rock of the pinned cell loses its outline with the pin.
+void Rocks::followPin(std::optional<std::size_t> cell) {
+    const auto was = std::exchange(pinned_, cell);
+    if (!cell && was && selected_ == std::vector{*was}) select({});
 }
 
 void Rocks::select(std::vector<std::size_t> cells) {

@@ -118,6 +118,7 @@ private:
     void forget();
     void point(std::optional<std::size_t> cell, const QObject* from);
     void addToMenu(QMenu& menu, std::size_t cell);
+    void followPin(std::optional<std::size_t> cell);
     void click(std::size_t cell);
     void splitAt(std::size_t cell);
     void push(const QString& name, rocks::Edit edit);
@@ -150,6 +151,7 @@ private:
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;
+    std::optional<std::size_t> pinned_;
     // For the split tool: the cell under the mouse, and the outlined segment around it.
     std::shared_ptr<const RockPicture> familyPicture_;
     std::size_t familyCell_ = 0;

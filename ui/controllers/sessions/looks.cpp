@@ -4,6 +4,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/controllers/comparing.h"
 #include "ui/controllers/confidence.h"
+#include "ui/controllers/saved_views.h"
 #include "ui/controllers/scan_look.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -73,6 +74,10 @@ void useClip(CloudView& cloud, QStringList words) {
     if (const auto shares = numbersIn(words); shares && shares->size() == 2) cloud.setClip({(*shares)[0], (*shares)[1]});
 }
 
+QString viewsText(SavedViews& saved) { return saved.text(); }
+
+void useViews(SavedViews& saved, QStringList words) { saved.use(words.join(' ')); }
+
 QString leastText(Confidence& confidence) { return QString::number(confidence.least()); }
 
 void useLeast(Confidence& confidence, QStringList words) {
@@ -105,13 +110,14 @@ StatePart lookPart(const char* key, Of& of, QString (*taken)(Of&), void (*use)(O
 
 } // namespace
 
-std::vector<StatePart> looksParts(ScanLook& look, LinkedViews& views, Confidence& confidence, Comparing& comparing) {
+std::vector<StatePart> looksParts(ScanLook& look, LinkedViews& views, SavedViews& saved, Confidence& confidence, Comparing& comparing) {
     CloudView& cloud = views.cloud();
     return {
         lookPart("cloud-colour", look, colourText, useColour, GivenBack::BeforeScan, &ScanLook::changed),
         lookPart("range-window-m", look, rangeText, useRange, GivenBack::Both),
         lookPart("point-size", cloud, pointText, usePoints, GivenBack::BeforeScan),
         lookPart("clip-shares", cloud, clipText, useClip, GivenBack::Both),
+        lookPart("stored-views", saved, viewsText, useViews, GivenBack::OnScan, &SavedViews::changed),
         lookPart("least-confidence-percent", confidence, leastText, useLeast, GivenBack::BeforeScan, &Confidence::changed),
         lookPart("changes-shown", comparing, changesText, useChanges, GivenBack::BeforeScan),
     };

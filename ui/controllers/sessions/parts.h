@@ -16,6 +16,7 @@ namespace edgescan::ui {
 class Comparing;
 class Confidence;
 class LinkedViews;
+class SavedViews;
 class ScanLook;
 
 /// When a session gives a part back: settings, switches and the layout of the window need no scan, the others need that of the session.
@@ -51,6 +52,7 @@ template <class Controller, class Value, class... Signals>
 [[nodiscard]] StatePart switchesPart(QWidget& window);
 /// How the views look where a menu has no switch for it. Numbers with a point, whatever the language; what is missing or cannot be
 /// understood stays as it is.
-[[nodiscard]] std::vector<StatePart> looksParts(ScanLook& look, LinkedViews& views, Confidence& confidence, Comparing& comparing);
+[[nodiscard]] std::vector<StatePart> looksParts(ScanLook& look, LinkedViews& views, SavedViews& saved, Confidence& confidence,
+                                                Comparing& comparing);
 
 } // namespace edgescan::ui

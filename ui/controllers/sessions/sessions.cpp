@@ -184,7 +184,7 @@ void Sessions::askSaveAs() {
         tr("Save session"), QDir(preferences_.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
     question.keeps = [](const QString& there) {
         return inspect::readSession(exactBytes(there)) ? QString()
-                                                       : tr("%1 is no session and stays as it is: choose another name.").arg(there);
+                                                       : tr("%1 is not a session and stays as it is: choose another name.").arg(there);
     };
     const QString path = askWhereToSave(notice_.window(), question);
     if (path.isEmpty()) return;

@@ -12,7 +12,7 @@ namespace edgescan::ui {
 
 void Selection::hideToo(const QString& what, const inspect::CellSet& cells) {
     if (cells.empty())
-        notice_.showNotice(NoticeBar::Kind::Done, tr("No cell lies there: nothing more is hidden."));
+        notice_.showNotice(NoticeBar::Kind::Done, tr("There is no cell: nothing more is hidden."));
     else
         change(what, {inspect::without(state_.selected, cells), inspect::united(state_.hidden, cells)});
     reportGrowth();

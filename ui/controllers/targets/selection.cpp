@@ -20,7 +20,7 @@
 namespace edgescan::ui {
 namespace {
 
-// Over the images: the selection hatched in the same colour as in the cloud, hidden cells under a dark layer.
+// Over the images: the selection with a rim and a tint as in the cloud, hidden cells under a dark layer.
 std::shared_ptr<const QImage> selectionPicture(const inspect::CellSet& selected, const inspect::CellSet& hidden, int beams, int rows) {
     if (selected.empty() && hidden.empty()) return nullptr;
     auto image = std::make_shared<QImage>(beams, rows, QImage::Format_ARGB32_Premultiplied);
@@ -33,9 +33,13 @@ std::shared_ptr<const QImage> selectionPicture(const inspect::CellSet& selected,
     for (const std::uint32_t k : hidden) {
         if (k < cells) pixel(k) = qPremultiply(qRgba(30, 30, 30, 225));
     }
-    for (const std::uint32_t k : selected) {
-        if (k < cells) pixel(k) = qPremultiply((kSelectedColour & RGB_MASK) | ((k / width + k % width) % 4 == 0 ? 230U : 130U) << 24U);
-    }
+    const auto paint = [&](const std::vector<std::uint32_t>& some, unsigned opacity) {
+        for (const std::uint32_t k : some) {
+            if (k < cells) pixel(k) = qPremultiply((kSelectedColour & RGB_MASK) | opacity << 24U);
+        }
+    };
+    paint(selected, static_cast<unsigned>(kSelectedTint * 255));
+    paint(rimOf(selected, width), 255U);
     return image;
 }
 
@@ -96,7 +100,7 @@ void Selection::selectChainAt(std::size_t cell) {
     if (!views_.shown()) return;
     inspect::CellSet chain = inspect::chainAt(*views_.shown()->detection->mask, static_cast<std::uint32_t>(cell));
     if (chain.empty())
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell is no edge, so it is on no chain of edges: choose one that is."));
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell is not an edge, so it is on no chain of edges: choose one that is."));
     else
         select(std::move(chain));
 }
@@ -104,9 +108,8 @@ void Selection::selectChainAt(std::size_t cell) {
 void Selection::selectRockAt(std::size_t cell) {
     const std::uint32_t label = rocks_.picture() ? rocks_.picture()->labelAt(cell) : 0;
     if (label == 0) {
-        notice_.showNotice(NoticeBar::Kind::Warning, rocks_.picture()
-                                                         ? tr("There is no rock at this cell: choose one that lies on a coloured face.")
-                                                         : tr("Rocks are not shown, so none can be selected: press K first."));
+        notice_.showNotice(NoticeBar::Kind::Warning, rocks_.picture() ? tr("There is no rock at this cell: choose one on a coloured face.")
+                                                                      : tr("Rocks are not shown, so none can be selected: press K first."));
         return;
     }
     inspect::CellSet rock;

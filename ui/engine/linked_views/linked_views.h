@@ -67,6 +67,8 @@ public:
 
     void setNote(const QString& note);
     void setStale(const QString& why);
+    /// The caption of a scene is shown once: in the cloud, or in `image` while only that one is on the screen (null: the cloud).
+    void setCaptionIn(const ImageView* image);
     void setEdgesOverImage(bool on);
     void setEdgesByClass(bool on);
     [[nodiscard]] bool edgesByClass() const { return state_.byClass; }
@@ -126,6 +128,7 @@ private:
     void lookAtBox(const QRect& cells);
     void draw();
     void applyScene();
+    void showCaption();
     void showNewScan();
     void showMoreLines(const Picture& last);
     void noteFit();
@@ -134,7 +137,8 @@ private:
     void applyAspect();
 
     const Engine& engine_;
-    std::array<ImageView*, 2> images_; // gray, edges
+    std::array<ImageView*, 2> images_;     // gray, edges
+    const ImageView* captionIn_ = nullptr; // null: the cloud
     CloudView& cloud_;
     std::shared_ptr<const Picture> picture_; // of the engine
     SceneState state_;

@@ -53,7 +53,7 @@ struct Overlay {
     std::optional<OverlayPoints> points{};       ///< empty: it does not colour the points
     std::shared_ptr<const QImage> faces{};       ///< over both images; null: none
     bool facesFaded = false;                     ///< they belong to an older picture
-    QString caption{};                           ///< for all views
+    QString caption{};                           ///< shown once
     bool legend = false;                         ///< it has a legend
 };
 

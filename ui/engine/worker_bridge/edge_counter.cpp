@@ -17,8 +17,9 @@ EdgeCounter::EdgeCounter(QObject* parent)
       curve_(
           Urgency::Now,
           [](const std::shared_ptr<const edges::Detection>& detection) {
-              return edges::edgeCountCurve(edges::thresholdMapOf(*detection),
-                                           edges::sliderValues(edges::sweptParameter(detection->settings.method)));
+              std::vector<double> thresholds = edges::sliderValues(edges::sweptParameter(detection->settings.method));
+              const double least = thresholds.front();
+              return edges::edgeCountCurve(edges::thresholdMapOf(*detection, least), std::move(thresholds));
           },
           [this](const std::shared_ptr<const edges::Detection>& detection, const std::shared_ptr<const edges::EdgeCountCurve>& curve) {
               emit counted(QString::fromUtf8(edges::sweptParameter(detection->settings.method).key), *curve);

@@ -1,6 +1,7 @@
 // The one bridge between the window and the core's threads.
 #include "ui/engine/worker_bridge/engine.h"
 
+#include "core/base/stop.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
@@ -8,10 +9,12 @@
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
 #include "ui/engine/worker_bridge/in_background.h"
+#include "ui/engine/worker_bridge/stage_words.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
 
+#include <atomic>
 #include <chrono>
 #include <new>
 #include <utility>
@@ -27,6 +30,7 @@ QString itFailed(const QString& title, const QString& what) {
     return Engine::tr("%1: it failed (%2); close other programs or use a smaller scan.").arg(title, what);
 }
 
+constexpr double kReadingShare = 0.6; // of the time of an opening
 constexpr auto kBetweenProgress = std::chrono::milliseconds(40);
 
 } // namespace
@@ -36,16 +40,27 @@ Engine::Engine(QObject* parent)
       // While a slider moves, older pictures are shown as well; the picture before stays when it fails, and OpenCV reports a lack of memory
       // in its own words.
       pictures_(
-          Urgency::Now, [this](const Asked& asked) { return run(asked); },
+          Urgency::Now, [this](const Asked& asked, const Asker& asker) { return run(asked, asker); },
           [this](const Asked&, const std::shared_ptr<const Picture>& newest) { takePicture(newest); },
           [this](const QString& what) {
+              const bool arriving = arriving_.has_value();
+              dropArrival();
+              if (arriving && !opening()) endOpening();
               emit failed(tr("the edges could not be computed (%1); close other programs or open a smaller scan.").arg(what));
           },
           Older::Delivered),
       opener_(
           Urgency::Soon, [this](const Opening& opening, const Asker& asker) { return read(opening, asker); },
           [this](const Opening& opening, const std::shared_ptr<const Opened>& opened) { takeOpened(opening.path, *opened); },
-          [](const QString&) {}) {}
+          [](const QString&) {}) {
+    constexpr int kReplacingAfterMs = 300;
+    replacingTimer_.setSingleShot(true);
+    replacingTimer_.setInterval(kReplacingAfterMs);
+    connect(&replacingTimer_, &QTimer::timeout, this, [this] {
+        replacing_ = picture_ != nullptr;
+        if (replacing_) emit replacingChanged(true);
+    });
+}
 
 void Engine::open(const QString& path, const ReadingOptions& options) {
     const std::string file = exactBytes(path);
@@ -67,6 +82,24 @@ void Engine::openDemo(bool afterBlast) {
 void Engine::cancel() {
     if (!opening()) return;
     opener_.giveUp();
+    dropArrival();
+    endOpening();
+}
+
+/// Back to the scan on the screen.
+void Engine::dropArrival() {
+    if (!arriving_) return;
+    arriving_.reset();
+    pictures_.giveUp();
+    asked_.scan = picture_ ? picture_->detection->scan : nullptr;
+    asked_.source = picture_ ? picture_->source : PictureSource{};
+    if (behind()) pictures_.ask(asked_);
+}
+
+void Engine::endOpening() {
+    openingWork_.reset();
+    replacingTimer_.stop();
+    if (std::exchange(replacing_, false)) emit replacingChanged(false);
     endWork();
 }
 
@@ -108,7 +141,15 @@ void Engine::save(exports::ExportContent what, const QString& path, const std::o
     ++savings_;
     emit workStarted(title);
     emit workProgressed(tr("writing"), 0.0);
-    const auto write = [this, what, detection, path, how] {
+    const auto stop = std::make_shared<std::atomic<bool>>(false);
+    const auto work = std::make_shared<std::unique_ptr<Works::Running>>();
+    *work = works_.start(title, [stop, work] {
+        *stop = true;
+        if (*work) (*work)->progress(tr("being cancelled"), 1.0);
+    });
+    (*work)->progress(tr("writing"), 0.0);
+    const auto write = [this, what, detection, path, how, stop] {
+        const BindStop bound(*stop);
         Result<exports::Written> written{exports::Written{}};
         try {
             written = exports::exportWithProvenance(what, *detection, exactBytes(path), how);
@@ -126,7 +167,8 @@ void Engine::save(exports::ExportContent what, const QString& path, const std::o
     };
     inBackground(
         this, write, [this, title](const QString& failure) { emit failed(itFailed(title, failure)); },
-        [this] {
+        [this, work] {
+            work->reset();
             --savings_;
             endWork();
         });
@@ -137,6 +179,9 @@ void Engine::endWork() {
 }
 
 void Engine::startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read) {
+    dropArrival();
+    if (!replacing_) replacingTimer_.start();
+    openingWork_ = works_.start(title, [this] { cancel(); });
     emit workStarted(title);
     opener_.ask({path, std::move(read)});
 }
@@ -149,7 +194,10 @@ Engine::Opened Engine::read(const Opening& opening, const Asker& asker) {
         if (stage == lastStage && now - lastShown < kBetweenProgress) return asker.waits();
         lastStage = stage;
         lastShown = now;
-        return asker.show([this, stage = QString::fromUtf8(stage), fraction] { emit workProgressed(stage, fraction); });
+        return asker.show([this, stage, fraction] {
+            if (openingWork_) openingWork_->progress(stageWords(stage), kReadingShare * fraction);
+            emit workProgressed(stageWords(stage), fraction);
+        });
     };
     const BindInputs inputs;
     try {
@@ -167,16 +215,22 @@ Engine::Opened Engine::read(const Opening& opening, const Asker& asker) {
 
 void Engine::takeOpened(const QString& path, const Opened& opened) {
     if (opened.scan) {
-        inputs_ = opened.inputs;
-        post(*opened.scan, {newStream(), {}});
-        emit this->opened(path);
-    } else {
-        emit failed(shownText(opened.scan.error().sentence()));
+        const std::uint64_t stream = newStream();
+        arriving_ = Arrival{path, stream, opened.inputs};
+        return post(*opened.scan, {stream, {}});
     }
-    endWork();
+    emit failed(shownText(opened.scan.error().sentence()));
+    endOpening();
 }
 
-std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
+std::shared_ptr<const Picture> Engine::run(const Asked& asked, const Asker& asker) {
+    const auto show = [&](const char* stage, double fraction) {
+        asker.show([this, stage, fraction, stream = asked.source.stream] {
+            if (!arriving_ || arriving_->stream != stream) return;
+            if (openingWork_) openingWork_->progress(stageWords(stage), kReadingShare + (1.0 - kReadingShare) * fraction);
+            emit workProgressed(stageWords(stage), fraction);
+        });
+    };
     std::vector<std::shared_ptr<const Picture>> retired;
     {
         const std::lock_guard lock(retiredMutex_);
@@ -184,6 +238,7 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
     }
     retired.clear();
     if (cloudScan_ != asked.scan) {
+        show("placing the points", 0.0);
         cloud_ = nullptr;
         cloudScan_ = nullptr;
         cloud_ = makeCloudGeometry(*asked.scan);
@@ -193,7 +248,9 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
     if (source.stream != lastSource_.stream || source.growth.sweep != lastSource_.growth.sweep) window_.nextSweep();
     lastSource_ = source;
     try {
+        show("finding edges", 0.2);
         const auto detection = pipeline_.run(asked.scan, source.growth.growing ? window_.fix(*asked.scan, asked.settings) : asked.settings);
+        show("drawing", 0.9);
         return lastMade_ = makePicture(detection, source, asked.settings, cloud_, lastMade_);
     } catch (...) { // an interrupted computation starts again from the beginning
         pipeline_ = edges::Pipeline();
@@ -202,9 +259,16 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked) {
 }
 
 void Engine::takePicture(const std::shared_ptr<const Picture>& newest) {
+    const bool arrives = arriving_ && newest->source.stream == arriving_->stream;
+    if (arrives) {
+        inputs_ = arriving_->inputs;
+        const QString path = std::exchange(arriving_, std::nullopt)->path;
+        emit opened(path);
+    }
     std::shared_ptr<const Picture> last = std::exchange(picture_, newest);
     emit pictureReady();
     if (!last || last->source.stream != picture_->source.stream) emit streamChanged();
+    if (arrives && !opening()) endOpening();
     // The picture is no longer shown. The pool's thread frees it, because freeing so much memory after every line takes time.
     if (!last || !last->source.growth.growing) return;
     const std::lock_guard lock(retiredMutex_);

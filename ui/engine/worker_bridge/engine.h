@@ -10,13 +10,16 @@
 #include "core/files/open_save/open_scan.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
+#include "ui/engine/worker_bridge/works.h"
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace edgescan::ui {
@@ -31,9 +34,14 @@ public:
     void open(const QString& path, const ReadingOptions& options = {});
     /// Opens the demo draw-bell: simulated once, then stored in the cache folder.
     void openDemo(bool afterBlast = false);
-    /// Cancels a running opening. A running save continues: it is short, and its result must be reported.
+    /// Cancels a running opening: the picture on the screen stays.
     void cancel();
-    [[nodiscard]] bool opening() const { return opener_.behind(); }
+    /// Until the first picture of the scan is there.
+    [[nodiscard]] bool opening() const { return opener_.behind() || arriving_; }
+    /// A scan is being opened for so long that the picture on the screen has to be called the old one.
+    [[nodiscard]] bool replacing() const { return replacing_; }
+    /// What takes time now, here and in controllers.
+    [[nodiscard]] Works& works() { return works_; }
     [[nodiscard]] bool saving() const { return savings_ > 0; }
     [[nodiscard]] bool working() const { return opening() || savings_ > 0; }
 
@@ -58,7 +66,8 @@ signals:
     void workStarted(const QString& title);
     void workProgressed(const QString& stage, double fraction);
     void workEnded();
-    /// A scan was read; its first picture follows.
+    void replacingChanged(bool on);
+    /// A scan was read, and its first picture comes with the next signal.
     void opened(const QString& path);
     /// `count`: points or cells in the file. `coordinates`: their frame and extent; empty for pictures.
     void saved(edgescan::exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates);
@@ -78,6 +87,14 @@ private:
         Result<std::shared_ptr<const Scan>> scan;
         std::shared_ptr<const InputClaims> inputs; // files that must not be overwritten while the scan is shown
     };
+    /// A scan that was read and has no picture yet.
+    struct Arrival {
+        QString path;
+        std::uint64_t stream = 0;
+        std::shared_ptr<const InputClaims> inputs;
+    };
+    void dropArrival();
+    void endOpening();
     void startOpening(const QString& title, const QString& path, std::function<Result<Scan>(const Progress&)> read);
     [[nodiscard]] Opened read(const Opening& opening, const Asker& asker); // pool's thread
     void takeOpened(const QString& path, const Opened& opened);
@@ -89,10 +106,15 @@ private:
         edges::Settings settings;
         PictureSource source;
     };
-    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked); // pool's thread
+    [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked, const Asker& asker); // pool's thread
     void takePicture(const std::shared_ptr<const Picture>& newest);
 
+    Works works_;
     Asked asked_; // no scan: nothing was posted yet
+    std::optional<Arrival> arriving_;
+    std::unique_ptr<Works::Running> openingWork_;
+    QTimer replacingTimer_;
+    bool replacing_ = false;
     std::shared_ptr<const Picture> picture_;
     int savings_ = 0;
     std::shared_ptr<const InputClaims> inputs_; // of the last opened scan

@@ -15,20 +15,21 @@ namespace {
 // Dark violet cannot be mistaken for 0 m or 40 m; the hatch separates it without colour.
 constexpr QRgb kMissing = qRgb(40, 20, 60);
 constexpr QRgb kMissingHatch = qRgb(72, 40, 104);
+constexpr QRgb kMissingOnBlack = qRgb(112, 72, 160); // in the edge map: contrast 3.1
+constexpr QRgb kMissingOnBlackHatch = qRgb(136, 96, 184);
 constexpr QRgb kStatus = qRgb(70, 20, 50);
 constexpr QRgb kStatusHatch = qRgb(120, 40, 80);
-constexpr QRgb kLost = qRgb(14, 46, 66);
-constexpr QRgb kLostHatch = qRgb(70, 160, 210);
+constexpr QRgb kLost = qRgb(24, 26, 30); // the views draw dashes over it, which no zoom blurs
 constexpr QRgb kFilled = qRgb(20, 66, 58);
 constexpr QRgb kFilledHatch = qRgb(60, 160, 140);
 constexpr QRgb kToCome = qRgb(30, 30, 30);
 constexpr int kRoomAtFirst = 64; // lines, if the expected number of lines is unknown
 
-QRgb missingColour(CellState state, int line, int beam) {
-    // Lost lines are hatched in the other direction and wider: a single lost line is a dashed line.
-    if (state == CellState::Lost) return (beam - line % 8 + 8) % 8 < 4 ? kLostHatch : kLost;
+QRgb missingColour(CellState state, int line, int beam, bool onBlack) {
+    if (state == CellState::Lost) return kLost;
     const bool stripe = (line + beam) % 4 == 0;
     if (state == CellState::DeviceStatus) return stripe ? kStatusHatch : kStatus;
+    if (onBlack) return stripe ? kMissingOnBlackHatch : kMissingOnBlack;
     return stripe ? kMissingHatch : kMissing;
 }
 
@@ -43,7 +44,7 @@ void paintFilled(QImage& image, const edges::Detection& detection) {
 }
 
 template <class ValidColour>
-QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
+QImage paintCells(const Scan& scan, int rows, ValidColour validColour, bool onBlack = false) {
     QImage image(scan.beams(), rows, QImage::Format_RGB32);
     for (int row = scan.lines(); row < rows; ++row) {
         auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
@@ -54,7 +55,7 @@ QImage paintCells(const Scan& scan, int rows, ValidColour validColour) {
         auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(line));
         for (int beam = 0; beam < scan.beams(); ++beam, ++k) {
             const CellState state = scan.state[k];
-            pixels[beam] = state == CellState::Valid ? validColour(k) : missingColour(state, line, beam);
+            pixels[beam] = state == CellState::Valid ? validColour(k) : missingColour(state, line, beam, onBlack);
         }
     }
     return image;
@@ -114,7 +115,8 @@ QImage grayPicture(const edges::Detection& detection, const std::optional<RangeS
 }
 
 QImage edgePicture(const edges::Detection& detection, int rows) {
-    QImage image = paintCells(*detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); });
+    QImage image = paintCells(
+        *detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); }, true);
     paintFilled(image, detection);
     // Edges last: without masking they can also be on cells without a range.
     paintEdges(image, detection, [](std::size_t) { return qRgb(255, 255, 255); });
@@ -143,6 +145,36 @@ QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours
     return image;
 }
 
+std::vector<QRect> lostAreas(const Scan& scan) {
+    constexpr std::size_t kMostAreas = 4000;
+    std::vector<QRect> areas;
+    std::size_t lastRow = 0; // the areas of the line before begin here
+    for (int line = 0; line < scan.lines() && areas.size() < kMostAreas; ++line) {
+        const std::size_t row = areas.size();
+        const CellState* states = &scan.state.cells[scan.state.index(line, 0)];
+        for (int beam = 0; beam < scan.beams(); ++beam) {
+            if (states[beam] != CellState::Lost) continue;
+            const int first = beam;
+            while (beam < scan.beams() && states[beam] == CellState::Lost) ++beam;
+            areas.emplace_back(first, line, beam - first, 1);
+        }
+        // The same cells as in the line before: one area.
+        const bool alike =
+            row > lastRow && areas.size() - row == row - lastRow &&
+            std::equal(areas.begin() + static_cast<std::ptrdiff_t>(row), areas.end(), areas.begin() + static_cast<std::ptrdiff_t>(lastRow),
+                       [line](const QRect& now, const QRect& before) {
+                           return now.left() == before.left() && now.right() == before.right() && before.bottom() + 1 == line;
+                       });
+        if (!alike) {
+            lastRow = row;
+            continue;
+        }
+        for (std::size_t n = lastRow; n < row; ++n) areas[n].setBottom(line);
+        areas.resize(row);
+    }
+    return areas;
+}
+
 std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::Detection>& detection, const PictureSource& source,
                                            const edges::Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
                                            const std::shared_ptr<const Picture>& last) {
@@ -158,6 +190,7 @@ std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::De
     picture->edges = std::make_shared<const QImage>(edgePicture(*detection, rows));
     picture->overlay = std::make_shared<const QImage>(edgeOverlay(*detection, kUsualColours, false, rows));
     picture->edgeCells = edgeCellsOf(*detection);
+    picture->lost = lostAreas(*detection->scan);
     return picture;
 }
 

@@ -7,9 +7,11 @@
 
 #include <QColor>
 #include <QImage>
+#include <QRect>
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace edgescan::ui {
 
@@ -44,10 +46,11 @@ struct Picture {
     std::shared_ptr<const edges::Detection> detection;
     std::shared_ptr<const CloudGeometry> cloud;
     std::shared_ptr<const QImage>
-        gray; ///< beams x shownLines() pixels; missing data hatched violet, lost lines hatched blue, filled cells striped green
+        gray; ///< beams x shownLines() pixels; missing data hatched violet, lost cells dark, filled cells striped green
     std::shared_ptr<const QImage> edges;   ///< white edges on black; missing data hatched violet
     std::shared_ptr<const QImage> overlay; ///< green edges, transparent elsewhere
     EdgeCells edgeCells;
+    std::vector<QRect> lost; ///< areas of lost cells, x = beam, y = line: views draw dashes over them
 };
 
 /// Rows of the images: a growing scan reserves rows for the lines to come, so that the picture does not shrink with every line.
@@ -60,6 +63,9 @@ struct Picture {
 [[nodiscard]] QImage classPicture(const Picture& picture, const EdgeColours& colours);
 /// Edges on a transparent background; `byClass`: each in the colour of its class, if the method has classes.
 [[nodiscard]] QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours, bool byClass, int rows);
+
+/// Rectangles that together are the lost cells, from the first line on; at most a few thousand.
+[[nodiscard]] std::vector<QRect> lostAreas(const Scan& scan);
 
 /// Images of `detection`; unchanged parts are reused from `last` (may be null).
 [[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::Detection>& detection,

@@ -19,7 +19,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kClockMs = 5000;
-constexpr int kNarrowHead = 1100;    // px: a narrower head has no clock and no connect button; both are in the menu
+constexpr int kLeastName = 150;      // px
+constexpr int kBetweenTools = 8;     // px
 constexpr double kSideShare = 0.225; // of the width
 constexpr int kNarrowestSide = 236, kWidestSide = 400;
 
@@ -29,7 +30,7 @@ CabHead::CabHead(QWidget* badge, QWidget* parent)
     : QWidget(parent), menu_(gloveButton("cab-menu", "menu", tr("Menu"))), open_(gloveButton("cab-open", "open", tr("Open"))),
       connect_(gloveButton("cab-connect", "connect", tr("Connect"))), name_(new QLabel), facts_(new QLabel),
       cancel_(gloveButton("cab-cancel", "fold", tr("Cancel"))), warnings_(gloveButton("cab-warnings", "why", QString())),
-      clock_(new QLabel), locked_(new HoldButton) {
+      clock_(new QLabel), locked_(new HoldButton), badge_(badge) {
     makeGloveButton(*locked_, "cab-locked", "lock", tr("Locked"), true);
     locked_->setAccessibleName(tr("Locked: hold for one second to leave cab mode"));
     cancel_->hide();
@@ -38,6 +39,7 @@ CabHead::CabHead(QWidget* badge, QWidget* parent)
         each->setTextFormat(Qt::PlainText);
         each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long name must not widen the window
     }
+    name_->setMinimumWidth(kLeastName);
     name_->setObjectName("cab-name");
     facts_->setObjectName("cab-facts");
     clock_->setObjectName("cab-clock");
@@ -51,8 +53,7 @@ CabHead::CabHead(QWidget* badge, QWidget* parent)
     words->addWidget(facts_);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 4, 8, 4);
-    row->setSpacing(8);
-    row->setSizeConstraint(QLayout::SetNoConstraint);
+    row->setSpacing(kBetweenTools);
     for (QWidget* each : std::initializer_list<QWidget*>{menu_, open_, connect_}) row->addWidget(each);
     row->addLayout(words, 1);
     for (QWidget* each : std::initializer_list<QWidget*>{cancel_, warnings_, badge, clock_, locked_}) row->addWidget(each);
@@ -67,16 +68,41 @@ void CabHead::showClock() { clock_->setText(QDateTime::currentDateTimeUtc().toSt
 
 void CabHead::showScan(const QString& name, const QString& facts) {
     scan_ = name;
-    facts_->setText(facts);
-    facts_->setToolTip(facts);
+    scanFacts_ = facts;
     fit();
 }
 
+void CabHead::showWork(const QString& text) {
+    work_ = text;
+    cancel_->setHidden(text.isEmpty());
+    fit();
+}
+
+QSize CabHead::minimumSizeHint() const {
+    return {menu_->sizeHint().width() + locked_->sizeHint().width() + kLeastName, layout()->totalMinimumSize().height()};
+}
+
+/// Open, connect and the clock are there while they have room: both commands are also in the menu. Locked is the only way out, and the
+/// badge says what the picture is: neither goes.
 void CabHead::fit() {
-    const bool wide = width() >= kNarrowHead;
-    clock_->setVisible(wide);
-    connect_->setVisible(wide);
-    name_->setText(name_->fontMetrics().elidedText(scan_, Qt::ElideRight, std::max(40, name_->width())));
+    const QMargins around = layout()->contentsMargins();
+    const auto wide = [](const QWidget* each) { return std::max(each->minimumSizeHint().width(), each->minimumWidth()) + kBetweenTools; };
+    int left = width() - around.left() - around.right() - kLeastName;
+    for (const QWidget* each : std::initializer_list<const QWidget*>{menu_, locked_, cancel_, warnings_, badge_}) {
+        if (!each->isHidden()) left -= each == badge_ ? badge_->sizeHint().width() + kBetweenTools : wide(each);
+    }
+    for (QWidget* each : std::initializer_list<QWidget*>{open_, connect_, clock_}) {
+        const bool fits = wide(each) <= left;
+        each->setVisible(fits);
+        left -= fits ? wide(each) : std::max(0, left); // in this order
+    }
+    const auto shorten = [](QLabel* label, const QString& text) {
+        label->setText(label->fontMetrics().elidedText(text, Qt::ElideRight, std::max(40, label->width())));
+        label->setToolTip(text);
+    };
+    layout()->activate(); // the labels have their new widths
+    shorten(name_, scan_);
+    shorten(facts_, work_.isEmpty() ? scanFacts_ : work_);
 }
 
 void CabHead::resizeEvent(QResizeEvent* event) {

@@ -20,6 +20,11 @@ public:
     explicit CabHead(QWidget* badge, QWidget* parent = nullptr);
 
     void showScan(const QString& name, const QString& facts);
+    /// Shows the text instead of the facts, with the button that cancels; empty: the facts.
+    void showWork(const QString& text);
+    [[nodiscard]] bool working() const { return !work_.isEmpty(); }
+    /// Whatever is shown, it fits into a narrow window.
+    [[nodiscard]] QSize minimumSizeHint() const override;
     [[nodiscard]] QToolButton* menu() const { return menu_; }
     [[nodiscard]] QToolButton* open() const { return open_; }
     [[nodiscard]] QToolButton* connectScanner() const { return connect_; }
@@ -43,7 +48,8 @@ private:
     QToolButton* warnings_;
     QLabel* clock_;
     HoldButton* locked_;
-    QString scan_;
+    QWidget* badge_;
+    QString scan_, scanFacts_, work_;
 };
 
 /// GUI thread only.

@@ -3,6 +3,7 @@
 
 #include "core/inspect/change_detection/change_report.h"
 #include "ui/base/shown_text.h"
+#include "ui/panels/change/distance_view.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -46,7 +47,9 @@ QLabel* wordsOf(QWidget* parent, const char* name) {
 
 ChangeLegend::ChangeLegend(QWidget* parent)
     : ViewPlate(parent), title_(wordsOf(this, "change-title")), how_(wordsOf(this, "change-how")),
-      covered_(wordsOf(this, "change-covered")), region_(wordsOf(this, "change-region")), next_(new QToolButton(this)) {
+      covered_(wordsOf(this, "change-covered")), region_(wordsOf(this, "change-region")),
+      byDistance_(new QCheckBox(tr("colour by distance from A"), this)), histogram_(new DistanceView(this)),
+      distances_(wordsOf(this, "change-distances")), next_(new QToolButton(this)) {
     setObjectName("change-legend");
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* grid = new QGridLayout(this);
@@ -72,14 +75,20 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         grid->addWidget(made.count, n + 1, 1, Qt::AlignRight);
         connect(made.box, &QCheckBox::toggled, this, &ChangeLegend::emitRows);
     }
+    byDistance_->setObjectName("change-by-distance");
+    byDistance_->setFocusPolicy(Qt::TabFocus);
+    connect(byDistance_, &QCheckBox::toggled, this, &ChangeLegend::distancesRequested);
     grid->addWidget(how_, kChangeRows + 1, 0, 1, 2);
     covered_->setText(tr("Rocks cover them in the cloud"));
     covered_->hide();
     grid->addWidget(covered_, kChangeRows + 2, 0, 1, 2);
     next_->setText(tr("Next changed region"));
     next_->setFocusPolicy(Qt::TabFocus);
-    grid->addWidget(next_, kChangeRows + 3, 0, 1, 2);
-    grid->addWidget(region_, kChangeRows + 4, 0, 1, 2);
+    grid->addWidget(byDistance_, kChangeRows + 3, 0, 1, 2);
+    grid->addWidget(histogram_, kChangeRows + 4, 0, 1, 2);
+    grid->addWidget(distances_, kChangeRows + 5, 0, 1, 2);
+    grid->addWidget(next_, kChangeRows + 6, 0, 1, 2);
+    grid->addWidget(region_, kChangeRows + 7, 0, 1, 2);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
     hide();
 }
@@ -105,6 +114,15 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     }
     how_->setText(how);
     how_->setVisible(rowsShown_ || comparison == nullptr);
+    const auto distances = comparison != nullptr && rowsShown_ ? comparison->distances : nullptr;
+    byDistance_->setVisible(rowsShown_ && comparison != nullptr && comparison->isOfTwoScans());
+    histogram_->showDistances(distances);
+    distances_->setVisible(distances != nullptr);
+    if (distances)
+        distances_->setText(tr("half of the points are nearer than %1\n%2 are farther than %3")
+                                .arg(shortLength(distances->histogram.medianM))
+                                .arg(thousands(distances->histogram.beyond))
+                                .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
     next_->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
     showRegion(QString());
     showFlipped(flipped_);
@@ -139,6 +157,8 @@ QString ChangeLegend::regionText() const { return region_->text(); }
 void ChangeLegend::setRows(const ChangeRows& rows) {
     for (std::size_t n = 0; n < rows.size(); ++n) rows_[n].box->setChecked(rows[n]);
 }
+
+void ChangeLegend::setByDistance(bool on) { byDistance_->setChecked(on); }
 
 void ChangeLegend::emitRows() {
     ChangeRows rows{};

@@ -10,6 +10,8 @@ class QToolButton;
 
 namespace edgescan::ui {
 
+class DistanceView;
+
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
 class ChangeLegend : public ViewPlate {
     Q_OBJECT
@@ -21,6 +23,7 @@ public:
     /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
     void setRows(const ChangeRows& rows);
+    void setByDistance(bool on);
     /// Shows which of the two scans is on the screen.
     void showFlipped(bool flipped);
     /// On: the cloud does not show the changes, because rocks cover them.
@@ -36,6 +39,8 @@ public:
 
 signals:
     void rowsRequested(const edgescan::ui::ChangeRows& rows);
+    /// The points are to have the colours of their distances from A, or not.
+    void distancesRequested(bool on);
     void nextRegionRequested();
 
 private:
@@ -47,6 +52,9 @@ private:
 
     QLabel *title_, *how_, *covered_, *region_;
     std::array<Row, kChangeRows> rows_;
+    QCheckBox* byDistance_;
+    DistanceView* histogram_;
+    QLabel* distances_;
     QToolButton* next_;
     QString before_;
     bool flipped_ = false;

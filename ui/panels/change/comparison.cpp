@@ -2,6 +2,7 @@
 #include "ui/panels/change/comparison.h"
 
 #include "core/base/inputs.h"
+#include "core/base/order_statistic.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/pipeline/work_memory.h"
 #include "core/files/open_save/open_scan.h"
@@ -9,9 +10,11 @@
 #include "ui/base/shown_text.h"
 #include "ui/engine/worker_bridge/demo_scan.h"
 #include "ui/engine/worker_bridge/engine.h"
+#include "ui/views/cloud/cloud_colours.h"
 #include "ui/views/cloud/cloud_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <utility>
 #include <vector>
@@ -19,6 +22,10 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr double kFarthestM = 1.0;     // the same colour for all larger distances
+constexpr int kDistanceSteps = 50;     // of the histogram
+constexpr double kShareOfScale = 0.98; // of the points, within the scale of the colours
+constexpr double kLeastScaleM = 0.02;
 constexpr std::uint32_t kDimmed = 0xff545454U; // 84: the contrast of gained and lost edges to it is 3 : 1
 const QColor kUnseenColour(200, 200, 200);
 
@@ -96,7 +103,36 @@ std::uint32_t pointColour(const QColor& colour) {
     return 0xff000000U | half(colour.blue()) << 16U | half(colour.green()) << 8U | half(colour.red());
 }
 
+/// Of the points of the current scan from those of A, after registration.
+std::shared_ptr<const SurfaceDistances> distancesOf(const Comparison& made) {
+    auto found = std::make_shared<SurfaceDistances>();
+    const auto both = inspect::inOneFrame(made.asked.now->detection->scan, made.earlier->detection->scan, made.change.earlier.how);
+    found->metres = inspect::cloudDistances(both[0].pointsM, inspect::PointIndex(both[1].pointsM), kFarthestM);
+    found->histogram = inspect::distanceHistogram(found->metres, kFarthestM, kDistanceSteps);
+    std::vector<float> known;
+    for (const float distance : found->metres) {
+        if (!std::isnan(distance)) known.push_back(std::min(distance, static_cast<float>(kFarthestM)));
+    }
+    found->scaleM = known.empty() ? kFarthestM : std::max(kLeastScaleM, static_cast<double>(quantile(known, kShareOfScale)));
+    return found;
+}
+
+std::uint32_t byteColour(QRgb colour) {
+    return 0xff000000U | static_cast<std::uint32_t>(qBlue(colour)) << 16U | static_cast<std::uint32_t>(qGreen(colour)) << 8U |
+           static_cast<std::uint32_t>(qRed(colour));
+}
+
+std::shared_ptr<const std::vector<std::uint32_t>> distanceColours(const SurfaceDistances& distances) {
+    auto points = std::make_shared<std::vector<std::uint32_t>>(distances.metres.size(), kDimmed);
+    for (std::size_t k = 0; k < points->size(); ++k) {
+        const float distance = distances.metres[k];
+        if (!std::isnan(distance)) (*points)[k] = byteColour(colourAt(std::min(1.0, static_cast<double>(distance) / distances.scaleM)));
+    }
+    return points;
+}
+
 std::shared_ptr<const std::vector<std::uint32_t>> pointsOf(const Comparison& made) {
+    if (made.distances) return distanceColours(*made.distances);
     const auto& ranges = made.change.ranges.cells;
     auto points = std::make_shared<std::vector<std::uint32_t>>(made.asked.now->detection->scan->cells(), kDimmed);
     const std::uint32_t nearer = pointColour(changeColour(ChangeRow::Nearer)), farther = pointColour(changeColour(ChangeRow::Farther));
@@ -167,6 +203,10 @@ Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked,
         if (!change) return change.error();
         made->change = std::move(*change);
         made->before = beforeOf(made->earlier, made->change.earlier);
+    }
+    if (asked.byDistance && made->isOfTwoScans()) {
+        const bool known = last != nullptr && last->distances && sameScans(asked, *last);
+        made->distances = known ? last->distances : distancesOf(*made);
     }
     made->edges = cellsOf(*made);
     made->points = pointsOf(*made);

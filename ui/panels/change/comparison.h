@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/inspect/change_detection/scene_change.h"
+#include "core/inspect/registration/cloud_distance.h"
 #include "core/scan/grid/reading_options.h"
 #include "ui/engine/worker_bridge/picture.h"
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace edgescan::ui {
 
@@ -23,6 +25,14 @@ using ChangeRows = std::array<bool, kChangeRows>;
 struct ComparisonAsked {
     std::shared_ptr<const Picture> before, now;
     ChangeRows rows{true, true, true, true, true, true};
+    bool byDistance = false; ///< points are coloured by their distance from the surfaces of A
+};
+
+/// Distances of the points of the current scan from those of A, for a legend.
+struct SurfaceDistances {
+    std::vector<float> metres; ///< per cell; NaN where a cell has no point
+    inspect::DistanceHistogram histogram;
+    double scaleM = 0.0; ///< the end of the colour scale
 };
 
 /// Immutable after construction.
@@ -35,6 +45,7 @@ struct Comparison {
     EdgeCells edges;                                          ///< by class: gained, lost, unchanged, unseen
     std::shared_ptr<const QImage> map;                        ///< beams x lines: edges by their change on black
     std::shared_ptr<const QImage> overlay;                    ///< the same with the changed surfaces, transparent elsewhere
+    std::shared_ptr<const SurfaceDistances> distances;        ///< null: not asked for, or one scan
     std::shared_ptr<const std::vector<std::uint32_t>> points; ///< per cell, bytes red, green, blue, 255; unchanged points are dimmed
 
     [[nodiscard]] std::size_t count(ChangeRow row) const;

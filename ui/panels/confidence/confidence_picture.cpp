@@ -6,8 +6,8 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr std::array<float, kBands> kSizes{1.3F, 1.1F, 0.85F, 0.65F, 0.5F}; // relative to the size of an edge point
-constexpr std::size_t kFirstDashed = 3;                                     // band; below 70 %
+constexpr std::array<float, kEdgeClasses> kSizes{1.3F, 1.1F, 0.85F, 0.65F, 0.5F}; // relative to the size of an edge point
+constexpr std::size_t kFirstDashed = 3;                                           // band; below 70 %
 
 /// In the images all cells have one size; therefore less certain edges are dashed: every third cell is dark, then every second.
 QRgb inkAt(const QColor& colour, std::size_t band, int line, int beam) {
@@ -37,7 +37,7 @@ std::shared_ptr<const ConfidencePicture> confidencePicture(const std::shared_ptr
     QImage overlay(map.size(), QImage::Format_ARGB32_Premultiplied);
     overlay.fill(Qt::transparent);
     std::vector<std::uint32_t> all;
-    std::array<std::vector<std::uint32_t>, kBands> lists;
+    std::array<std::vector<std::uint32_t>, kEdgeClasses> lists;
     const Grid<std::uint8_t>& percent = confidence->percent;
     const auto pixel = [](QImage& image, int line, int beam) -> QRgb& { return reinterpret_cast<QRgb*>(image.scanLine(line))[beam]; };
     for (const std::uint32_t k : *picture->detection->edges) {
@@ -53,7 +53,7 @@ std::shared_ptr<const ConfidencePicture> confidencePicture(const std::shared_ptr
         all.push_back(k);
     }
     made->cells.all = std::make_shared<const std::vector<std::uint32_t>>(std::move(all));
-    for (std::size_t n = 0; n < kBands; ++n)
+    for (std::size_t n = 0; n < lists.size(); ++n)
         made->cells.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
     made->cells.sizes = kSizes;
     made->images = {std::make_shared<const QImage>(std::move(map)), std::make_shared<const QImage>(std::move(overlay))};

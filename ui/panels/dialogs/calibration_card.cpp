@@ -74,8 +74,8 @@ QWidget* CalibrationCard::question() {
     column->setContentsMargins(0, 0, 0, 0);
     auto* help = plainWords("calibration-help");
     help->setText(
-        tr("How the scanner sits on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per "
-           "assembly; 360 tell more. Nothing is applied by itself."));
+        tr("How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per "
+           "assembly; 360 show more. Nothing is applied by itself."));
     column->addWidget(help);
     column->addWidget(new QLabel(tr("Scans of one assembly:")));
     scans_->setObjectName("calibration-scans");
@@ -85,7 +85,7 @@ QWidget* CalibrationCard::question() {
     auto* add = new QPushButton(tr("A&dd Scans…"));
     remove_ = new QPushButton(tr("&Remove"));
     auto* choose = new QPushButton(tr("Robot's &File…"));
-    choose->setToolTip(tr("The robot's present calibration: its stepper is set anew, all else stays"));
+    choose->setToolTip(tr("The robot's present calibration: its stepper is replaced, all else stays"));
     for (QPushButton* each : {add, remove_, choose}) files->addWidget(each);
     column->addLayout(files);
     column->addWidget(base_);

@@ -8,16 +8,19 @@
 
 #include <QButtonGroup>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -26,6 +29,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kMargins = 64; // px, with the title bar of the window
+constexpr int kWords = 400;  // px: width of the questions for the reading program
 
 // With thousands separators, the same in every locale.
 QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
@@ -35,16 +39,30 @@ QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::United
 ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, exports::ExportContent wanted, ExportSelection selected,
                            QWidget* parent)
     : QDialog(parent), detection_(std::move(detection)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
-      selected_(std::move(selected)), onlySelected_(new QCheckBox), attached_(new QCheckBox), count_(new QLabel),
-      buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
+      selected_(std::move(selected)), format_(new QComboBox), picture_(new QLabel(tr("PNG picture (*.png)"))), onlySelected_(new QCheckBox),
+      attached_(new QCheckBox), count_(new QLabel), buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Export"));
     auto* questions = new QWidget; // scrolls on a low screen: squeezed widgets would be unreadable
     auto* column = new QVBoxLayout(questions);
     column->addWidget(contentBox());
+    column->addLayout(formatRow());
     coordinatesGroup_ = coordinatesBox();
     column->addWidget(coordinatesGroup_);
+    more_ = new QToolButton;
+    more_->setObjectName("for-program");
+    more_->setText(tr("For the program that will read it"));
+    more_->setCheckable(true);
+    more_->setAutoRaise(true);
+    more_->setArrowType(Qt::RightArrow);
+    more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    column->addWidget(more_);
     writingGroup_ = writingBox();
+    writingGroup_->hide();
     column->addWidget(writingGroup_);
+    connect(more_, &QToolButton::toggled, this, [this](bool on) {
+        more_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+        writingGroup_->setVisible(on);
+    });
     onlySelected_->setObjectName("onlySelected");
     onlySelected_->setText(tr("Only what is selected (%1 cells)").arg(number(selected_.cells ? selected_.cells->size() : 0)));
     onlySelected_->setVisible(selected_.cells != nullptr);
@@ -56,6 +74,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
     attached_->setVisible(hidden > 0);
     column->addWidget(attached_);
     column->addStretch(1);
+    showCounts();
     count_->setObjectName("count");
     auto* whole = new QVBoxLayout(this);
     QScrollArea* area = scrolled(*questions);
@@ -77,17 +96,37 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
 QGroupBox* ExportDialog::contentBox() {
     auto* box = new QGroupBox(tr("What"));
     auto* column = new QVBoxLayout(box);
-    const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         if (kind.window.title == nullptr) continue;
-        const QString counted = exports::isCloud(kind.content) ? number(countOf(kind.content, false, false)) : size;
-        auto* button = new QRadioButton(QObject::tr(kind.window.title).arg(counted));
+        auto* button = new QRadioButton;
         button->setObjectName(kind.key);
         contents_->addButton(button, static_cast<int>(kind.content));
         column->addWidget(button);
     }
     return box;
 }
+
+QLayout* ExportDialog::formatRow() {
+    auto* row = new QHBoxLayout;
+    auto* name = new QLabel(tr("Format"));
+    name->setBuddy(format_);
+    format_->setObjectName("format");
+    format_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    row->addWidget(name);
+    row->addWidget(format_, 1);
+    row->addWidget(picture_, 1);
+    return row;
+}
+
+void ExportDialog::offerFormats(const std::vector<Format>& formats, const QString& wanted) {
+    for (const Format& format : formats) {
+        format_->addItem(format.filter, format.extension);
+        if (format.extension == wanted) format_->setCurrentIndex(format_->count() - 1);
+    }
+    follow();
+}
+
+QString ExportDialog::extension() const { return exports::isCloud(content()) ? format_->currentData().toString() : QStringLiteral(".png"); }
 
 QGroupBox* ExportDialog::coordinatesBox() {
     auto* box = new QGroupBox(tr("Coordinates"));
@@ -101,7 +140,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
         column->addWidget(button);
     };
     add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, Elevation"), "mine", placed);
-    add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid stands in the header"), "local", placed);
+    add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid is in the header"), "local", placed);
     add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
     coordinates_->button(static_cast<int>(files::usualFrame(*detection_->scan)))->setChecked(true);
     if (const auto why = files::checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
@@ -115,7 +154,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
 }
 
 QGroupBox* ExportDialog::writingBox() {
-    auto* box = new QGroupBox(tr("For the program that will read it"));
+    auto* box = new QGroupBox;
     auto* grid = new QGridLayout(box);
     grid->setColumnStretch(1, 1);
     for (const files::WritingChoice& choice : files::kWritingChoices) {
@@ -123,7 +162,7 @@ QGroupBox* ExportDialog::writingBox() {
         mark->setObjectName(choice.key);
         auto* words = new QLabel(QObject::tr(choice.help));
         words->setWordWrap(true);
-        words->setMinimumWidth(520);
+        words->setMinimumWidth(kWords);
         words->setBuddy(mark);
         mark->setAccessibleName(words->text());
         if (choice.member == &files::WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // disabled if no cell was filled
@@ -178,6 +217,18 @@ std::size_t ExportDialog::filledToo(bool edges, bool onlySelected) const {
     }));
 }
 
+/// Each content with the number that would be saved of it, as the boxes below are checked.
+void ExportDialog::showCounts() {
+    const QString size = tr("%1 × %2 pixels").arg(detection_->scan->beams()).arg(detection_->scan->lines());
+    const bool onlySelected = selected_.cells && onlySelected_->isChecked();
+    for (const exports::ExportKind& kind : exports::exportKinds()) {
+        QAbstractButton* button = contents_->button(static_cast<int>(kind.content));
+        if (button == nullptr) continue;
+        const QString counted = exports::isCloud(kind.content) ? number(countOf(kind.content, attached_->isChecked(), onlySelected)) : size;
+        button->setText(QObject::tr(kind.window.title).arg(counted));
+    }
+}
+
 exports::ExportContent ExportDialog::content() const { return static_cast<exports::ExportContent>(contents_->checkedId()); }
 
 exports::ExportOptions ExportDialog::options() const {
@@ -197,8 +248,12 @@ void ExportDialog::follow() {
     const bool cloud = exports::isCloud(content());
     coordinatesGroup_->setEnabled(cloud);
     writingGroup_->setEnabled(cloud);
+    more_->setEnabled(cloud);
+    format_->setVisible(cloud && format_->count() > 0);
+    picture_->setVisible(!cloud);
     attached_->setEnabled(cloud);
     onlySelected_->setEnabled(cloud);
+    showCounts();
     count_->setText(cloud ? tr("%1 points will be saved.").arg(number(count())) : tr("%1 cells will be saved.").arg(number(count())));
 }
 

@@ -1,4 +1,4 @@
-// Asks for the content of an export and its coordinates. Shows the number of points before saving.
+// Asks for the content of an export, its format and its coordinates. Shows the number of points before saving.
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
@@ -12,9 +12,11 @@
 
 class QButtonGroup;
 class QCheckBox;
+class QComboBox;
 class QDialogButtonBox;
 class QGroupBox;
 class QLabel;
+class QToolButton;
 
 namespace edgescan::ui {
 
@@ -31,6 +33,14 @@ public:
     ExportDialog(std::shared_ptr<const edges::Detection> detection, exports::ExportContent wanted, ExportSelection selected = {},
                  QWidget* parent = nullptr);
 
+    /// The formats of clouds, as filters of files: "Point Cloud Library (*.pcd)". Each has the extension that its files get.
+    struct Format {
+        QString filter, extension;
+    };
+    void offerFormats(const std::vector<Format>& formats, const QString& wanted);
+    /// ".pcd"; of a picture ".png".
+    [[nodiscard]] QString extension() const;
+
     [[nodiscard]] exports::ExportContent content() const;
     [[nodiscard]] exports::ExportOptions options() const;
     /// Number of points, or of cells of a picture, that would be saved.
@@ -40,19 +50,24 @@ private:
     [[nodiscard]] QGroupBox* contentBox();
     [[nodiscard]] QGroupBox* coordinatesBox();
     [[nodiscard]] QGroupBox* writingBox();
+    [[nodiscard]] QLayout* formatRow();
     [[nodiscard]] bool fillsToo() const;
     [[nodiscard]] std::size_t filledToo(bool edges, bool onlySelected) const;
     [[nodiscard]] std::size_t countOf(exports::ExportContent content, bool withAttached, bool onlySelected) const;
     void follow();
+    void showCounts();
 
     std::shared_ptr<const edges::Detection> detection_;
     QButtonGroup* contents_;
     QButtonGroup* coordinates_;
     QGroupBox* coordinatesGroup_ = nullptr;
+    QToolButton* more_ = nullptr; // shows the questions for the reading program
     QGroupBox* writingGroup_ = nullptr;
     mutable std::optional<std::vector<std::uint32_t>> filledCells_; // computed at first use
     std::vector<QCheckBox*> choices_;                               // in the order of kWritingChoices
     ExportSelection selected_;
+    QComboBox* format_;
+    QLabel* picture_; // the only format of pictures
     QCheckBox* onlySelected_;
     QCheckBox* attached_;
     QLabel* count_;

@@ -2,8 +2,8 @@
 #include "ui/panels/dialogs/sheets.h"
 
 #include "core/base/version.h"
-#include "core/exports/report.h"
 #include "ui/base/shown_text.h"
+#include "ui/panels/dialogs/scan_properties.h"
 
 #include <QAction>
 #include <QDialog>
@@ -11,7 +11,6 @@
 #include <QMessageBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
-#include <nlohmann/json.hpp>
 
 namespace edgescan::ui {
 namespace {
@@ -54,7 +53,8 @@ void showShortcuts(QWidget* parent, const QList<QAction*>& actions) {
 
 void showScanProperties(QWidget* parent, const Scan& scan) {
     auto* browser = new QTextBrowser;
-    browser->setPlainText(exactText(exports::reportText(exports::infoReport(scan), true)));
+    browser->setObjectName("scan-properties");
+    browser->setHtml(scanProperties(scan));
     showSheet(parent, words("Scan"), browser, {640, 600});
 }
 
@@ -63,7 +63,7 @@ void showAbout(QWidget* parent) {
     box.setWindowTitle(words("About EdgeScan"));
     box.setTextFormat(Qt::RichText);
     box.setText(words("<h3>EdgeScan %1</h3>Finds the edges of rocks in a laser range scan and shows them in the cloud.<br>"
-                      "What it shows is geometry from one viewpoint; it is no judgement of any rock.<br><br>Licence: BSD-3-Clause")
+                      "What it shows is geometry from one viewpoint; it is not a judgement of any rock.<br><br>Licence: BSD-3-Clause")
                     .arg(version()));
     box.setStandardButtons(QMessageBox::Ok);
     box.exec();

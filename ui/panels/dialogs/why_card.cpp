@@ -74,7 +74,7 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
 WhyCard::WhyCard(QWidget* parent)
     : QDialog(parent), verdict_(words()), numbers_(words()), below_(new QLabel), beside_(new QPushButton), picture_(new ProfileView) {
     setObjectName("why-card");
-    setWindowTitle(tr("Why is this cell an edge, or none?"));
+    setWindowTitle(tr("Why is this cell an edge or not?"));
     verdict_->setObjectName("why-verdict");
     QFont bold = verdict_->font();
     bold.setBold(true);

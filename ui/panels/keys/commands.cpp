@@ -9,6 +9,7 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QMenu>
@@ -81,9 +82,39 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
     }
 }
 
+KeysOfFocus::KeysOfFocus(QObject* parent) : QObject(parent) {
+    constexpr int kTypedForMs = 1500; // since the last key
+    typing_.setSingleShot(true);
+    typing_.setInterval(kTypedForMs);
+}
+
+bool KeysOfFocus::isTypedForADialog(const QKeyEvent& key) {
+    if (!typing_.isActive()) return false;
+    const bool plain = (key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
+    if (!plain || key.key() == Qt::Key_Escape || key.text().isEmpty()) return false;
+    typing_.start();
+    return true;
+}
+
 bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Shortcut) {
+        const auto* action = qobject_cast<QAction*>(watched);
+        if (action == nullptr || !action->text().endsWith(QStringLiteral("…"))) return false;
+        // After the command: a dialog that it opened runs by then.
+        QTimer::singleShot(0, this, [this] {
+            if (QApplication::activeModalWidget() == nullptr && QApplication::activePopupWidget() == nullptr) typing_.start();
+        });
+        return false;
+    }
+    if (event->type() == QEvent::MouseButtonPress) typing_.stop();
     if (event->type() != QEvent::ShortcutOverride) return false;
-    const int key = static_cast<QKeyEvent*>(event)->key();
+    const auto& pressed = static_cast<const QKeyEvent&>(*event);
+    const int key = pressed.key();
+    if (key == Qt::Key_Escape) typing_.stop();
+    if (isTypedForADialog(pressed)) {
+        event->accept();
+        return true;
+    }
     const bool presses = qobject_cast<QAbstractButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr;
     const bool slides = qobject_cast<QAbstractSlider*>(watched) != nullptr;
     const bool pages =

@@ -3,11 +3,13 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include <functional>
 #include <vector>
 
 class QAction;
+class QKeyEvent;
 class QMenu;
 class QWidget;
 
@@ -50,11 +52,18 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
 
 /// Keys of the focused widget: Space presses the focused button. Home and End move the focused slider. Page Up and Page Down move the
 /// focused slider, number or list. In other widgets these keys are shortcuts.
+/// After the key of a command that asks for something (its text ends in "…") and opened no dialog, keys without a modifier are no commands
+/// for a moment: they were typed for the dialog. A click or Esc ends that.
 class KeysOfFocus : public QObject {
     Q_OBJECT
 public:
-    using QObject::QObject;
+    explicit KeysOfFocus(QObject* parent = nullptr);
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    [[nodiscard]] bool isTypedForADialog(const QKeyEvent& key);
+
+    QTimer typing_; // active = keys without a modifier are no commands
 };
 
 } // namespace edgescan::ui

@@ -11,7 +11,7 @@ namespace edgescan::ui {
 
 class Preferences;
 
-/// A command with an untranslated name: "View/From Scanner".
+/// A command with an untranslated name: "View/Look from/From Scanner".
 struct KeyedCommand {
     QAction* action = nullptr;
     QString id;

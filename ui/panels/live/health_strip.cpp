@@ -1,31 +1,35 @@
 // The health of a live scan in one row.
 #include "ui/panels/live/health_strip.h"
 
-#include "ui/base/shown_text.h"
+#include "ui/base/core_words.h"
+#include "ui/base/elided_label.h"
+#include "ui/base/flow_layout.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/live/sweep_bar.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 
 namespace edgescan::ui {
 
 HealthStrip::HealthStrip(QWidget* parent)
-    : QWidget(parent), badge_(new StateBadge), lines_(new QLabel), lost_(new QLabel), noReturn_(new QLabel), remark_(new StateBadge),
-      window_(new StateBadge), device_(new StateBadge), pose_(new QLabel), end_(new QLabel), recording_(new StateBadge),
-      sentence_(new QLabel) {
+    : QWidget(parent), badge_(new StateBadge), lines_(new QLabel), bar_(new SweepBar), lost_(new QLabel), noReturn_(new QLabel),
+      remark_(new StateBadge), window_(new StateBadge), device_(new StateBadge), pose_(new QLabel), end_(new QLabel),
+      recording_(new StateBadge), sentence_(new ElidedLabel) {
     badge_->setObjectName("live-badge");
     lines_->setObjectName("live-lines");
     lost_->setObjectName("live-lost");
     remark_->setObjectName("live-remark");
     sentence_->setObjectName("live-sentence");
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(6, 2, 6, 2);
+    auto* row = new FlowLayout(this);
+    row->setContentsMargins(0, 2, 6, 2);
     row->setSpacing(10);
+    QFont bold = lines_->font();
+    bold.setBold(true);
+    for (QLabel* label : {lines_, end_}) label->setFont(bold);
     for (QWidget* each :
-         std::initializer_list<QWidget*>{badge_, lines_, lost_, noReturn_, remark_, window_, device_, pose_, end_, recording_})
+         std::initializer_list<QWidget*>{badge_, lines_, bar_, end_, lost_, noReturn_, remark_, window_, device_, pose_, recording_})
         row->addWidget(each);
-    row->addWidget(sentence_, 1);
-    row->addStretch(0);
+    row->addWidget(sentence_);
     // A long sentence must not widen the window; the tool tip shows all of it.
     sentence_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     for (QLabel* label : {lines_, lost_, noReturn_, pose_, end_, sentence_}) label->setTextFormat(Qt::PlainText);
@@ -36,12 +40,13 @@ HealthStrip::HealthStrip(QWidget* parent)
 void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     shown_ = health;
     const auto showText = [](QLabel* label, const std::string& text) {
-        const QString words = shownText(text);
+        const QString words = coreWords(text);
         if (label->text() != words) label->setText(words);
         label->setVisible(!text.empty());
     };
     const auto badge = [](StateBadge* each, StateBadge::Sign sign, const std::string& text) {
-        each->showState(sign, shownText(text));
+        each->showState(sign, coreWords(text));
+        each->setToolTip(coreWords(text)); // a narrow strip cuts its end off
         each->setVisible(!text.empty());
     };
     // Green is only for data that arrives now. A fault of the scanner has priority.
@@ -51,12 +56,13 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
           : picture == Picture::Held ? tr("HELD").toStdString()
                                      : tr("CONNECTED, another picture is shown").toStdString());
     showText(lines_, health.lines);
+    bar_->showRows(health.row, health.rows, health.lostRows);
     showText(lost_, health.lost);
     lost_->setToolTip(tr("Lines whose telegrams never came; hatched in the images"));
     showText(noReturn_, health.noReturn);
     badge(remark_, signOf(health.telegrams), health.remark);
     QStringList remarks;
-    for (const std::string& sentence : health.remarks) remarks << shownText(sentence);
+    for (const std::string& sentence : health.remarks) remarks << coreSentence(sentence);
     remark_->setToolTip(remarks.join('\n'));
     badge(window_, signOf(health.window), health.contamination);
     // A device without faults has no badge.
@@ -64,8 +70,10 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     showText(pose_, health.lines.empty() ? std::string() : health.pose);
     showText(end_, health.end);
     badge(recording_, signOf(health.recorded), health.recording);
-    showText(sentence_, health.liveness == files::Liveness::Live ? std::string() : health.sentence);
-    sentence_->setToolTip(shownText(health.sentence));
+    const QString sentence = coreSentence(health.sentence);
+    if (sentence_->text() != sentence) sentence_->setText(sentence);
+    sentence_->setVisible(health.liveness != files::Liveness::Live && !sentence.isEmpty());
+    sentence_->setToolTip(sentence);
 }
 
 } // namespace edgescan::ui

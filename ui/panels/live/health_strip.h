@@ -1,4 +1,5 @@
-// One row that shows whether the picture is up to date: LIVE / STALE / LOST, lines, losses, no return, window, pose, end, recording.
+// One row that shows whether the picture is up to date: LIVE / STALE / LOST, lines and progress, time left, losses, no return, window,
+// pose, recording.
 #pragma once
 
 #include "core/files/live_feed/live_health.h"
@@ -10,6 +11,7 @@ class QLabel;
 namespace edgescan::ui {
 
 class StateBadge;
+class SweepBar;
 
 /// GUI thread only.
 class HealthStrip : public QWidget {
@@ -22,11 +24,13 @@ public:
     void showHealth(const files::LiveHealth& health, Picture picture = Picture::Follows);
     [[nodiscard]] const files::LiveHealth& shown() const { return shown_; }
     [[nodiscard]] StateBadge& badge() { return *badge_; }
+    [[nodiscard]] const SweepBar& bar() const { return *bar_; }
 
 private:
     files::LiveHealth shown_;
     StateBadge* badge_;
     QLabel* lines_;
+    SweepBar* bar_;
     QLabel* lost_;
     QLabel* noReturn_;
     StateBadge* remark_;

@@ -2,6 +2,8 @@
 #include "ui/panels/live/live_panel.h"
 
 #include "ui/base/elided_label.h"
+#include "ui/base/flow_layout.h"
+#include "ui/base/icons.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/live/sweep_form.h"
 
@@ -18,6 +20,7 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kBetween = 8;      // px between two buttons
 constexpr int kUsualPort = 2112; // SICK's second CoLa port, the default of sick_scan_xd
 
 QPushButton* button(const char* name, const QString& text, const QString& help) {
@@ -30,12 +33,13 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
 } // namespace
 
 LivePanel::LivePanel(QWidget* parent)
-    : QWidget(parent), host_(new QLineEdit), port_(new QSpinBox),
+    : QWidget(parent), title_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
       connect_(button("live-connect", tr("Connect"), tr("Reads and a subscription are all that is sent to the scanner"))),
       sweepButton_(new QToolButton), sweep_(new SweepForm),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, untouched, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
-      follow_(button("live-follow", tr("Follow"), tr("The picture grows with the scanner; off: it stays as it is"))),
+      follow_(
+          button("live-follow", tr("Hold"), tr("The picture stays as it is while the scanner goes on; off: it grows with the scanner"))),
       scanner_(new ElidedLabel), strip_(new HealthStrip) {
     host_->setObjectName("live-host");
     host_->setPlaceholderText(tr("name or address of the scanner"));
@@ -45,19 +49,25 @@ LivePanel::LivePanel(QWidget* parent)
     port_->setValue(kUsualPort);
     addSweepMenu();
     for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
+    follow_->setIcon(toolIcon("hold"));
     scanner_->setObjectName("live-scanner");
 
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(6, 2, 6, 0);
-    row->addWidget(new QLabel(tr("Scanner")));
-    for (QWidget* each : std::initializer_list<QWidget*>{host_, port_, sweepButton_, connect_, record_, keep_, follow_})
+    auto* head = new QWidget;
+    auto* row = new FlowLayout(head);
+    row->setContentsMargins(6, 0, 6, 2);
+    row->setSpacing(kBetween);
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, record_, keep_, scanner_})
         row->addWidget(each);
-    row->addWidget(scanner_, 1);
+    auto* first = new QHBoxLayout;
+    first->setContentsMargins(6, 2, 0, 0);
+    first->setSpacing(kBetween);
+    first->addWidget(follow_, 0, Qt::AlignTop);
+    first->addWidget(strip_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(row);
-    column->addWidget(strip_);
+    column->setSpacing(2);
+    column->addLayout(first);
+    column->addWidget(head);
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::returnPressed, this, [this] {
@@ -65,7 +75,7 @@ LivePanel::LivePanel(QWidget* parent)
     });
     connect(record_, &QPushButton::clicked, this, &LivePanel::recordRequested);
     connect(keep_, &QPushButton::clicked, this, &LivePanel::keepRequested);
-    connect(follow_, &QPushButton::clicked, this, &LivePanel::followRequested);
+    connect(follow_, &QPushButton::clicked, this, [this](bool hold) { emit followRequested(!hold); });
     // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
     // meaning by then.
     for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
@@ -112,7 +122,28 @@ void LivePanel::setConnected(bool connected) {
     for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
     if (!connected) setRecording(false);
+    showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
+}
+
+void LivePanel::forgetScanner() {
+    strip_->showHealth({});
+    strip_->hide();
+    scanner_->setText(QString());
+    scanner_->setToolTip(QString());
+    hide();
+}
+
+void LivePanel::setBrief(bool on) {
+    brief_ = on;
+    showFields();
+}
+
+/// What the state needs; with gloves on, only what a connected scanner needs.
+void LivePanel::showFields() {
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_);
+    for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(brief_ && connected_);
+    for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setHidden(!connected_);
 }
 
 void LivePanel::setRecording(bool recording) {
@@ -120,10 +151,7 @@ void LivePanel::setRecording(bool recording) {
     record_->setText(recording ? tr("Stop recording") : tr("Record"));
 }
 
-void LivePanel::setFollowing(bool following) {
-    follow_->setChecked(following);
-    follow_->setText(following ? tr("Following") : tr("Held: follow"));
-}
+void LivePanel::setFollowing(bool following) { follow_->setChecked(connected_ && !following); }
 
 void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture picture) {
     strip_->showHealth(health, picture);

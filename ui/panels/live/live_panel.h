@@ -1,4 +1,4 @@
-// The panel under the views: scanner address, connect, record, keep, follow, and the scanner's health.
+// The panel above the views: hold, the scanner's health and progress; scanner address, connect, record, keep.
 #pragma once
 
 #include "core/scanner/sweep_assembly/sweep_settings.h"
@@ -32,8 +32,13 @@ public:
 
     void setConnected(bool connected);
     void setRecording(bool recording);
+    /// Fewer fields, for cab mode.
+    void setBrief(bool on);
     void setFollowing(bool following);
     void showHealth(const files::LiveHealth& health, HealthStrip::Picture picture);
+
+    /// Hides the panel with all that it says about the last scanner.
+    void forgetScanner();
 
     [[nodiscard]] HealthStrip& strip() { return *strip_; }
     [[nodiscard]] QString scannerShown() const;
@@ -49,7 +54,9 @@ signals:
 
 private:
     void addSweepMenu();
+    void showFields();
 
+    QLabel* title_;
     QLineEdit* host_;
     QSpinBox* port_;
     QPushButton* connect_;
@@ -60,7 +67,7 @@ private:
     QPushButton* follow_;
     QLabel* scanner_;
     HealthStrip* strip_;
-    bool connected_ = false;
+    bool connected_ = false, brief_ = false;
 };
 
 } // namespace edgescan::ui

@@ -73,11 +73,11 @@ void ScannerLink::disconnectScanner() {
     const std::uint64_t stream = stream_;
     const QString recorded = recording_ ? recordingPath_ : QString();
     const std::shared_ptr<files::LiveFeed> feed = std::exchange(feed_, nullptr);
-    health_ = files::healthOf(feed->status());
-    health_.liveness = files::Liveness::Stopped;
-    health_.badge = "STOPPED";
+    files::LiveStatus last = feed->status();
+    last.connection.phase = scanner::ConnectionPhase::Stopped;
+    last.recording.reset();
+    health_ = files::healthOf(last);
     health_.end.clear();
-    health_.recording.clear();
     runInThread([this, feed, shows, stream, recorded]() -> std::function<void()> {
         feed->stop();
         const Result<files::RecordingState> closed = feed->stopRecording();
@@ -87,6 +87,13 @@ void ScannerLink::disconnectScanner() {
             if (shows && stream == stream_ && sweep.scan) post(sweep, false);
         };
     });
+    // A picture that was held while its sweep grew stays, but nothing grows any more.
+    const auto& picture = engine_.picture();
+    if (!shows && picture && picture->source.stream == stream && picture->source.growth.growing && !engine_.opening()) {
+        PictureSource ended = picture->source;
+        ended.growth.growing = false;
+        engine_.follow(picture->detection->scan, ended);
+    }
     if (std::exchange(recording_, false)) emit recordingChanged(false);
     if (std::exchange(following_, false)) emit followingChanged(false);
     emit connectedChanged(false);

@@ -34,7 +34,7 @@ public:
     /// cannot be applied. Empty: not connected, or the values are already in use.
     std::optional<int> useSweep(const scanner::SweepSettings& sweep);
     [[nodiscard]] bool connected() const { return feed_ != nullptr; }
-    [[nodiscard]] scanner::ConnectionState connection() const { return feed_ ? feed_->status().session : scanner::ConnectionState{}; }
+    [[nodiscard]] scanner::ConnectionState connection() const { return feed_ ? feed_->status().connection : scanner::ConnectionState{}; }
     [[nodiscard]] bool recording() const { return recording_; }
     /// Path of the newest recording of this connection; empty: no recording.
     [[nodiscard]] const QString& recordingPath() const { return recordingPath_; }

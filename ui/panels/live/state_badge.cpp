@@ -65,7 +65,7 @@ StateBadge::StateBadge(QWidget* parent) : QWidget(parent) {
     QFont bold = font();
     bold.setBold(true);
     setFont(bold);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
 }
 
 void StateBadge::showState(Sign sign, const QString& text) {
@@ -82,6 +82,12 @@ QSize StateBadge::sizeHint() const {
     return {kMargin + kShape + kMargin + metrics.horizontalAdvance(text_) + kMargin, std::max(metrics.height(), kShape) + kMargin};
 }
 
+QSize StateBadge::minimumSizeHint() const {
+    constexpr int kLeastLetters = 8;
+    const int letters = QFontMetrics(font()).averageCharWidth() * kLeastLetters;
+    return {std::min(sizeHint().width(), kMargin + kShape + kMargin + letters + kMargin), sizeHint().height()};
+}
+
 void StateBadge::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -90,7 +96,8 @@ void StateBadge::paintEvent(QPaintEvent* /*event*/) {
     painter.drawRoundedRect(QRectF(rect()), 3, 3);
     drawShape(painter, sign_, QRectF(kMargin, (height() - kShape) / 2.0, kShape, kShape));
     painter.setPen(Qt::white);
-    painter.drawText(rect().adjusted(kMargin + kShape + kMargin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text_);
+    const QRect place = rect().adjusted(kMargin + kShape + kMargin, 0, -kMargin / 2, 0);
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(text_, Qt::ElideRight, place.width()));
 }
 
 StateBadge::Sign signOf(files::Liveness liveness) {

@@ -19,6 +19,8 @@ public:
     [[nodiscard]] Sign sign() const { return sign_; }
     [[nodiscard]] QString text() const { return text_; }
     [[nodiscard]] QSize sizeHint() const override;
+    /// The end of a long text is cut off (…) where there is no room for it.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -24,7 +24,7 @@ QDoubleSpinBox* degrees(double least, double most, int decimals) {
 
 SweepForm::SweepForm(QWidget* parent)
     : QWidget(parent), lines_(new QSpinBox), step_(degrees(kStepNotGiven, 10, 5)), first_(degrees(-360, 360, 3)),
-      ticks_(new QDoubleSpinBox), axis_(new QComboBox), standing_(new QCheckBox(tr("Stands while a line is measured"))) {
+      ticks_(new QDoubleSpinBox), axis_(new QComboBox), standing_(new QCheckBox(tr("Does not turn while a line is measured"))) {
     lines_->setRange(0, 20000);
     lines_->setSpecialValueText(tr("not known"));
     step_->setSingleStep(0.01);

@@ -1,11 +1,12 @@
 // The timeline of a recording.
 #include "ui/panels/live/timeline.h"
 
+#include "ui/base/elided_label.h"
+#include "ui/base/flow_layout.h"
 #include "ui/panels/live/timeline_slider.h"
 
 #include <QComboBox>
 #include <QDateTime>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -17,7 +18,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kTickMs = 40;
-constexpr int kFirst = 1; // position: before it there is no line to show
+constexpr int kLeastLabel = 120; // px
+constexpr int kFirst = 1;        // position: before it there is no line to show
 constexpr double kNsPerMs = 1e6;
 constexpr double kLongestPauseNs = 2e9; // longest pause while playing, in recorded time: longer gaps are skipped
 constexpr std::array<double, 9> kSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 100.0};
@@ -30,7 +32,7 @@ QString utcText(std::int64_t ns) {
 } // namespace
 
 Timeline::Timeline(QWidget* parent)
-    : QWidget(parent), play_(new QPushButton(tr("Play"))), slider_(new TimelineSlider), label_(new QLabel), speeds_(new QComboBox) {
+    : QWidget(parent), play_(new QPushButton(tr("Play"))), slider_(new TimelineSlider), label_(new ElidedLabel), speeds_(new QComboBox) {
     play_->setObjectName("timeline-play");
     slider_->setObjectName("timeline-slider");
     label_->setObjectName("timeline-label");
@@ -39,12 +41,12 @@ Timeline::Timeline(QWidget* parent)
     for (const double speed : kSpeeds) speeds_->addItem(QString("× %1").arg(speed), speed);
     speeds_->setObjectName("timeline-speed");
     speeds_->setCurrentIndex(speeds_->findData(1.0));
-    auto* row = new QHBoxLayout(this);
+    label_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    label_->setMinimumWidth(kLeastLabel);
+    slider_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    auto* row = new FlowLayout(this);
     row->setContentsMargins(6, 2, 6, 2);
-    row->addWidget(play_);
-    row->addWidget(speeds_);
-    row->addWidget(slider_, 1);
-    row->addWidget(label_);
+    for (QWidget* each : std::initializer_list<QWidget*>{play_, speeds_, slider_, label_}) row->addWidget(each);
     ticking_.setInterval(kTickMs);
     connect(&ticking_, &QTimer::timeout, this, &Timeline::tick);
     connect(play_, &QPushButton::clicked, this, &Timeline::togglePlay);

@@ -1,6 +1,7 @@
 // The card of the selection.
 #include "ui/panels/rocks/rock_card.h"
 
+#include "core/base/tolerance_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/rocks/rock_table_model.h"
 
@@ -22,8 +23,9 @@ QString atLeastText(const QString& value) { return RockCard::tr("at least %1").a
 QString contactsText(const rocks::Rock& rock) {
     QStringList labels;
     for (const std::uint32_t other : rock.contacts) labels << QString::number(other);
-    if (labels.isEmpty()) return rock.touchesOther ? RockCard::tr("something that is no rock") : RockCard::tr("none seen");
-    return atLeastText(QString::number(labels.size())) + " (" + labels.join(", ") + ")";
+    if (labels.isEmpty()) return rock.touchesOther ? RockCard::tr("something that is not a rock") : RockCard::tr("none seen");
+    return labels.size() == 1 ? RockCard::tr("at least 1: rock %1").arg(labels.front())
+                              : RockCard::tr("at least %1: rocks %2").arg(QString::number(labels.size()), labels.join(", "));
 }
 
 QString listed(const std::vector<std::uint32_t>& rocks) {
@@ -104,9 +106,9 @@ RockCard::RockCard(QWidget* parent)
     column->addLayout(head);
     column->addWidget(spans_);
     column->addWidget(state_);
+    column->addLayout(buttons); // above the rows: in sight also where the card must be scrolled
     column->addLayout(lines);
     column->addWidget(caveat_);
-    column->addLayout(buttons);
 
     connect(close_, &QToolButton::clicked, this, &RockCard::closeRequested);
     connect(split_, &QPushButton::clicked, this, &RockCard::splitRequested);
@@ -129,7 +131,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     else
         showNoRock(picture, cells.back());
     if (cells.size() > 1) title_->setText(tr("%1, and %2 more selected").arg(title_->text()).arg(cells.size() - 1));
-    QString state = stale ? tr("▲ of the picture before; being worked out anew") : QString();
+    QString state = stale ? tr("▲ of the picture before; being computed again") : QString();
     if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ doubtful outline: hatched");
     if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("called a rock by hand");
     state_->setText(state);
@@ -147,7 +149,7 @@ void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock) {
     title_->setText(tr("Rock %1").arg(rock.label));
     spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
     spans_->show();
-    setRow(0, tr("visible spans"), tr("± %1").arg(metres(rock.toleranceM)));
+    setRow(0, tr("visible spans"), tr("± %1").arg(metres(shownTolerance(rock.toleranceM, 2))));
     setRow(1, tr("distance"), metres(rock.distanceM));
     setRow(2, tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2));
     setRow(3, tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0));

@@ -1,6 +1,7 @@
 // Faces and outlines of rocks as pictures.
 #include "ui/panels/rocks/rock_picture.h"
 
+#include "core/base/tolerance_text.h"
 #include "core/rocks/selection/region_of_interest.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/rocks/rock_colours.h"
@@ -118,7 +119,7 @@ QString rockTip(const rocks::Rock& rock) {
                       .arg(rock.label)
                       .arg(rock.longestCaliperM, 0, 'f', 2)
                       .arg(rock.shortestCaliperM, 0, 'f', 2)
-                      .arg(rock.toleranceM, 0, 'f', 2)
+                      .arg(shownTolerance(rock.toleranceM, 2), 0, 'f', 2)
                       .arg(rock.distanceM, 0, 'f', 2);
     if (isDoubtful(rock)) tip += QObject::tr(" · ▲ doubtful outline");
     return tip;

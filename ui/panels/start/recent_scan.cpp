@@ -47,7 +47,7 @@ QString wordsOf(const Scan& scan) {
                  number(scan.beams());
     const bool recorded = scan.format == "recording" || scan.format == "sweep";
     words << (recorded ? "RECORDED" : "FILE");
-    if (some) words << QString::fromUtf8("✕ INCOMPLETE");
+    if (some) words << QObject::tr("✕ INCOMPLETE");
     return words.join(QString::fromUtf8(" · "));
 }
 

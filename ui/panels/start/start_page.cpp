@@ -59,6 +59,8 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     connect(session_, &QPushButton::clicked, this, &StartPage::continueRequested);
     connect(addButton(*left, "start-demo", "demo", tr("Demo draw-bell"), tr("no scanner, no files needed")), &QPushButton::clicked, this,
             &StartPage::demoRequested);
+    connect(addButton(*left, "start-demo-pair", "ab", tr("Demo before and after a blast"), tr("both, and what changed between them")),
+            &QPushButton::clicked, this, &StartPage::demoPairRequested);
 
     auto* right = new QVBoxLayout;
     auto* head = new QHBoxLayout;

@@ -35,6 +35,7 @@ signals:
     void connectRequested();
     void continueRequested();
     void demoRequested();
+    void demoPairRequested();
     void scanRequested(const QString& path);
     /// The operator wants to search for a scan that is no longer at its path.
     void locateRequested(const QString& path);

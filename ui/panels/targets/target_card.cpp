@@ -96,9 +96,9 @@ TargetCard::TargetCard(QWidget* parent)
     column->setSpacing(4);
     column->addLayout(head);
     column->addLayout(number);
+    column->addLayout(buttons); // above the rows: in sight also where the card must be scrolled
     column->addLayout(lines_);
     column->addWidget(caveat_);
-    column->addLayout(buttons);
 
     connect(close_, &QToolButton::clicked, this, &TargetCard::closeRequested);
     connect(lock_, &QToolButton::clicked, this, &TargetCard::lockRequested);

@@ -2,6 +2,7 @@
 #include "ui/panels/targets/target_words.h"
 
 #include "core/base/number_text.h"
+#include "core/base/tolerance_text.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "ui/base/shown_text.h"
@@ -34,7 +35,7 @@ TargetRow rockRow(const TargetSurroundings& around) {
     return {name,
             QObject::tr("no. %1: %2 × %3 ± %4 m")
                 .arg(rock.label)
-                .arg(fixed(rock.longestCaliperM, 2), fixed(rock.shortestCaliperM, 2), fixed(rock.toleranceM, 2)),
+                .arg(fixed(rock.longestCaliperM, 2), fixed(rock.shortestCaliperM, 2), fixed(shownTolerance(rock.toleranceM, 2), 2)),
             QObject::tr("Spans of what is seen of it; hidden parts are not counted")};
 }
 
@@ -48,12 +49,13 @@ TargetRow resolvesRow(const inspect::CellTarget& target) {
 
 TargetRow surfaceRow(const inspect::CellTarget& target) {
     if (!target.surface) return {QObject::tr("Surface"), QObject::tr("no plane fits"), QString()};
-    return {QObject::tr("Surface"),
-            QObject::tr("%1° ± %2 off the beam")
-                .arg(fixed(target.surface->offBeamDeg, 0), fixed(inspect::kReportedSigmas * target.surface->sigmaDeg, 0)),
-            QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
-                .arg(target.surface->cells)
-                .arg(inMillimetres(target.surface->reliefM))};
+    return {
+        QObject::tr("Surface"),
+        QObject::tr("%1° ± %2 off the beam")
+            .arg(fixed(target.surface->offBeamDeg, 0), fixed(shownTolerance(inspect::kReportedSigmas * target.surface->sigmaDeg, 0), 0)),
+        QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
+            .arg(target.surface->cells)
+            .arg(inMillimetres(target.surface->reliefM))};
 }
 
 TargetRow dipRow(const inspect::CellTarget& target) {
@@ -96,7 +98,7 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
     TargetRow row{
         QObject::tr(kConfidenceRow), QStringLiteral("…"),
         QObject::tr("Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. "
-                    "It tells how much the edge depends on the settings, not whether a rock is there")};
+                    "It shows how much the edge depends on the settings, not whether a rock is there")};
     row.known = confidence.state == State::Known;
     if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(confidence.percent).arg(confidence.settings);
     if (confidence.state == State::Growing) row.value = QObject::tr("when the sweep has ended");
@@ -128,7 +130,8 @@ QString distanceText(const inspect::CellTarget& target) {
 
 QString toleranceText(const inspect::CellTarget& target) {
     if (target.probe.state != CellState::Valid) return {};
-    return target.toleranceM > 0.0 ? QStringLiteral("± %1").arg(fixed(target.toleranceM, 3)) : QObject::tr("± not known");
+    return target.toleranceM > 0.0 ? QStringLiteral("± %1").arg(fixed(shownTolerance(target.toleranceM, 3), 3))
+                                   : QObject::tr("± not known");
 }
 
 std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around) {

@@ -44,6 +44,7 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         const QString name = QObject::tr(edges::findParameter("classes")->choices[n].label);
         rows_[n] = addRow(*grid, name, nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
+        rows_[n].box->setToolTip(QObject::tr(edges::findParameter("classes")->help));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
     }
     const Row byClass = addRow(*grid, tr("Colours by class"), "legend-by-class");
@@ -61,7 +62,7 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     grid->addWidget(covered_, grid->rowCount(), 0, 1, 2);
     filled_ = new QLabel;
     filled_->setObjectName("legend-filled");
-    filled_->setToolTip(tr("Striped green in the images; nobody measured these cells, and the cloud does not show them."));
+    filled_->setToolTip(tr("Striped green in the images; no beam measured these cells, and the cloud does not show them."));
     filled_->hide();
     grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
     paintSwatches();

@@ -15,7 +15,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -51,7 +50,7 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     grid->setColumnMinimumWidth(0, kNarrowestLabel);
     addPresets(*grid);
     for (const edges::Parameter& p : edges::parameters()) {
-        if (!p.advanced) addRow(p, *grid);
+        if (!p.advanced && !p.several) addRow(p, *grid); // the classes are switches of the legend
         if (p.feeds == edges::Stage::Threshold) addCurve(p, *grid);
         if (std::strcmp(p.key, "lower") == 0) addMeaning(*grid);
         if (std::strcmp(p.key, "ratio") == 0) addUpper(*grid);
@@ -96,7 +95,6 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     setMinimumWidth(kNarrowestPanel);
     setRatioLocked(true);
     show(edges::Settings{});
-    showClasses();
 }
 
 void EdgesPanel::addPresets(QGridLayout& grid) {
@@ -266,8 +264,6 @@ void EdgesPanel::show(const edges::Settings& settings) {
 
 void EdgesPanel::showResult(const edges::Detection& detection) {
     inUse_ = std::make_shared<const InUse>(InUse{detection.gray->scale, edges::measuredOf(detection)});
-    classesKnown_ = detection.classes != nullptr;
-    classCounts_ = edges::countClasses(detection);
     const edges::Parameter& swept = edges::sweptParameter(detection.settings.method);
     curve(swept.key)->showFound(swept.get(detection.settings), detection.edges->size());
     const QString noise = noiseWords(detection);
@@ -275,19 +271,6 @@ void EdgesPanel::showResult(const edges::Detection& detection) {
     noise_->setVisible(!noise.isEmpty());
     showInUse();
     showMeaning();
-    showClasses();
-}
-
-void EdgesPanel::setEdgeColours(const EdgeColours& colours) {
-    colours_ = colours;
-    showClasses();
-}
-
-void EdgesPanel::showClasses() {
-    for (std::size_t n = 0; n < colours_.size(); ++n) {
-        const QString count = QLocale(QLocale::English).toString(static_cast<qulonglong>(classCounts_[n + 1]));
-        row("classes")->mark(n, colours_[n], classesKnown_ ? tr("  (%1)").arg(count) : QString());
-    }
 }
 
 void EdgesPanel::showInUse() {

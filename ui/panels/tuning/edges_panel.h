@@ -4,11 +4,9 @@
 #include "core/edges/pipeline/detection.h"
 #include "core/edges/pipeline/edge_count_curve.h"
 #include "core/edges/settings/presets.h"
-#include "ui/views/cloud/edge_cells.h"
 
 #include <QWidget>
 
-#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -35,13 +33,11 @@ public:
     explicit EdgesPanel(QWidget* parent = nullptr);
 
     void show(const edges::Settings& settings);
-    /// Shows the values of automatic parameters and the edge count of each class.
+    /// Shows the values of automatic parameters and the edge count.
     void showResult(const edges::Detection& detection);
     /// Shows the edge count for each value of this parameter.
     void showCounts(const QString& parameter, const edgescan::edges::EdgeCountCurve& curve);
     void forgetCounts();
-    /// The colours of the classes.
-    void setEdgeColours(const EdgeColours& colours);
     /// On: the picture does not match the numbers yet.
     void setBehind(bool behind);
 
@@ -86,7 +82,6 @@ private:
     void showPresetName();
     void showUpper();
     void showInUse();
-    void showClasses();
     void showMeaning();
 
     edges::Settings shown_;
@@ -99,10 +94,7 @@ private:
     };
     std::map<edges::Method, Carried> carried_; // per method: the last change to it; undo returns to it
     struct InUse;
-    std::shared_ptr<const InUse> inUse_;                        // what the method took on the scan of the picture
-    std::array<std::size_t, edges::kDepthEdges> classCounts_{}; // per DepthEdge
-    bool classesKnown_ = false;
-    EdgeColours colours_ = kUsualColours;
+    std::shared_ptr<const InUse> inUse_; // what the method took on the scan of the picture
     edges::Preset preset_;
     std::vector<ParameterRow*> rows_;
     QComboBox* presets_ = nullptr;

@@ -20,6 +20,9 @@ QString noiseWords(const edges::Detection& detection) {
     QString text = QObject::tr("Noise in use: %1; sigma %2, %3, %4.")
                        .arg(kind, at(found.noise, 0.5 * usual), at(found.noise, usual), at(found.noise, 2 * usual));
     if (found.neighboursAlike) text += " " + QObject::tr("Folds have to exceed %1.").arg(at(found.foldNoise, usual));
+    if (found.roughness.rough)
+        text += " " + QObject::tr("Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.")
+                          .arg(100 * found.roughness.aroundFolds, 0, 'f', 0);
     return text;
 }
 

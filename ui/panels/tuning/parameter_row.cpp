@@ -9,14 +9,10 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
-#include <QIcon>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QPainter>
-#include <QPixmap>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +71,6 @@ ParameterRow::ParameterRow(const edges::Parameter& parameter, QGridLayout& grid,
     grid.addWidget(label_, row, 0);
     if (parameter.choices.empty())
         addNumber(grid, row, parent);
-    else if (parameter.several)
-        addSwitches(grid, row, parent);
     else
         addChoice(grid, row, parent);
     if (slider_ != nullptr) {
@@ -102,7 +96,7 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     // Automatic values are shown even beyond the limits for typed values.
     box->read([this, box](const QString& text) -> Result<double> {
         const Result<double> value = edges::parseValue(parameter_, text.toStdString());
-        if (value && std::isnan(*value)) return Error{"auto is no number", "", "tick auto beside the box"};
+        if (value && std::isnan(*value)) return Error{"auto is not a number", "", "tick auto next to the box"};
         if (!value && text == box->textFromValue(box->value())) return box->value();
         return value;
     });
@@ -161,28 +155,6 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     grid.addWidget(choice_, row, 1, 1, 3);
 }
 
-void ParameterRow::addSwitches(QGridLayout& grid, int row, QWidget* parent) {
-    auto* strip = new QWidget(parent);
-    auto* column = new QVBoxLayout(strip);
-    column->setContentsMargins(0, 0, 0, 0);
-    strip_ = strip;
-    for (const edges::Choice& choice : parameter_.choices) {
-        auto* box = new QCheckBox(QObject::tr(choice.label), strip);
-        box->setObjectName(QString("switch-%1-%2").arg(parameter_.key, choice.name));
-        box->setToolTip(limitsText(parameter_));
-        column->addWidget(box);
-        switches_.push_back(box);
-        connect(box, &QCheckBox::toggled, this, [this] {
-            int set = 0;
-            for (std::size_t n = 0; n < switches_.size(); ++n) {
-                if (switches_[n]->isChecked()) set |= static_cast<int>(parameter_.choices[n].value);
-            }
-            changeTo(set);
-        });
-    }
-    grid.addWidget(strip, row + 1, 0, 1, 4);
-}
-
 void ParameterRow::show(double value, double inUse) {
     showing_ = true;
     const bool automatic = std::isnan(value);
@@ -192,8 +164,6 @@ void ParameterRow::show(double value, double inUse) {
         number_->setRange(std::min(parameter_.minimum, shown), std::max(parameter_.maximum, shown));
         number_->setValue(shown);
     }
-    for (std::size_t n = 0; n < switches_.size(); ++n)
-        switches_[n]->setChecked((static_cast<int>(value) & static_cast<int>(parameter_.choices[n].value)) != 0);
     if (choice_ != nullptr) choice_->setCurrentIndex(edges::sliderPosition(parameter_, value));
     // While the operator drags the slider it must not be moved: its own rounding would push it back.
     if (slider_ != nullptr && !std::isnan(shown) && !slider_->isSliderDown()) slider_->setValue(edges::sliderPosition(parameter_, shown));
@@ -203,7 +173,7 @@ void ParameterRow::show(double value, double inUse) {
 std::vector<QWidget*> ParameterRow::widgets() const {
     std::vector<QWidget*> all;
     for (QWidget* widget : {static_cast<QWidget*>(label_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
-                            static_cast<QWidget*>(choice_), static_cast<QWidget*>(automatic_), strip_}) {
+                            static_cast<QWidget*>(choice_), static_cast<QWidget*>(automatic_)}) {
         if (widget != nullptr) all.push_back(widget);
     }
     return all;
@@ -219,17 +189,6 @@ void ParameterRow::read(Reading reading) {
 
 void ParameterRow::setVisible(bool visible) {
     for (QWidget* widget : widgets()) widget->setVisible(visible);
-}
-
-void ParameterRow::mark(std::size_t choice, const QColor& colour, const QString& remark) {
-    // On the dark background of the views, for which the colours were chosen, also in a light panel.
-    constexpr int kSwatch = 14;
-    constexpr int kBorder = 3;
-    QPixmap swatch(kSwatch, kSwatch);
-    swatch.fill(QColor(48, 48, 48));
-    QPainter(&swatch).fillRect(swatch.rect().adjusted(kBorder, kBorder, -kBorder, -kBorder), colour);
-    switches_[choice]->setIcon(QIcon(swatch));
-    switches_[choice]->setText(QObject::tr(parameter_.choices[choice].label) + remark);
 }
 
 void ParameterRow::changeTo(double value) {

@@ -35,8 +35,6 @@ public:
     /// Parses a text typed into the number, such as "0.5 m"; error: the reason why it is not a value. By default the table parses it.
     using Reading = std::function<Result<double>(const QString&)>;
     void read(Reading reading);
-    /// Marks the switch of one of several choices with its colour and a remark with numbers.
-    void mark(std::size_t choice, const QColor& colour, const QString& remark);
     [[nodiscard]] const edges::Parameter& parameter() const { return parameter_; }
     [[nodiscard]] QSlider* slider() const { return slider_; }
     [[nodiscard]] QDoubleSpinBox* number() const { return number_; }
@@ -56,7 +54,6 @@ signals:
 private:
     void addNumber(QGridLayout& grid, int row, QWidget* parent);
     void addChoice(QGridLayout& grid, int row, QWidget* parent);
-    void addSwitches(QGridLayout& grid, int row, QWidget* parent);
     [[nodiscard]] std::vector<QWidget*> widgets() const;
     void changeTo(double value);
     bool stepByKey(const QKeyEvent& event);
@@ -67,8 +64,6 @@ private:
     QSlider* slider_ = nullptr;            // null for a choice without order
     QDoubleSpinBox* number_ = nullptr;     // null for choices
     QComboBox* choice_ = nullptr;          // null for numbers
-    std::vector<QCheckBox*> switches_;     // one per choice if several can be selected
-    QWidget* strip_ = nullptr;             // the row of the switches
     QAbstractButton* automatic_ = nullptr; // null: the parameter has no automatic value
     bool showing_ = false;
 };

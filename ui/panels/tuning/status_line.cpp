@@ -1,11 +1,13 @@
 // The status bar.
 #include "ui/panels/tuning/status_line.h"
 
+#include "core/base/tolerance_text.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/placement.h"
+#include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
@@ -36,7 +38,7 @@ QString rangeText(const edges::Probe& probe) {
     if (probe.filled)
         return QObject::tr("filled, not measured: %1 m ± %2")
             .arg(number(static_cast<double>(probe.filled->rangeMm) / 1000.0, 3),
-                 number(static_cast<double>(probe.filled->sdMm) / 1000.0, 3));
+                 number(shownTolerance(static_cast<double>(probe.filled->sdMm) / 1000.0, 3), 3));
     if (probe.state == CellState::Valid) return QObject::tr("range %1 m").arg(number(probe.rangeMm / 1000.0, 3));
     if (probe.state == CellState::DeviceStatus) return QObject::tr("device status %1").arg(number(probe.rangeMm, 0));
     if (probe.state == CellState::NoReturn) return QObject::tr("no return");
@@ -49,12 +51,11 @@ ProbeTexts probeWords(const edges::Probe& probe) {
     ProbeTexts words;
     if (probe.mineM)
         words.place =
-            QObject::tr("N %1  E %2  El %3").arg(number(probe.mineM->y(), 3), number(probe.mineM->x(), 3), number(probe.mineM->z(), 3));
-    else
-        words.place = QObject::tr("N –  E –  El –");
+            QObject::tr("E %1  N %2  RL %3").arg(number(probe.mineM->x(), 3), number(probe.mineM->y(), 3), number(probe.mineM->z(), 3));
     if (probe.state == CellState::Valid)
         words.place +=
-            QObject::tr("  x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
+            (words.place.isEmpty() ? "" : "  ") +
+            QObject::tr("x %1  y %2  z %3 m").arg(number(probe.pointM.x(), 3), number(probe.pointM.y(), 3), number(probe.pointM.z(), 3));
     const QString kind =
         probe.kind == edges::DepthEdge::None ? QString() : QString(" (%1)").arg(QObject::tr(edges::edgeClassLabel(probe.kind)));
     words.verdict = rangeText(probe) + "  " + (probe.edge ? QObject::tr("EDGE") + kind : QObject::tr("not an edge"));
@@ -79,13 +80,15 @@ StatusLine::StatusLine(QWidget* parent)
     bar_->setTextVisible(true);
     bar_->setFixedWidth(140);
     line->addWidget(bar_);
-    auto* cancel = new QPushButton(tr("Cancel (Esc)"));
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setObjectName("cancel-work");
+    stage_->setObjectName("work-stage");
     connect(cancel, &QPushButton::clicked, this, &StatusLine::cancelRequested);
     line->addWidget(cancel);
     work_->hide();
     untilWorkIsShown_.setSingleShot(true);
     untilWorkIsShown_.setInterval(kShowWorkAfterMs);
-    connect(&untilWorkIsShown_, &QTimer::timeout, this, [this] { showProgress(QString(), 0.0); });
+    connect(&untilWorkIsShown_, &QTimer::timeout, this, &StatusLine::paintWork);
 
     auto* left = new QHBoxLayout;
     left->setSpacing(kBetween);
@@ -206,7 +209,7 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 
 void StatusLine::showProbe(const std::optional<edges::Probe>& probe) {
     const ProbeTexts words = probe ? probeWords(*probe) : ProbeTexts{};
-    probeMain_ = probe ? words.place + "  " + words.verdict : QString();
+    probeMain_ = words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
     probeMore_ = words.cell;
     // Widgets at the right must not appear and disappear with mouse movements.
     longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
@@ -215,15 +218,15 @@ void StatusLine::showProbe(const std::optional<edges::Probe>& probe) {
     probe_->setToolTip(probeShown()); // in a narrow window the end is cut off
 }
 
-void StatusLine::showPlace(const Scan& scan) {
+void StatusLine::showPlace(const Scan& scan, bool growing) {
     longestProbe_ = longestCell_ = 0;
     const auto incomplete = std::ranges::find_if(scan.warnings, [](const std::string& w) { return w.starts_with("INCOMPLETE"); });
-    const bool part = incomplete != scan.warnings.end();
-    const QString howMuch = part ? "✕ " + shownText(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
+    const bool part = !growing && incomplete != scan.warnings.end();
+    const QString howMuch = part ? "✕ " + coreSentence(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
     showFact(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
     QLabel& label = *factLabel(Fact::Place).label;
     if (!scan.placement) {
-        showFact(Fact::Place, tr("scanner frame"), {}, false);
+        showFact(Fact::Place, tr("▲ scanner frame, no pose: no E N RL"), tr("▲ no pose"), true);
         label.setToolTip(tr("Without a pose nothing is known of the mine grid: coordinates count from the scanner."));
         return;
     }
@@ -231,7 +234,7 @@ void StatusLine::showPlace(const Scan& scan) {
     QString grid = tr("mine grid");
     if (!place.grid.empty()) grid += " " + shownName(exactText(place.grid), 40);
     const QString spec = place.outOfSpec ? tr("OUT OF SPEC") : QString();
-    const QString text = grid + tr(" · origin E %1 N %2 El %3")
+    const QString text = grid + tr(" · origin E %1 N %2 RL %3")
                                     .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
     showFact(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, place.outOfSpec);
     QStringList about{tr("Placed by %1").arg(shownText(place.source)), text};
@@ -289,15 +292,21 @@ void StatusLine::showRenderer(const QString& name) {
     factLabel(Fact::Renderer).label->setToolTip(name);
 }
 
-void StatusLine::startWork(const QString& title) {
-    workTitle_ = shownName(title);
-    untilWorkIsShown_.start();
+void StatusLine::showWork(const QString& title, const QString& stage, double fraction) {
+    workTitle_ = title;
+    workStage_ = stage;
+    workFraction_ = fraction;
+    if (!work_->isHidden())
+        paintWork();
+    else if (!untilWorkIsShown_.isActive())
+        untilWorkIsShown_.start();
 }
 
-void StatusLine::showProgress(const QString& stage, double fraction) {
-    if (untilWorkIsShown_.isActive()) return;
-    stage_->setText(stage.isEmpty() ? workTitle_ : workTitle_ + ": " + shownName(stage));
-    bar_->setValue(static_cast<int>(std::lround(fraction * 1000)));
+void StatusLine::paintWork() {
+    constexpr int kLongestTitle = 40, kLongestStage = 30; // characters
+    const QString title = shownName(workTitle_, kLongestTitle);
+    stage_->setText(workStage_.isEmpty() ? title : title + ": " + shownName(workStage_, kLongestStage));
+    bar_->setValue(static_cast<int>(std::lround(workFraction_ * 1000)));
     work_->show();
     fit();
 }

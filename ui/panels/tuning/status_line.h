@@ -20,7 +20,7 @@ namespace edgescan::ui {
 
 /// The texts about a cell, in the order of importance; dashes for unknown mine coordinates.
 struct ProbeTexts {
-    QString place;   ///< "N 5150118.058  E ...  El ...  x 1.234  y ...  z ... m"
+    QString place;   ///< "E 498700.058  N ...  RL ...  x 1.234  y ...  z ... m"
     QString verdict; ///< "range 5.123 m  EDGE (jump)"
     QString cell;    ///< "line 12  beam 400  at 2.160° / 61.667°  gray 87"
 };
@@ -37,8 +37,8 @@ public:
     /// The content of the selected box; empty: no box.
     void showBox(const QString& words);
     void showCounts(const edges::Detection& detection);
-    /// The frame of the scan, with the origin of local coordinates.
-    void showPlace(const Scan& scan);
+    /// The frame of the scan, with the origin of local coordinates. `growing`: more lines come, so that the sweep is not incomplete yet.
+    void showPlace(const Scan& scan, bool growing = false);
     /// Marks a picture from a file, with its time of measurement. A followed scanner is shown in the live panel instead.
     void showTimeOf(const Scan& scan, bool live);
     /// The number and names of the settings that differ from the defaults.
@@ -47,8 +47,7 @@ public:
     void showTime(double milliseconds);
     void showRenderer(const QString& name);
     /// Work that ends quickly is not shown.
-    void startWork(const QString& title);
-    void showProgress(const QString& stage, double fraction);
+    void showWork(const QString& title, const QString& stage, double fraction);
     void endWork();
     [[nodiscard]] QString probeShown() const;
     [[nodiscard]] QString countsShown() const;
@@ -76,6 +75,7 @@ private:
     [[nodiscard]] const FactLabel& factLabel(Fact fact) const { return factLabels_[static_cast<std::size_t>(fact)]; }
     void showFact(Fact fact, const QString& words, const QString& brief, bool always);
     void fit();
+    void paintWork();
 
     QWidget* strip_;
     QBoxLayout* way_; // vertical: one line or two lines
@@ -88,7 +88,8 @@ private:
     QWidget* work_;
     QLabel* stage_;
     QProgressBar* bar_;
-    QString workTitle_;
+    QString workTitle_, workStage_;
+    double workFraction_ = 0.0;
     QTimer untilWorkIsShown_;
 };
 

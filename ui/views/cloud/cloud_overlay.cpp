@@ -63,9 +63,7 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
     }
     drawStaleOverlay(painter, rect(), marks_.stale);
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);
-    if (!marks_.note.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, marks_.note);
-    if (!marks_.caption.isEmpty())
-        drawLabel(painter, inner.adjusted(0, 0, -marks_.captionRoom, 0), Qt::AlignRight | Qt::AlignTop, marks_.caption);
+    drawLabels(painter, inner, marks_.note, marks_.caption, marks_.captionRoom);
     if (marks_.tipAt && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.tipAt->toPoint(), marks_.tip);
     if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);
 }

@@ -43,7 +43,7 @@ constexpr double kLargestGrowth = 2.0;
 const QColor kHalo(8, 8, 8);
 const QColor kFocus(255, 255, 0);
 const QColor kGround(0x85, 0x8b, 0x92);
-const QColor kSelected(kSelectedColour); // its points are also larger
+const QColor kSelected(kSelectedColour);
 
 // The halo darkens the cloud around an edge point. It must not hide another edge point, even one far behind it.
 class HaloMapper : public vtkOpenGLPolyDataMapper {
@@ -122,10 +122,11 @@ CloudScene::CloudScene(vtkRenderWindow* window)
     renderer_->AddLight(light);
     now_ = newCloud();
     spare_ = newCloud();
-    renderer_->AddActor(selection_.actor);
-    setColour(selection_.actor, kSelected);
-    selection_.actor->GetProperty()->SetAmbient(kAmbient);
-    selection_.actor->GetProperty()->SetDiffuse(1.0 - kAmbient);
+    for (Layer* layer : {&selection_, &selectionRim_}) {
+        renderer_->AddActor(layer->actor);
+        setColour(layer->actor, kSelected);
+    }
+    selection_.actor->GetProperty()->SetOpacity(kSelectedTint);
     renderer_->AddActor(halo_.actor);
     renderer_->AddActor(edge_.actor);
     for (Layer& layer : classes_) renderer_->AddActor(layer.actor);
@@ -274,11 +275,15 @@ void CloudScene::setOutline(EdgeCells::Indices cells) {
 }
 
 void CloudScene::setSelection(EdgeCells::Indices cells) {
+    EdgeCells::Indices rim;
+    if (cells && now_->cloud)
+        rim = std::make_shared<const std::vector<std::uint32_t>>(rimOf(*cells, static_cast<std::uint32_t>(now_->cloud->beams)));
     setLayer(selection_, cells);
-    // shaded like the cloud, so that its shape stays visible
-    selection_.data->GetPointData()->SetNormals(cells ? now_->normals.Get() : nullptr);
+    setLayer(selectionRim_, rim);
     selection_.actor->SetVisibility(cells != nullptr);
+    selectionRim_.actor->SetVisibility(rim != nullptr);
     selected_ = std::move(cells);
+    selectedRim_ = std::move(rim);
 }
 
 void CloudScene::setEdges(EdgeCells cells) {
@@ -322,8 +327,8 @@ void CloudScene::setLook(const CloudLook& look) {
     halo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
     outline_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize));
     outlineHalo_.actor->GetProperty()->SetPointSize(static_cast<float>(look.edgeSize + 2.0 * look.halo));
-    selection_.actor->GetProperty()->SetLighting(look.shaded);
-    selection_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + 1.0));
+    selection_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize));
+    selectionRim_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + 1.0));
     edgesShown_ = look.edges;
     byClass_ = look.byClass;
     showEdgeLayers();
@@ -339,7 +344,7 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
     camera->SetParallelScale(pose.halfHeight());
     camera->SetClippingRange(clip.nearM, clip.farM);
     pullNearer(edge_.actor, pose, kEdgeNearer);
-    pullNearer(selection_.actor, pose, kSelectedNearer);
+    for (Layer* layer : {&selection_, &selectionRim_}) pullNearer(layer->actor, pose, kSelectedNearer);
     for (Layer& layer : classes_) pullNearer(layer.actor, pose, kEdgeNearer);
     pullNearer(halo_.actor, pose, kHaloNearer);
     pullNearer(outline_.actor, pose, kEdgeNearer);

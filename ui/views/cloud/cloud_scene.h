@@ -112,8 +112,8 @@ private:
     CloudLook look_;
     EdgeCells edges_; // owns the indices that VTK draws
     std::shared_ptr<const std::vector<std::uint32_t>> facesWanted_;
-    EdgeCells::Indices outlined_, selected_;
-    Layer halo_, edge_, outlineHalo_, outline_, selection_;
+    EdgeCells::Indices outlined_, selected_, selectedRim_;
+    Layer halo_, edge_, outlineHalo_, outline_, selection_, selectionRim_;
     std::array<Layer, kEdgeClasses> classes_; // used instead of edge_ if each edge class has its own colour
     vtkNew<vtkSphereSource> focusSphere_;
     vtkNew<vtkActor> focus_;

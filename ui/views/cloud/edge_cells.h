@@ -12,13 +12,13 @@
 
 namespace edgescan::ui {
 
-inline constexpr int kEdgeClasses = 5; // jump, convex, concave, data border, outline before a void: DepthEdge - 1
+inline constexpr int kEdgeClasses = 6; // jump, convex, concave, data border, outline before a void, void rim: DepthEdge - 1
 
 struct EdgeCells {
     using Indices = std::shared_ptr<const std::vector<std::uint32_t>>; ///< k = line * beams + beam, ascending
     Indices all;
-    std::array<Indices, kEdgeClasses> byClass;                           ///< null: the method has no classes
-    std::array<float, kEdgeClasses> sizes{1.0F, 1.0F, 1.0F, 1.0F, 1.0F}; ///< point size per class, relative to the normal size
+    std::array<Indices, kEdgeClasses> byClass;                                 ///< null: the method has no classes
+    std::array<float, kEdgeClasses> sizes{1.0F, 1.0F, 1.0F, 1.0F, 1.0F, 1.0F}; ///< point size per class, relative to the normal size
     bool operator==(const EdgeCells&) const = default;
 };
 
@@ -27,10 +27,11 @@ using EdgeColours = std::array<QColor, kEdgeClasses>;
 
 inline QColor colourOf(const Rgb& colour) { return {colour.red, colour.green, colour.blue}; }
 /// The same colours as in files.
-inline const EdgeColours kUsualColours{colourOf(files::kEdgeColours[1]), colourOf(files::kEdgeColours[2]), colourOf(files::kEdgeColours[3]),
-                                       colourOf(files::kEdgeColours[4]), colourOf(files::kEdgeColours[5])};
+inline const EdgeColours kUsualColours{colourOf(files::kEdgeColours[1]), colourOf(files::kEdgeColours[2]),
+                                       colourOf(files::kEdgeColours[3]), colourOf(files::kEdgeColours[4]),
+                                       colourOf(files::kEdgeColours[5]), colourOf(files::kEdgeColours[6])};
 /// Distinct with red-green colour blindness: along yellow, white and blue. Contrast to the cloud's gray at least 3 : 1.
-inline const EdgeColours kColourBlindColours{QColor(240, 228, 66), QColor(178, 223, 255), QColor(255, 255, 255), QColor(255, 210, 190),
-                                             QColor(190, 255, 190)};
+inline const EdgeColours kColourBlindColours{QColor(240, 228, 66),  QColor(178, 223, 255), QColor(255, 255, 255),
+                                             QColor(255, 210, 190), QColor(190, 255, 190), QColor(230, 215, 255)};
 
 } // namespace edgescan::ui

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -54,12 +55,40 @@ bool ScalePlate::coloured() const { return colours_.points && cloud_->pointColou
 
 void ScalePlate::place() {
     const auto& cloud = cloud_->geometryOfCloud();
-    setVisible(cloud && cloud->validCount > 0 && cloud_->width() >= kLeastView.width() && cloud_->height() >= kLeastView.height());
+    const bool some = cloud && cloud->validCount > 0 && cloud_->width() >= kLeastView.width() && cloud_->height() >= kLeastView.height();
     resize(sizeHint());
+    const auto at = some ? freePlace() : std::nullopt;
+    if (at) move(*at);
+    setVisible(at.has_value());
+}
+
+void ScalePlate::keepOff(const QRect& place) {
+    if (place == keptFree_) return;
+    keptFree_ = place;
+    this->place();
+}
+
+/// In the corner opposite to the legends, else above the target or the legends; empty: every place would cover something.
+std::optional<QPoint> ScalePlate::freePlace() const {
+    std::vector<QRect> taken;
     bool legendsAtRight = false;
-    for (const ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly))
-        legendsAtRight = legendsAtRight || (other != this && other->isVisible() && other->geometry().center().x() > cloud_->width() / 2);
-    move(legendsAtRight ? kFromRim : cloud_->width() - kFromRim - width(), cloud_->height() - kFromRim - height());
+    for (const ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (other == this || !other->isVisible()) continue;
+        taken.push_back(other->geometry());
+        legendsAtRight = legendsAtRight || other->geometry().center().x() > cloud_->width() / 2;
+    }
+    if (!keptFree_.isEmpty()) taken.push_back(keptFree_);
+    const int left = kFromRim, right = cloud_->width() - kFromRim - width(), bottom = cloud_->height() - kFromRim - height();
+    for (const int x : {legendsAtRight ? left : right, legendsAtRight ? right : left}) {
+        std::vector<int> heights{bottom};
+        for (const QRect& other : taken) heights.push_back(other.top() - kFromRim - height());
+        for (const int y : heights) {
+            const QRect place(QPoint(x, y), size());
+            if (y < kFromRim || y > bottom) continue;
+            if (std::ranges::none_of(taken, [&](const QRect& other) { return other.intersects(place); })) return place.topLeft();
+        }
+    }
+    return std::nullopt;
 }
 
 void ScalePlate::follow() {
@@ -74,7 +103,7 @@ void ScalePlate::follow() {
         scan_ = cloud_->scan();
         const bool mine = scan_ && scan_->placement;
         frame_ = mine ? mineAxes(*scan_) : Eigen::Matrix3d::Identity();
-        names_ = mine ? std::array<QString, 3>{"E", "N", "El"} : std::array<QString, 3>{"X", "Y", "Z"};
+        names_ = mine ? std::array<QString, 3>{"E", "N", "RL"} : std::array<QString, 3>{"X", "Y", "Z"};
     }
     const CameraPose pose = cloud_->camera();
     const Seen seen{cloud_->geometryOfCloud(), pose, cloud_->clip(), cloud_->size()};

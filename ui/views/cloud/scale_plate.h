@@ -8,9 +8,12 @@
 
 #include <Eigen/Core>
 
+#include <QPoint>
+#include <QRect>
 #include <QSize>
 
 #include <array>
+#include <optional>
 
 namespace edgescan::ui {
 
@@ -23,6 +26,8 @@ class ScalePlate : public ViewPlate {
 public:
     explicit ScalePlate(CloudView* cloud);
 
+    /// A part of the view that it must not cover, or null: the pinned target with its label.
+    void keepOff(const QRect& place);
     /// The colours of the cloud on the screen; ColourBy::Nothing: no colour scale.
     void showColours(const CloudColours& colours);
     /// "1 m at 4.9 m", and the length of the bar in pixels.
@@ -52,6 +57,8 @@ private:
     };
     void follow();
     void place();
+    [[nodiscard]] std::optional<QPoint> freePlace() const;
+    QRect keptFree_;
     [[nodiscard]] double unit() const; // 1; larger with a larger font
     [[nodiscard]] double depthInTheMiddle() const;
     [[nodiscard]] bool coloured() const;

@@ -13,10 +13,12 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kRing = 7.0;      // radius, px
-constexpr int kRoomForTags = 420;  // px of the view: in a smaller view targets show only their numbers
-constexpr double kFaded = 0.45;    // opacity of faces of an older picture
-const QColor kTrail(86, 180, 233); // its frames separate it from edges as well
+constexpr double kRing = 7.0;     // radius, px
+constexpr int kRoomForTags = 420; // px of the view: in a smaller view targets show only their numbers
+const QColor kLostDash(242, 181, 74);
+constexpr double kFaded = 0.45;      // opacity of faces of an older picture
+const QColor kTrail(86, 180, 233);   // its frames separate it from edges as well
+constexpr double kLeastFramed = 4.0; // px of a cell: frames round smaller cells would cover them
 
 QPen dark(double width) { return {QColor(0, 0, 0, 170), width}; }
 QPen light(Qt::PenStyle style = Qt::SolidLine) { return {QColor(255, 255, 255, 190), 1.0, style}; }
@@ -114,11 +116,21 @@ void ImageView::setMarks(CellMarks marks) {
 
 void ImageView::setSelection(std::shared_ptr<const QImage> selection) {
     if (selection == selection_.image()) return;
-    selection_ = Pyramid(std::move(selection), Shrink::KeepBrightest);
+    selection_ = Pyramid(std::move(selection), Shrink::Average);
     update();
 }
 
 void ImageView::setDragTool(DragTool tool) { tool_ = tool; }
+
+void ImageView::setLost(std::vector<QRect> areas) {
+    if (areas == lost_) return;
+    lost_ = std::move(areas);
+    update();
+}
+
+void ImageView::setTaken(int pixels) {
+    if (std::exchange(taken_, pixels) != pixels) update();
+}
 
 void ImageView::setTitle(const QString& title) {
     title_ = title;
@@ -173,6 +185,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), background_);
     drawPyramid(painter, picture_);
+    drawLost(painter);
     if (!faces_.empty()) {
         painter.setOpacity(facesFaded_ ? kFaded : 1.0);
         drawPyramid(painter, faces_);
@@ -192,9 +205,9 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
 
 void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     if (pyramid.empty()) return;
-    const QSizeF cell = viewPort_->cellSize() * devicePixelRatioF();
+    const QSizeF cell = viewPort_->cellSize(size()) * devicePixelRatioF();
     const double scale = std::min(cell.width(), cell.height());
-    const QImage& image = pyramid.level(pyramidLevel(scale, pyramid.shrink()));
+    const QImage& image = pyramid.level(pyramidLevel(scale));
     const QSizeF full = pyramid.image()->size();
     // For odd sizes the last pixel of a level covers fewer cells; therefore cells per pixel is a power of two, not the quotient of the
     // sizes.
@@ -210,17 +223,37 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
         QRectF(seen.topLeft() / cellsPerPixel, seen.bottomRight() / cellsPerPixel).toAlignedRect().intersected(image.rect());
     QRectF cells(QPointF(source.topLeft()) * cellsPerPixel, QSizeF(source.size()) * cellsPerPixel);
     const QRectF target = toPixels(cells);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0 && pyramid.shrink() == Shrink::Average);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale < 1.0);
     painter.save();
     painter.setClipRect(toPixels(QRectF({0.0, 0.0}, full)));
     painter.drawImage(target, image, source);
     painter.restore();
 }
 
+/// In pixels of the view: a hatch of cells would become one even colour in a small picture.
+void ImageView::drawLost(QPainter& painter) const {
+    constexpr double kBetween = 6.0; // px
+    QVector<QLineF> dashes;
+    for (const QRect& area : lost_) {
+        const QRectF at = toPixels(QRectF(area)).intersected(QRectF(rect()));
+        if (at.width() <= 0.0 || at.height() <= 0.0) continue;
+        const int rows = std::max(1, static_cast<int>(at.height() / kBetween));
+        for (int row = 0; row < rows; ++row) {
+            const double y = at.top() + (row + 0.5) * at.height() / rows;
+            dashes << QLineF(at.left(), y, at.right(), y);
+        }
+    }
+    QPen amber(kLostDash, 1.0);
+    amber.setDashPattern({5.0, 5.0});
+    painter.setPen(amber);
+    painter.drawLines(dashes);
+}
+
 void ImageView::drawTrail(QPainter& painter) const {
     const QRectF seen = QRectF(rect()).adjusted(-20, -20, 20, 20);
     QVector<QRect> frames;
-    for (const QPoint& cell : trail_.cells) {
+    const bool framed = std::min(viewPort_->cellSize(size()).width(), viewPort_->cellSize(size()).height()) >= kLeastFramed;
+    for (const QPoint& cell : framed ? trail_.cells : std::vector<QPoint>()) {
         const QRectF frame = toPixels(QRectF(cell, QSizeF(1, 1))).adjusted(-1, -1, 1, 1);
         if (seen.intersects(frame)) frames.append(frame.toAlignedRect());
     }
@@ -257,7 +290,7 @@ void ImageView::drawMarks(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
     if (crosshair_) {
         const QPointF at = viewPort_->toPixel(QPointF(*crosshair_) + QPointF(0.5, 0.5), size());
-        const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize().width(), viewPort_->cellSize().height()));
+        const double gap = std::max(6.0, 0.75 * std::max(viewPort_->cellSize(size()).width(), viewPort_->cellSize(size()).height()));
         strokeTwice(painter, dark(3.0), light(), [&] {
             painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - gap, at.y()));
             painter.drawLine(QPointF(at.x() + gap, at.y()), QPointF(width(), at.y()));
@@ -294,9 +327,8 @@ void ImageView::drawDragged(QPainter& painter) const {
 
 void ImageView::drawTexts(QPainter& painter) const {
     const QRect inner = rect().adjusted(11, 8, -11, -8);
-    if (!title_.isEmpty()) drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignTop, title_);
-    if (note_.isEmpty()) return;
-    drawLabel(painter, inner, picture_.empty() ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignTop, note_);
+    if (picture_.empty()) drawLabel(painter, inner, Qt::AlignCenter, note_);
+    drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_);
 }
 
 } // namespace edgescan::ui

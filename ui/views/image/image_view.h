@@ -23,7 +23,7 @@ namespace edgescan::ui {
 
 /// A highlighted edge chain. Cells as QPoint: x = beam, y = line.
 struct EdgeTrail {
-    std::vector<QPoint> cells;       ///< drawn with frames
+    std::vector<QPoint> cells;       ///< drawn with frames, where a cell is large enough for a frame
     std::vector<QPoint> way;         ///< from the asked cell to the strong cell that keeps it in the mask (hysteresis), drawn as a line
     std::optional<QPoint> strongest; ///< drawn with a ring
 };
@@ -41,7 +41,7 @@ public:
     /// One pixel per cell. Setting the same pointer again is free; the image must never change. Null = empty.
     void setImage(std::shared_ptr<const QImage> image, Shrink shrink = Shrink::Average);
     /// Drawn over the image with this opacity (edges over gray); usually ARGB with a transparent background.
-    void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::KeepBrightest);
+    void setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink = Shrink::Share);
     /// Drawn between the image and the overlay: coloured faces, transparent elsewhere. `faded`: they belong to an older picture.
     void setFaces(std::shared_ptr<const QImage> faces, bool faded = false);
     /// Shown until the next call; an empty list removes it. Sides of cells, with ends at corners of cells (x = beam, y = line).
@@ -81,7 +81,11 @@ public:
     [[nodiscard]] std::optional<QPoint> crosshair() const { return crosshair_; }
     [[nodiscard]] std::optional<QRect> box() const { return box_; }
 
+    /// Areas of lost cells: amber dashes over them, of the same size at every zoom.
+    void setLost(std::vector<QRect> areas);
     void setTitle(const QString& title);
+    /// Pixels at the top right that another widget covers: the texts avoid them.
+    void setTaken(int pixels);
     /// Short text over the picture: "preview", "stale", "no scan open". Empty = no text.
     void setNote(const QString& note);
     [[nodiscard]] const QString& note() const { return note_; }
@@ -130,6 +134,7 @@ private:
 
     void drawPyramid(QPainter& painter, Pyramid& pyramid) const;
     void drawMarks(QPainter& painter) const;
+    void drawLost(QPainter& painter) const;
     void drawTrail(QPainter& painter) const;
     void drawOutline(QPainter& painter) const;
     void drawTip(QPainter& painter) const;
@@ -159,6 +164,8 @@ private:
     std::optional<QRect> box_;
     EdgeTrail trail_;
     QString title_, note_, stale_;
+    int taken_ = 0;
+    std::vector<QRect> lost_;
     QColor background_{48, 48, 48};
 
     Drag drag_ = Drag::None;

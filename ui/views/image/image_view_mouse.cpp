@@ -16,7 +16,7 @@ constexpr double kZoomPerNotch = 1.25;
 bool ImageView::event(QEvent* event) { return touch_.read(event) || QWidget::event(event); }
 
 void ImageView::pinch(QPointF middle, QPointF shift, double factor) {
-    viewPort_->panPixels(shift);
+    viewPort_->panPixels(shift, size());
     viewPort_->zoomAt(viewPort_->toCell(middle, size()), std::clamp(factor, 0.5, 2.0));
 }
 
@@ -35,7 +35,7 @@ void ImageView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = place(*event);
     pointAt(cellAt(at));
     if (drag_ == Drag::None || !press_.travels(at)) return;
-    if (drag_ == Drag::Pan) viewPort_->panPixels(at - press_.last);
+    if (drag_ == Drag::Pan) viewPort_->panPixels(at - press_.last, size());
     if (drag_ == Drag::Box) update();
     if (drag_ == Drag::Select) selectTo(at);
     if (drag_ == Drag::WindowLevel) {

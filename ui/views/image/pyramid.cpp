@@ -8,16 +8,27 @@
 namespace edgescan::ui {
 namespace {
 
-int brightness(QRgb p) { return 2 * qRed(p) + 5 * qGreen(p) + qBlue(p); }
+constexpr int kMostLight = 255 * 255;
 
-QRgb brightest(QRgb a, QRgb b) {
-    if (qAlpha(a) != qAlpha(b)) return qAlpha(a) > qAlpha(b) ? a : b;
-    return brightness(a) >= brightness(b) ? a : b;
+/// The level with this light, of 0 to kMostLight.
+const std::vector<std::uint8_t>& levelsOfLight() {
+    static const std::vector<std::uint8_t> levels = [] {
+        std::vector<std::uint8_t> made(kMostLight + 1);
+        for (int light = 0; light <= kMostLight; ++light)
+            made[static_cast<std::size_t>(light)] = static_cast<std::uint8_t>(std::lround(std::sqrt(light)));
+        return made;
+    }();
+    return levels;
 }
 
-QRgb average(QRgb a, QRgb b, QRgb c, QRgb d) {
-    const auto mean = [&](int (*channel)(QRgb)) { return (channel(a) + channel(b) + channel(c) + channel(d) + 2) / 4; };
-    return qRgba(mean(qRed), mean(qGreen), mean(qBlue), mean(qAlpha));
+int meanLight(int a, int b, int c, int d) { return levelsOfLight()[static_cast<std::size_t>((a * a + b * b + c * c + d * d + 2) / 4)]; }
+
+int meanLevel(int a, int b, int c, int d) { return (a + b + c + d + 2) / 4; }
+
+template <class Mean>
+QRgb channels(QRgb a, QRgb b, QRgb c, QRgb d, Mean mean) {
+    const auto of = [&](int (*channel)(QRgb)) { return mean(channel(a), channel(b), channel(c), channel(d)); };
+    return qRgba(of(qRed), of(qGreen), of(qBlue), of(qAlpha));
 }
 
 template <class Pixel, class Merge>
@@ -40,22 +51,20 @@ QImage halve(const QImage& from, Merge merge) {
 
 QImage halved(const QImage& image, Shrink shrink) {
     if (image.isNull()) return image;
-    const bool keep = shrink == Shrink::KeepBrightest;
+    const auto mean = shrink == Shrink::Share ? meanLight : meanLevel;
     if (image.format() == QImage::Format_Grayscale8) {
         using Gray = std::uint8_t;
-        if (keep) return halve<Gray>(image, [](Gray a, Gray b, Gray c, Gray d) { return std::max({a, b, c, d}); });
-        return halve<Gray>(image, [](Gray a, Gray b, Gray c, Gray d) { return static_cast<Gray>((a + b + c + d + 2) / 4); });
+        return halve<Gray>(image, [mean](Gray a, Gray b, Gray c, Gray d) { return static_cast<Gray>(mean(a, b, c, d)); });
     }
+    // Premultiplied: no channel is above alpha, before and after.
     const QImage colour = image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
-    if (keep) return halve<QRgb>(colour, [](QRgb a, QRgb b, QRgb c, QRgb d) { return brightest(brightest(a, b), brightest(c, d)); });
-    return halve<QRgb>(colour, average);
+    return halve<QRgb>(colour, [mean](QRgb a, QRgb b, QRgb c, QRgb d) { return channels(a, b, c, d, mean); });
 }
 
-int pyramidLevel(double scale, Shrink shrink) {
+int pyramidLevel(double scale) {
     if (!(scale > 0.0) || scale >= 1.0) return 0;
     // 1e-6: a scale of exactly one half gives level 1 in spite of rounding.
-    const double halvings = -std::log2(scale);
-    return static_cast<int>(shrink == Shrink::KeepBrightest ? std::ceil(halvings - 1e-6) : std::floor(halvings + 1e-6));
+    return static_cast<int>(std::floor(1e-6 - std::log2(scale)));
 }
 
 Pyramid::Pyramid(std::shared_ptr<const QImage> image, Shrink shrink) : image_(std::move(image)), shrink_(shrink) {}

@@ -1,5 +1,5 @@
-// Images of half, quarter ... size for zooming out: averages for gray, the brightest pixel for edges (a line one pixel wide must stay
-// visible).
+// Images of half, quarter ... size for zooming out: mean levels for gray, mean light for edges (a pixel shows the share of edge cells in
+// it).
 #pragma once
 
 #include <QImage>
@@ -10,16 +10,16 @@
 namespace edgescan::ui {
 
 enum class Shrink {
-    Average,       ///< mean of 2 x 2
-    KeepBrightest, ///< the most opaque, then brightest, of 2 x 2
+    Average, ///< mean level of 2 x 2
+    Share,   ///< mean light of 2 x 2: levels are roots of light, so a thin line stays thin and visible, and single cells fade
 };
 
 /// Half the size, rounded up; an odd last row or column is copied. Gray stays gray (8 bit), other formats become ARGB32 premultiplied.
 [[nodiscard]] QImage halved(const QImage& image, Shrink shrink);
 
-/// The level whose pixels cover at least one screen pixel (KeepBrightest), or more than half a pixel (Average, drawn smoothly). 0 = the
-/// image itself. `scale` = screen pixels per cell.
-[[nodiscard]] int pyramidLevel(double scale, Shrink shrink);
+/// The level whose pixels cover more than half a screen pixel; it is drawn smoothly. 0 = the image itself. `scale` = screen pixels per
+/// cell.
+[[nodiscard]] int pyramidLevel(double scale);
 
 /// The halved images of one image, each made at its first use.
 class Pyramid {

@@ -60,10 +60,17 @@ QSize ViewPort::smallestView() const {
     return smallest;
 }
 
-double ViewPort::fittingZoom(QSizeF cells) const {
-    const QSize view = smallestView();
+double ViewPort::fittingZoom(QSizeF cells) const { return fittingZoom(cells, smallestView()); }
+
+double ViewPort::fittingZoom(QSizeF cells, QSizeF view) const {
     if (view.isEmpty() || cells.isEmpty()) return 1.0;
     return std::min({view.width() / (cells.width() * aspect_), view.height() / cells.height(), kMaxZoom});
+}
+
+double ViewPort::zoomIn(QSizeF viewSize) const {
+    const QSize smallest = smallestView();
+    if (smallest.isEmpty() || viewSize == QSizeF(smallest)) return zoom_;
+    return std::min(zoom_ * fittingZoom(imageSize_, viewSize) / fittingZoom(imageSize_, smallest), std::max(zoom_, kMaxZoom));
 }
 
 void ViewPort::zoomAt(QPointF cell, double factor) {
@@ -77,7 +84,10 @@ void ViewPort::zoomAt(QPointF cell, double factor) {
     emit changed();
 }
 
-void ViewPort::panPixels(QPointF pixels) { centreOn(centre_ - QPointF(pixels.x() / (zoom_ * aspect_), pixels.y() / zoom_)); }
+void ViewPort::panPixels(QPointF pixels, QSizeF viewSize) {
+    const QSizeF cell = cellSize(viewSize);
+    centreOn(centre_ - QPointF(pixels.x() / cell.width(), pixels.y() / cell.height()));
+}
 
 void ViewPort::centreOn(QPointF cell) {
     const QPointF before = centre_;
@@ -110,13 +120,15 @@ void ViewPort::forgetView(const QObject* view) {
 }
 
 QPointF ViewPort::toCell(QPointF pixel, QSizeF viewSize) const {
-    return {centre_.x() + (pixel.x() - 0.5 * viewSize.width()) / (zoom_ * aspect_),
-            centre_.y() + (pixel.y() - 0.5 * viewSize.height()) / zoom_};
+    const QSizeF cell = cellSize(viewSize);
+    return {centre_.x() + (pixel.x() - 0.5 * viewSize.width()) / cell.width(),
+            centre_.y() + (pixel.y() - 0.5 * viewSize.height()) / cell.height()};
 }
 
 QPointF ViewPort::toPixel(QPointF cell, QSizeF viewSize) const {
-    return {0.5 * viewSize.width() + (cell.x() - centre_.x()) * zoom_ * aspect_,
-            0.5 * viewSize.height() + (cell.y() - centre_.y()) * zoom_};
+    const QSizeF size = cellSize(viewSize);
+    return {0.5 * viewSize.width() + (cell.x() - centre_.x()) * size.width(),
+            0.5 * viewSize.height() + (cell.y() - centre_.y()) * size.height()};
 }
 
 } // namespace edgescan::ui

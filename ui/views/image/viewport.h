@@ -18,11 +18,13 @@ public:
     explicit ViewPort(QObject* parent = nullptr);
 
     [[nodiscard]] QPointF centre() const { return centre_; }
-    /// Height of a cell in (device-independent) pixels.
+    /// Height of a cell in (device-independent) pixels, in the smallest view; in larger views cells are larger, so that all views show
+    /// the same part of the image.
     [[nodiscard]] double zoom() const { return zoom_; }
     /// Width of a cell divided by its height: 1 = square pixels.
     [[nodiscard]] double aspect() const { return aspect_; }
     [[nodiscard]] QSizeF cellSize() const { return {zoom_ * aspect_, zoom_}; }
+    [[nodiscard]] QSizeF cellSize(QSizeF viewSize) const { return {zoomIn(viewSize) * aspect_, zoomIn(viewSize)}; }
     [[nodiscard]] QSize imageSize() const { return imageSize_; }
     /// True until the operator zooms or pans: the whole image is fitted to the size of the views.
     [[nodiscard]] bool fitted() const { return fitted_; }
@@ -40,8 +42,8 @@ public:
     void fitTo(const QRectF& cells);
     /// Enlarges the cells by a factor; `cell` stays at the same place on the screen.
     void zoomAt(QPointF cell, double factor);
-    /// Moves the picture by (device-independent) pixels.
-    void panPixels(QPointF pixels);
+    /// Moves the picture by (device-independent) pixels of a view.
+    void panPixels(QPointF pixels, QSizeF viewSize);
     void centreOn(QPointF cell);
 
     /// Each view reports its size, so that fit() suits the smallest view.
@@ -57,6 +59,8 @@ signals:
 private:
     [[nodiscard]] QSize smallestView() const;
     [[nodiscard]] double fittingZoom(QSizeF cells) const;
+    [[nodiscard]] double fittingZoom(QSizeF cells, QSizeF view) const;
+    [[nodiscard]] double zoomIn(QSizeF viewSize) const;
     void keepInReach();
     void refit();
 

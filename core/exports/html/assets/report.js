@@ -3,7 +3,7 @@
   'use strict';
   var data = JSON.parse(document.getElementById('data').textContent);
   var canvas = document.getElementById('view'), told = document.getElementById('pick');
-  var names = ['no edge', 'edge', 'jump', 'convex crease', 'concave crease', 'border of the data', 'outline before a void'];
+  var names = ['no edge', 'edge', 'jump', 'convex crease', 'concave crease', 'border of the data', 'outline before a void', 'void rim'];
 
   function bytesOf(text) {
     var raw = atob(text), bytes = new Uint8Array(raw.length);

@@ -1,5 +1,5 @@
 // MCAP written and read: every byte as in the specification, and damage loses only the damaged part.
-#include "core/containers/mcap/chunk_compression.h"
+#include "core/containers/compression/chunks.h"
 #include "core/containers/mcap/reader.h"
 #include "core/containers/mcap/writer.h"
 #include "core/files/recording/recording.h"

@@ -1,4 +1,4 @@
-// Classes of edges: the effect of each switch; the border of missing data is not an edge of a rock (docs/reference/rules.md, "S3").
+// Classes of edges: the effect of each switch; the rim of an open void is not an edge of a rock (docs/reference/rules.md, "S3").
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/exports/provenance.h"
@@ -23,15 +23,19 @@ std::shared_ptr<const Scan> wallWithHole() {
     }));
 }
 
-TEST(EdgeClasses, TheBorderOfAHoleIsAClassOfItsOwnAndOffUnlessWanted) {
+TEST(EdgeClasses, TheRimOfAnOpeningIsAClassOfItsOwnAndNoEdgeOfARock) {
     const auto wall = wallWithHole();
     Settings settings;
+    const auto usual = detectEdges(wall, settings);
+    EXPECT_EQ(usual->edges->size(), 2U * (20 + 40)); // the cells that share a side with the opening
+    EXPECT_EQ(countClasses(*usual)[static_cast<std::size_t>(DepthEdge::VoidRim)], usual->edges->size());
+    for (const std::uint32_t k : *usual->edges) EXPECT_EQ(wall->state[k], CellState::Valid);
+    settings.classes = kClassRock;
     EXPECT_TRUE(detectEdges(wall, settings)->edges->empty());
     settings.classes = kClassRock | kClassBorder;
-    const auto detection = detectEdges(wall, settings);
-    EXPECT_EQ(detection->edges->size(), 2U * (20 + 40)); // the cells that share a side with the hole
-    EXPECT_EQ(countClasses(*detection)[static_cast<std::size_t>(DepthEdge::Border)], detection->edges->size());
-    for (const std::uint32_t k : *detection->edges) EXPECT_EQ(wall->state[k], CellState::Valid);
+    const auto border = detectEdges(wall, settings);
+    EXPECT_EQ(*border->edges, *usual->edges);
+    EXPECT_EQ(countClasses(*border)[static_cast<std::size_t>(DepthEdge::Border)], border->edges->size());
 }
 
 TEST(EdgeClasses, EachSwitchTakesItsOwnClassAway) {

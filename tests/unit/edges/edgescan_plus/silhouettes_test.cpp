@@ -38,7 +38,7 @@ TEST(Silhouettes, TheSideOfABoxBeforeItsShadowIsOneAndTheWallBehindIsNone) {
     for (const std::uint32_t k : wanted) EXPECT_EQ((*detection->mask)[k], 255);
     EXPECT_GE(silhouettesOf(*detection), 26U); // corners also count as jumps
     Settings without;
-    without.classes = kClassRock & ~kClassSilhouette;
+    without.classes &= ~kClassSilhouette;
     EXPECT_EQ(silhouettesOf(*detectEdges(scan, without)), 0U);
 }
 
@@ -93,8 +93,13 @@ TEST(Silhouettes, ASurfaceThatSlantsAwayIsNone) {
 TEST(Silhouettes, ShortOnesAreDroppedAndTheThresholdMapKnowsTheSame) {
     const auto scan = boxWithShadow();
     const auto found = detectEdges(scan, Settings{});
-    EXPECT_EQ(longSilhouettes(*found->responses, 30).size(), 30U);
-    EXPECT_TRUE(longSilhouettes(*found->responses, 31).empty());
+    Settings settings;
+    settings.classes = kClassSilhouette;
+    settings.minimumLength = 30;
+    ASSERT_EQ(edgesAtVoids(*found->responses, settings).size(), 1U);
+    EXPECT_EQ(edgesAtVoids(*found->responses, settings).front().cells.size(), 30U);
+    settings.minimumLength = 31;
+    EXPECT_TRUE(edgesAtVoids(*found->responses, settings).front().cells.empty());
 }
 
 } // namespace

@@ -78,6 +78,12 @@ TEST(LinkedMap, IsWhatChainsOneByOneGive) {
         const float share = turn % 9 == 0 ? 0.0F : static_cast<float>(1 + random() % 1000) / 1000.0F;
         const int minimumLength = 1 + static_cast<int>(random() % 6);
         const ThresholdMap map = linkedThresholdMap(strength, static_cast<double>(share), minimumLength);
+        const double least = std::clamp(static_cast<double>(strength[random() % strength.size()]), 0.0, 1e6); // as sliders have
+        const ThresholdMap from = linkedThresholdMap(strength, static_cast<double>(share), minimumLength, least);
+        for (std::size_t k = 0; k < strength.size(); ++k) {
+            const double whole = map.highest[k], part = from.highest[k];
+            ASSERT_TRUE(whole >= least ? part == whole : part < std::max(least, 1e-30)) << "turn " << turn << " cell " << k;
+        }
         const auto strengthOf = [&](std::size_t k) { return strength[k]; };
         for (std::size_t k = 0; k < strength.size(); ++k)
             ASSERT_EQ(linkedThresholdAt(strength.lines, strength.beams, strengthOf, static_cast<double>(share), minimumLength, k),

@@ -105,6 +105,30 @@ TEST(Gray, TheAutomaticWindowIgnoresStrayReturnsAndSpansAFactorOfFive) {
     EXPECT_NEAR(std::sqrt(scale.farMm * scale.nearMm), 4099, 20);
 }
 
+TEST(Gray, RangesOfWholeMillimetresGiveWhatOtherRangesGive) {
+    std::mt19937 random(5);
+    for (int turn = 0; turn < 20; ++turn) {
+        Scan whole =
+            test::makeScan(60, 70, [&](int, int) { return static_cast<float>(200 + random() % (turn % 2 == 0 ? 30000 : 100000)); });
+        for (int n = 0; n < 200; ++n) whole.state[random() % whole.cells()] = CellState::NoReturn;
+        Scan other = whole;
+        other.rangeMm[77] += 0.25F; // one range is enough: the levels are then searched
+        whole.state[77] = other.state[77] = CellState::Valid;
+        Settings settings;
+        const GrayScale scale = grayScale(whole, settings); // of sorted ranges
+        const GrayImage gray = grayImage(whole, settings);
+        EXPECT_EQ(gray.scale.nearMm, scale.nearMm);
+        EXPECT_EQ(gray.scale.farMm, scale.farMm);
+        settings.nearMm = scale.nearMm;
+        settings.farMm = scale.farMm;
+        GrayImage searched = grayImage(other, settings);
+        EXPECT_NEAR(searched.levels[77], gray.levels[77], 1);
+        searched.levels[77] = gray.levels[77];
+        EXPECT_EQ(searched.levels, gray.levels) << "turn " << turn;
+        EXPECT_EQ(searched.saturated, gray.saturated) << "turn " << turn;
+    }
+}
+
 TEST(Smooth, WeightsAreThoseOfOpenCv) {
     for (const int size : {3, 5, 7, 9, 11}) {
         for (const double sigma : {kAutomatic, 0.3, 0.8, 1.4, 3.0, 9.9}) {

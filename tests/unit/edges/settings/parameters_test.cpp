@@ -90,7 +90,7 @@ TEST(Parameters, ASetTakesNamesInAnyOrder) {
     const Parameter& classes = *findParameter("classes");
     EXPECT_EQ(*parseValue(classes, "concave,jump"), kClassJump | kClassConcave);
     EXPECT_EQ(formatValue(classes, kClassJump | kClassConcave), "jump,concave");
-    EXPECT_EQ(*parseValue(classes, "all"), 31);
+    EXPECT_EQ(*parseValue(classes, "all"), 63);
     EXPECT_EQ(*parseValue(classes, "none"), 0);
     for (const char* text : {"jump,", ",", "jump,border2", "jump concave", "3"}) EXPECT_FALSE(parseValue(classes, text)) << text;
 }
@@ -128,19 +128,31 @@ TEST(Presets, AFileComesBackAsItWas) {
 
 // Records name the default settings by their version: after a change of a default, raise kDefaultSet.version and enter the new ones here.
 TEST(Presets, TheDefaultSettingsAreThoseOfTheirVersion) {
-    EXPECT_EQ(kDefaultSet.version, 3);
+    EXPECT_EQ(kDefaultSet.version, 4);
     EXPECT_EQ(
         settingsToJson(Settings{}).dump(),
-        R"({"aperture":3,"classes":"jump,convex,concave,silhouette","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
-        R"("kernel":3,"log-mask":"four","lower":6,"mask-isolated":"on","mask-missing":"on","method":"edgescan+","min-length":5,"near":"auto",)"
-        R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3})");
+        R"({"aperture":3,"classes":"jump,convex,concave,silhouette,rim","crease":30,"far":"auto","fill":0,"fill-edges":"off","grazing":0.1,"growth":1,"hysteresis-low":70,"jump":"auto",)"
+        R"("kernel":3,"log-mask":"four","lower":6,"mask-isolated":"on","mask-missing":"on","method":"edgescan+","min-length":4,"near":"auto",)"
+        R"("noise":"auto","noise-kind":"measured","norm":"l1","ratio":3,"rough-scans":"on","scaling":"log","sensitivity":1,"sigma":"auto","slips":"on","step":3,"turns":"on"})");
     EXPECT_EQ(builtInPresets().front().name, kDefaultSet.name);
     EXPECT_TRUE(changedFromDefault(Settings{}).empty());
+    EXPECT_EQ(changedFromDefault(findPreset("default-3")->settings),
+              (std::vector<std::string>{"min-length", "classes", "turns", "rough-scans"}));
     // Parameters that the method does not read are not listed.
     Settings turned;
     turned.jumpMm = 50;
     turned.kernel = 7;
     EXPECT_EQ(changedFromDefault(turned), std::vector<std::string>{"jump"});
+}
+
+TEST(Presets, ARecordOfAnEarlierSetKeepsItsMeaning) {
+    nlohmann::json old = settingsToJson(defaultSettings(3));
+    EXPECT_EQ(settingsOfRecord(old, 3), old);
+    old["classes"] = "all"; // of five
+    EXPECT_EQ(settingsOfRecord(old, 3)["classes"], "jump,convex,concave,border,silhouette");
+    EXPECT_EQ(settingsOfRecord(old, kDefaultSet.version)["classes"], "all");
+    EXPECT_EQ(settingsOfRecord(nlohmann::json::object(), 2), settingsToJson(defaultSettings(3)));
+    EXPECT_EQ(settingsOfRecord(nlohmann::json::object(), kDefaultSet.version), settingsToJson(Settings{}));
 }
 
 } // namespace

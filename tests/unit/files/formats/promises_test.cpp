@@ -126,7 +126,7 @@ TEST(Promises, PointsOutOfReachAreReported) {
 TEST(Promises, APlaceIsOnEarth) {
     const std::string whole = rows(600, " 0.5");
     for (const char* place : {"1e300 1e300 1e300", "1e9 0 0", "0 0 1e6", "0 -2e8 0"}) {
-        expectSaid(ptx(20, 30, whole, place), ".ptx", "no place on earth");
+        expectSaid(ptx(20, 30, whole, place), ".ptx", "not a place on earth");
         EXPECT_EQ(readBytes(ptx(20, 30, whole, place), ".ptx")->placement, nullptr);
     }
     const auto placed = readBytes(ptx(20, 30, whole, "698700 5150000 300"), ".ptx");
@@ -164,7 +164,7 @@ TEST(Promises, RawGridsOfNumbersThatNobodyMeasures) {
     expectSaid(grid(angles), ".json", "opened");
     expectSaid(grid(angles + R"(,"unit_mm":1e300)"), ".json", "\"unit_mm\" holds a number out of all reason");
     for (const char* unit : {"1e-300", "1e-7", "1e7"}) expectSaid(grid(angles + R"(,"unit_mm":)" + unit), ".json", "\"unit_mm\" is");
-    expectSaid(grid(angles + R"(,"unit_mm":1e6)"), ".json", "3.2639e+10 mm at line 0, beam 0 is no range that is measured"); // 0x7f7f km
+    expectSaid(grid(angles + R"(,"unit_mm":1e6)"), ".json", "3.2639e+10 mm at line 0, beam 0 cannot be a measured range"); // 0x7f7f km
     for (const char* step : {"0", "1e-300", "1e-9"})
         expectSaid(grid(R"("beam_deg":{"start":0,"step":)" + std::string(step) + R"(},"line_deg":[0,1],"axis":"spin")"), ".json",
                    "all 3 beams look the same way");

@@ -198,7 +198,7 @@ TEST(RangeTable, OneNumberBelowZeroIsNoReturnAndSeveralAreRefused) {
     const auto two = openScan(folder / "table.csv");
     ASSERT_FALSE(two);
     EXPECT_NE(two.error().sentence().find("line 23, beam "), std::string::npos) << two.error().sentence();
-    EXPECT_NE(two.error().sentence().find("holds -9, which is no range"), std::string::npos) << two.error().sentence();
+    EXPECT_NE(two.error().sentence().find("holds -9, which is not a range"), std::string::npos) << two.error().sentence();
 }
 
 TEST(RangeTable, FilesThatAreNoneAreNamed) {
@@ -215,17 +215,17 @@ TEST(RangeTable, FilesThatAreNoneAreNamed) {
     steps.axis = Axis::Spin;
     std::string points;
     for (int n = 0; n < 60; ++n) points += numberText("%.3f", n * 0.1 - 3) + ",2.5,1.25\n";
-    refused(points, "line 1: column 1 holds -3, so this is no table of ranges; for a list of points", steps);
+    refused(points, "line 1: column 1 holds -3, so this is not a table of ranges; for a list of points", steps);
     std::string wide;
     for (int n = 0; n < 60; ++n) {
         for (int j = 0; j < 20; ++j) wide += numberText("%.3f", n * 0.1 + (j * 7) % 11 - 7.5) + (j < 19 ? "," : "\n");
     }
-    refused(wide, "line 1: column 1 holds -7.5, so this is no table of ranges");
+    refused(wide, "line 1: column 1 holds -7.5, so this is not a table of ranges");
     refused("\n<!DOCTYPE html>\n<html><body>\n1,2,3\n4,5,6\n</body></html>\n", "this is a web page (HTML), not a scan");
     refused("<?xml version=\"1.0\"?>\n<a>\n1,2,3\n</a>\n", "this is an XML document");
     refused(std::string("BM\x36\0\0\0", 6), "this is a BMP picture");
     refused(std::string("RIFF\x24\0\0\0WEBP", 12), "this is a picture, sound or film");
-    refused("x,y,z\nBerlin,Rome,Paris\n", "\"Berlin\" stands below x, y or z and is no number");
+    refused("x,y,z\nBerlin,Rome,Paris\n", "\"Berlin\" is below x, y or z and is not a number");
     refused("place,a,b\nBerlin,1,2\nRome,3,4\n", "text without a row of numbers"); // labels without x, y and z do not make points
     refused("\"3,5\",\"3,6\",\"3,7\"\n\"3,5\",\"3,6\",\"3,7\"\n", "decimal commas in quotes between commas");
     std::string turned; // a beam per row

@@ -91,5 +91,5 @@ TEST(FortranNumbers, ExponentsWithDAreRead) {
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->rangeMm, expected.rangeMm);
     EXPECT_EQ(scan->state, expected.state);
-    EXPECT_NE(refusalOf("1.0D+00 2 3\n1 2 3\n1 2.5Dx 3\n", ".xyz").find("line 3: \"2.5Dx\" is no number"), std::string::npos);
+    EXPECT_NE(refusalOf("1.0D+00 2 3\n1 2 3\n1 2.5Dx 3\n", ".xyz").find("line 3: \"2.5Dx\" is not a number"), std::string::npos);
 }

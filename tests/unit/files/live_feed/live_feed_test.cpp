@@ -10,12 +10,12 @@ using namespace edgescan::test;
 
 TEST(LiveHealth, TellsWhatTheStateIs) {
     LiveStatus status;
-    status.session = {scanner::ConnectionPhase::Connecting, "Connecting to x:2112.", {}};
+    status.connection = {scanner::ConnectionPhase::Connecting, "Connecting to x:2112.", {}};
     EXPECT_EQ(healthOf(status).badge, "CONNECTING");
     EXPECT_FALSE(healthOf(status).stale());
-    status.session.phase = scanner::ConnectionPhase::Lost;
+    status.connection.phase = scanner::ConnectionPhase::Lost;
     EXPECT_EQ(healthOf(status).badge, "LOST");
-    status.session.phase = scanner::ConnectionPhase::Live;
+    status.connection.phase = scanner::ConnectionPhase::Live;
     status.secondsSinceLine = 0.04;
     status.lines = 12;
     EXPECT_EQ(healthOf(status).badge, "LIVE");
@@ -26,22 +26,22 @@ TEST(LiveHealth, TellsWhatTheStateIs) {
     status.secondsSinceLine = 2.0;
     EXPECT_EQ(healthOf(status).badge, "STALE 2 s");
     EXPECT_TRUE(healthOf(status).stale());
-    status.session.phase = scanner::ConnectionPhase::Stale;
+    status.connection.phase = scanner::ConnectionPhase::Stale;
     status.secondsSinceLine = 0.6;
     EXPECT_EQ(healthOf(status).badge, "STALE 0 s");
-    status.session.phase = scanner::ConnectionPhase::Identifying; // connected again, but no line yet
+    status.connection.phase = scanner::ConnectionPhase::Identifying; // connected again, but no line yet
     status.secondsSinceLine = 130;
     EXPECT_EQ(healthOf(status).badge, "STALE 2 min");
-    status.session.phase = scanner::ConnectionPhase::Lost;
+    status.connection.phase = scanner::ConnectionPhase::Lost;
     status.secondsSinceLine = 7300;
     EXPECT_EQ(healthOf(status).badge, "LOST 2 h");
-    status.session.phase = scanner::ConnectionPhase::Stopped;
+    status.connection.phase = scanner::ConnectionPhase::Stopped;
     EXPECT_EQ(healthOf(status).badge, "STOPPED");
 }
 
 TEST(LiveHealth, ThePictureIsNeverOlderThanItSays) {
     LiveStatus status;
-    status.session.phase = scanner::ConnectionPhase::Live;
+    status.connection.phase = scanner::ConnectionPhase::Live;
     status.secondsSinceLine = 0.1;
     status.lines = 312;
     status.sweep.lines = status.sweep.received = 312;
@@ -60,7 +60,7 @@ TEST(LiveHealth, ThePictureIsNeverOlderThanItSays) {
 
 TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     LiveStatus status;
-    status.session.phase = scanner::ConnectionPhase::Live;
+    status.connection.phase = scanner::ConnectionPhase::Live;
     status.secondsSinceLine = 0.0;
     status.lines = 312;
     status.linesPerSecond = 25;
@@ -73,11 +73,18 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     LiveHealth health = healthOf(status);
     EXPECT_EQ(health.lines, "INCOMPLETE 309/1000 lines");
     EXPECT_EQ(health.lost, "3 lost: lines 5, 9 to 10");
+    LiveStatus normal = status; // more lines come and none is missing: nothing is incomplete yet
+    normal.sweep.growing = true;
+    normal.sweep.received = 312;
+    normal.sweep.lost.clear();
+    EXPECT_EQ(healthOf(normal).lines, "312/1000 lines");
+    normal.connection.phase = scanner::ConnectionPhase::Stopped;
+    EXPECT_EQ(healthOf(normal).lines, "INCOMPLETE 312/1000 lines");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
-    EXPECT_EQ(health.end, "ends in 28 s");
-    status.session.phase = scanner::ConnectionPhase::Lost; // no lines arrive: the time of the last one is unknown
+    EXPECT_EQ(health.end, "28 s left");
+    status.connection.phase = scanner::ConnectionPhase::Lost; // no lines arrive: the time of the last one is unknown
     EXPECT_EQ(healthOf(status).end, "");
-    status.session.phase = scanner::ConnectionPhase::Live;
+    status.connection.phase = scanner::ConnectionPhase::Live;
     status.secondsSinceLine = 5.0;
     EXPECT_EQ(healthOf(status).end, "");
     status.secondsSinceLine = 0.0;
@@ -114,7 +121,7 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
 
 TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     LiveStatus status;
-    status.session.phase = scanner::ConnectionPhase::Live;
+    status.connection.phase = scanner::ConnectionPhase::Live;
     status.secondsSinceLine = 0.0;
     status.lines = status.sweep.lines = status.sweep.received = status.sweep.expected = 40;
     EXPECT_EQ(healthOf(status).remark, "");

@@ -165,7 +165,7 @@ TEST(LiveSoak, TwentyMinutesOfTheMockScanner) {
     feed.stop();
     all.take(feed.takeFinished(), false);
     const LiveStatus status = feed.status();
-    ASSERT_GE(status.lines, kLines) << status.session.sentence;
+    ASSERT_GE(status.lines, kLines) << status.connection.sentence;
     // The mock restarts its counters at every connection: losses between two connections are unknown, all others are reported.
     EXPECT_EQ(all.received + all.lost, all.rows);
     EXPECT_EQ(all.received + status.sweep.duplicates + status.sweep.misfits, status.lines);

@@ -38,7 +38,7 @@ const std::map<std::string, std::string> kSaid{
     {"plcut.las", "records behind the points cannot be read"},
     {"two_sweeps.mcap", "The recording holds 2 sweeps"},
     {"x_06.ptx", "there are more"},
-    {"x_10.ptx", "no place on earth"},
+    {"x_10.ptx", "not a place on earth"},
 };
 
 } // namespace

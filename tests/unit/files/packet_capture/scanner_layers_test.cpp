@@ -85,7 +85,7 @@ TEST(ScannerLayers, AreLeftOutLive) {
     session.port = static_cast<std::uint16_t>((*scanner)->port());
     LiveFeed feed(session, scanner::SweepSettings{}, [] {});
     const auto all = static_cast<std::int64_t>(kLayers.size()) * kLayeredLines;
-    EXPECT_TRUE(waitUntil([&] { return feed.status().sweep.account.telegrams >= all; })) << feed.status().session.sentence;
+    EXPECT_TRUE(waitUntil([&] { return feed.status().sweep.account.telegrams >= all; })) << feed.status().connection.sentence;
     const auto scan = feed.snapshot();
     ASSERT_TRUE(scan);
     expectTheLevelLayer(*scan);

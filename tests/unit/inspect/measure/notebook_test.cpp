@@ -38,7 +38,7 @@ TEST(Notebook, OfAnotherScanIsRefused) {
                                       NotebookScan{kThis.sha256, "bell", 30, 20}}) {
         const auto read = notebookFromText(text, other, "here");
         ASSERT_FALSE(read);
-        EXPECT_EQ(read.error().sentence(), "here: these targets were picked on another scan; move the file away to begin anew.");
+        EXPECT_EQ(read.error().sentence(), "here: these targets were picked on another scan; move the file away to begin a new one.");
         EXPECT_NE(notebookFileName(other), "");
     }
     EXPECT_NE(notebookFileName(kThis), notebookFileName({kThis.sha256, "sweep 2", 20, 30}));

@@ -130,7 +130,7 @@ TEST(SessionFile, RefusesWhatDoesNotFitItsScan) {
         ASSERT_FALSE(bool(read)) << instead;
         EXPECT_NE(read.error().sentence().find(word), std::string::npos) << read.error().sentence();
     };
-    refused("edgescan-session/1", "edgescan-session/9", "this is no session");
+    refused("edgescan-session/1", "edgescan-session/9", "this is not a session");
     refused("\"active\": 77", "\"active\": 120000", "active");
     refused("\"lines\": 100", "\"lines\": 0", "scan.lines");
     refused("\"beams\": 1200", "\"beams\": 1000001", "scan.beams");

@@ -78,7 +78,7 @@ TEST(DepthEdges, FindMoreOfTheRocksThanGrayLevelsDo) {
     EXPECT_GT(depth.all.recall(), 0.75);
 }
 
-TEST(DepthEdges, AFlatWallWithHolesHasNone) {
+TEST(DepthEdges, AFlatWallWithDropOutsHasNoneAndItsOpeningHasARim) {
     const PolarGeometry polar = test::regularAngles(200, 320);
     std::mt19937 random(2);
     std::normal_distribution<double> noise(0.0, 6.0);
@@ -87,7 +87,16 @@ TEST(DepthEdges, AFlatWallWithHolesHasNone) {
         return hole ? 0.0 : test::wallRangeMm(polar, i, j, 5000.0) + std::round(noise(random));
     });
     const edges::DepthEdges edges = test::depthEdges(wall, {});
-    EXPECT_EQ(std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255), 0);
+    const auto cells = std::count(edges.mask.cells.begin(), edges.mask.cells.end(), 255);
+    EXPECT_EQ(std::count(edges.kind.cells.begin(), edges.kind.cells.end(), edges::DepthEdge::VoidRim), cells);
+    EXPECT_NEAR(static_cast<double>(cells), 2 * (49 + 99), 30);
+    for (int i = 0; i < wall.lines(); ++i) {
+        for (int j = 0; j < wall.beams(); ++j) {
+            if (i < 38 || i > 92 || j < 48 || j > 152) {
+                EXPECT_EQ(edges.mask.at(i, j), 0) << i << " " << j;
+            }
+        }
+    }
 }
 
 TEST(DepthEdges, GoRoundALostRangeByItsNeighbours) {

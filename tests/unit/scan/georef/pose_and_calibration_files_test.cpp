@@ -96,7 +96,7 @@ TEST(Calibration, SaysWhatIsWrong) {
     object["inclinometer"]["viewing"] = "matrix";
     expectSentence(parseCalibration(object.dump(), "robot.json"), "\"inclinometer.matrix\" is missing");
     object["inclinometer"]["matrix"] = {{1, 0, 0}, {0, 1, 0}, {0, 0.1, 1}};
-    expectSentence(parseCalibration(object.dump(), "robot.json"), "is no rotation");
+    expectSentence(parseCalibration(object.dump(), "robot.json"), "is not a rotation");
     object["inclinometer"]["matrix"] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
     expectSentence(parseCalibration(object.dump(), "robot.json"), "mirrors instead of turning");
     expectSentence(parseCalibration("{\"format\": ", "robot.json"), "robot.json: byte");
@@ -169,8 +169,28 @@ TEST(Poses, TheExamplesOfTheDocumentationAreGood) {
     for (const auto& [scan, robot] : {std::pair(spinScan(), *spins), std::pair(makeScan({.axis = Axis::Sweep}), *sweeps)}) {
         const auto placed = placeScan(scan, robot, *poses);
         ASSERT_TRUE(placed) << placed.error().sentence();
-        EXPECT_TRUE((*placed)->warnings.empty());
+        const auto& warnings = (*placed)->warnings;
+        if (robot.leftOut.empty()) {
+            EXPECT_TRUE(warnings.empty());
+        } else {
+            ASSERT_EQ(warnings.size(), 1U);
+            EXPECT_EQ(warnings[0], "The calibration leaves out talin.boresight_rpy_deg: 0 was taken.");
+        }
     }
+    EXPECT_TRUE(spins->leftOut.empty());
+    EXPECT_FALSE(sweeps->leftOut.empty());
+}
+
+TEST(Poses, AHeadOfThePoseAndHeadingsOfTheGridNeedNoMounting) {
+    Calibration robot;
+    robot.leftOut = {kHeadKey, "talin.in_robot_m", kConvergenceKey};
+    PoseTrack poses = *parsePoses(poseJson().dump(), "pose.json");
+    const auto warningsOf = [&] { return (*placeScan(spinScan(), robot, poses))->warnings; };
+    EXPECT_TRUE(std::ranges::count(
+        warningsOf(), "The calibration leaves out boom.head_in_robot_m, talin.in_robot_m, grid.convergence_deg: 0 was taken."));
+    poses.headInRobotM = {1, 2, 3};
+    for (TalinReading& reading : poses.talin) reading.trueNorth = false;
+    EXPECT_TRUE(std::ranges::count(warningsOf(), "The calibration leaves out talin.in_robot_m: 0 was taken."));
 }
 
 TEST(Poses, TwoFilesPlaceAScanAndAreNamedWithTheirHashes) {

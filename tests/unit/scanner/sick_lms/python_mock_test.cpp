@@ -83,7 +83,7 @@ TEST(MockScanner, GarbageAndLoss) {
     EDGESCAN_NEEDS_PYTHON();
     const Mock mock({"--garbage", "0.3", "--telegram-loss", "0.2", "--chunk", "random"});
     Listener listener;
-    SessionStatistics statistics;
+    ConnectionStatistics statistics;
     {
         ScannerConnection session(mock.settings(), listener.events());
         EXPECT_TRUE(listener.waitForScans(80));

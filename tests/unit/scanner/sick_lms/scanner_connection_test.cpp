@@ -20,7 +20,7 @@ std::uint16_t freePort() {
 
 /// Runs a session until the last of `lines` has come: the scanners of these tests never leave that one out.
 void receiveAll(EmulatedScanner& scanner, Listener& listener, const ConnectionSettings& settings, std::size_t lines,
-                SessionStatistics* statistics = nullptr) {
+                ConnectionStatistics* statistics = nullptr) {
     ScannerConnection session(settings, listener.events());
     const auto last = [&](const Listener&) {
         const auto telegrams = listener.telegrams();
@@ -97,7 +97,7 @@ TEST(ScannerConnection, HoweverTheBytesComeTheLinesAreTheSame) {
         settings.faults.garbageEvery = 3;
         const auto scanner = served(scan, settings);
         Listener listener;
-        SessionStatistics statistics;
+        ConnectionStatistics statistics;
         receiveAll(*scanner, listener, settingsFor(*scanner), 200, &statistics);
         const Account account = accountOf(listener.telegrams());
         EXPECT_EQ(account.received, 200);
@@ -133,7 +133,7 @@ TEST(ScannerConnection, ADroppedConnectionIsMadeAgain) {
     settings.faults.dropEvery = 25;
     const auto scanner = served(countingScan(101, 20), settings);
     Listener listener;
-    SessionStatistics statistics;
+    ConnectionStatistics statistics;
     receiveAll(*scanner, listener, settingsFor(*scanner), 101, &statistics);
     EXPECT_EQ(statistics.reconnects, 4U);
     EXPECT_EQ(scanner->statistics().clients, 5U);
@@ -338,7 +338,7 @@ TEST(ScannerConnection, TwentyMinutesOfFaultsAsFastAsPossible) {
     auto session = settingsFor(*scanner, hasty());
     session.timeouts.rests = {1ms};
     Listener listener;
-    SessionStatistics statistics;
+    ConnectionStatistics statistics;
     {
         ScannerConnection live(session, listener.events());
         EXPECT_TRUE(listener.waitForScans(30000));

@@ -1,5 +1,5 @@
-// zstd and lz4, where the libraries were there when this was built.
-#include "core/containers/mcap/chunk_compression.h"
+// zstd, lz4 and bz2, where the libraries were there when this was built.
+#include "core/containers/compression/chunks.h"
 
 #include <algorithm>
 
@@ -8,6 +8,9 @@
 #endif
 #ifdef EDGESCAN_LZ4
 #include <lz4frame.h>
+#endif
+#ifdef EDGESCAN_BZ2
+#include <bzlib.h>
 #endif
 
 namespace edgescan::containers {
@@ -78,7 +81,50 @@ Result<Bytes> unpackLz4(ByteView packed, std::uint64_t size, const std::string& 
 }
 #endif
 
+#ifdef EDGESCAN_BZ2
+Result<Bytes> unpackBz2(ByteView packed, std::uint64_t size, const std::string& where) {
+    bz_stream stream{};
+    if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return damaged("bz2", where);
+    Bytes out;
+    std::size_t used = 0;
+    int state = BZ_OK;
+    while (state == BZ_OK) {
+        if (!grow(out, used, size)) break;
+        if (stream.avail_in == 0) { // its numbers have 32 bits
+            const std::size_t piece = std::min(packed.size(), std::size_t{1} << 30U);
+            stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(packed.data())); // read only
+            stream.avail_in = static_cast<unsigned>(piece);
+            packed = packed.subspan(piece);
+        }
+        const std::size_t room = std::min(out.size() - used, std::size_t{1} << 30U);
+        stream.next_out = reinterpret_cast<char*>(out.data()) + used;
+        stream.avail_out = static_cast<unsigned>(room);
+        const unsigned before = stream.avail_in;
+        state = BZ2_bzDecompress(&stream);
+        const std::size_t made = room - stream.avail_out;
+        used += made;
+        if (state == BZ_OK && made == 0 && stream.avail_in == before) break; // cut off
+    }
+    BZ2_bzDecompressEnd(&stream);
+    if (state != BZ_STREAM_END || used != size) return damaged("bz2", where);
+    out.resize(used);
+    return out;
+}
+#endif
+
 } // namespace
+
+bool isZstd(ByteView packed) {
+    return packed.size() >= 4 && packed[0] == 0x28 && packed[1] == 0xB5 && packed[2] == 0x2F && packed[3] == 0xFD;
+}
+
+std::optional<std::uint64_t> zstdSize([[maybe_unused]] ByteView packed) {
+#ifdef EDGESCAN_ZSTD
+    const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
+    if (size != ZSTD_CONTENTSIZE_UNKNOWN && size != ZSTD_CONTENTSIZE_ERROR) return size;
+#endif
+    return std::nullopt;
+}
 
 Result<Bytes> unpackChunk(const std::string& compression, [[maybe_unused]] ByteView packed, [[maybe_unused]] std::uint64_t size,
                           const std::string& where) {
@@ -88,9 +134,13 @@ Result<Bytes> unpackChunk(const std::string& compression, [[maybe_unused]] ByteV
 #ifdef EDGESCAN_LZ4
     if (compression == "lz4") return unpackLz4(packed, size, where);
 #endif
-    if (compression == "zstd" || compression == "lz4")
+#ifdef EDGESCAN_BZ2
+    if (compression == "bz2") return unpackBz2(packed, size, where);
+#endif
+    if (compression == "zstd" || compression == "lz4" || compression == "bz2")
         return Error{"this program was built without " + compression + ", which this recording is compressed with", where,
-                     "unpack it with \"mcap compress --compression none\" or install lib" + compression + " and build again"};
+                     "unpack it with \"mcap compress --compression none\" or \"rosbag decompress\", or install lib" + compression +
+                         " and build again"};
     return Error{"it is compressed with \"" + compression.substr(0, 20) + "\", which is not known here", where,
                  "unpack it with the program that wrote it"};
 }

@@ -1,0 +1,71 @@
+// ROS bags: messages with topic, time and definition, whatever container holds them.
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/containers/ros/message.h"
+
+#include <cstdint>
+#include <list>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan::containers {
+
+struct McapContent;
+
+struct RosTopic {
+    std::string name;       ///< "/scan"
+    std::string type;       ///< "sensor_msgs/LaserScan"
+    std::string definition; ///< text (definition.h)
+    RosEncoding encoding = RosEncoding::Cdr;
+    bool assumed = false; ///< the bag has no definition; the one of the ROS release of 2022 is used
+};
+
+struct RosBagMessage {
+    std::uint32_t topic = 0; ///< index in RosBag::topics
+    std::int64_t logNs = 0;  ///< when it was recorded, ns since 1970 UTC
+    ByteView bytes;
+};
+
+/// Messages in the order of the file. They point into the bytes that were read, or into `unpacked`.
+struct RosBag {
+    std::string kind; ///< "ROS 1 bag", "ROS 2 bag (MCAP)", "ROS 2 bag (SQLite)"
+    std::vector<RosTopic> topics;
+    std::vector<RosBagMessage> messages;
+    std::list<Bytes> unpacked;
+    std::uint64_t mayUnpack = 0;       ///< bytes that compressed parts may still unpack to
+    std::vector<std::string> warnings; ///< one sentence for each thing that was left out
+
+    RosBag() = default;
+    RosBag(RosBag&&) = default;
+    RosBag& operator=(RosBag&&) = default;
+    RosBag(const RosBag&) = delete; // the copy's messages would point into the original
+    RosBag& operator=(const RosBag&) = delete;
+};
+
+[[nodiscard]] bool looksLikeRosBag(ByteView bytes);
+[[nodiscard]] bool looksLikeSqlite(ByteView bytes);
+/// Whether a recording of MCAP has topics of ROS.
+[[nodiscard]] bool hasRosTopics(const McapContent& content);
+
+/// A bag of ROS 1, version 2.0 (wiki.ros.org/Bags/Format/2.0): chunks plain, bz2 or lz4; indexes are not used. `bytes` must outlive the
+/// bag. Error: another version. What is torn or damaged costs only itself and gets a warning.
+Result<RosBag> readRosBag(ByteView bytes, const std::string& where);
+
+/// A database of rosbag2: tables topics, messages and, since 2023, message_definitions; messages plain or zstd. Error: no such database, or
+/// this program was built without SQLite.
+Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where);
+
+/// The ROS topics of a recording of MCAP; the content must outlive the bag.
+RosBag rosBagOf(const McapContent& content, const std::string& where);
+
+/// A compressed part of a bag, unpacked into the bag's own memory. Error: damaged, or larger than a bag of its size may hold.
+Result<ByteView> unpackedInto(RosBag& bag, const std::string& compression, ByteView packed, std::uint64_t size, const std::string& where);
+/// A message that rosbag2 compressed by itself, as its first bytes say, unpacked; any other message as it is. Empty: damaged.
+std::optional<ByteView> plainMessage(RosBag& bag, ByteView message, const std::string& where);
+
+/// The definition of a common type as the ROS release of 2022 has it, for bags without definitions; empty: the type is not common.
+[[nodiscard]] std::string_view commonRosDefinition(std::string_view type);
+
+} // namespace edgescan::containers

@@ -1,0 +1,159 @@
+// Databases of rosbag2, read from memory through SQLite.
+#include "core/base/checked_size.h"
+#include "core/base/memory.h"
+#include "core/containers/ros/bag.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+#ifdef EDGESCAN_SQLITE
+#include <sqlite3.h>
+#endif
+
+namespace edgescan::containers {
+
+bool looksLikeSqlite(ByteView bytes) {
+    return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())
+        .starts_with(std::string_view("SQLite format 3\0", 16));
+}
+
+#ifdef EDGESCAN_SQLITE
+namespace {
+
+struct Closed {
+    void operator()(sqlite3* database) const { sqlite3_close(database); }
+    void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+};
+using Database = std::unique_ptr<sqlite3, Closed>;
+using Statement = std::unique_ptr<sqlite3_stmt, Closed>;
+
+Statement prepared(sqlite3* database, const char* question) {
+    sqlite3_stmt* statement = nullptr;
+    if (sqlite3_prepare_v2(database, question, -1, &statement, nullptr) != SQLITE_OK) statement = nullptr;
+    return Statement(statement);
+}
+
+ByteView bytesIn(sqlite3_stmt* row, int column) {
+    const void* blob = sqlite3_column_blob(row, column);
+    const auto size = static_cast<std::size_t>(sqlite3_column_bytes(row, column));
+    return {static_cast<const std::uint8_t*>(blob), blob != nullptr ? size : 0};
+}
+
+std::string textIn(sqlite3_stmt* row, int column) {
+    const ByteView bytes = bytesIn(row, column);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::map<std::string, std::string> definitionsIn(sqlite3* database) {
+    std::map<std::string, std::string> definitions;
+    const Statement rows =
+        prepared(database, "SELECT topic_type, encoded_message_definition FROM message_definitions WHERE encoding = 'ros2msg'");
+    while (rows && sqlite3_step(rows.get()) == SQLITE_ROW) definitions[rosTypeName(textIn(rows.get(), 0))] = textIn(rows.get(), 1);
+    return definitions;
+}
+
+class DatabaseReader {
+public:
+    DatabaseReader(sqlite3* database, std::size_t bytes, const std::string& where) : database_(database), where_(where) {
+        bag_.kind = "ROS 2 bag (SQLite)";
+        bag_.mayUnpack = mostUnpackedBytes(bytes);
+    }
+
+    Result<RosBag> read() {
+        if (auto known = topics(); !known) return known.error();
+        messages();
+        return std::move(bag_);
+    }
+
+private:
+    Result<Done> topics() {
+        const std::map<std::string, std::string> definitions = definitionsIn(database_);
+        const Statement rows = prepared(database_, "SELECT id, name, type, serialization_format FROM topics");
+        if (!rows) return Error{"this SQLite database is not a ROS bag: it has no table of topics", where_, "choose another file"};
+        while (sqlite3_step(rows.get()) == SQLITE_ROW) {
+            if (textIn(rows.get(), 3) != "cdr") continue;
+            RosTopic topic{textIn(rows.get(), 1), rosTypeName(textIn(rows.get(), 2)), {}, RosEncoding::Cdr, false};
+            const auto own = definitions.find(topic.type);
+            topic.assumed = own == definitions.end();
+            topic.definition = topic.assumed ? std::string(commonRosDefinition(topic.type)) : own->second;
+            topics_[sqlite3_column_int64(rows.get(), 0)] = static_cast<std::uint32_t>(bag_.topics.size());
+            bag_.topics.push_back(std::move(topic));
+        }
+        return Done{};
+    }
+
+    void messages() {
+        const Statement rows = prepared(database_, "SELECT topic_id, timestamp, data FROM messages ORDER BY id");
+        int state = rows ? sqlite3_step(rows.get()) : SQLITE_ERROR;
+        std::size_t bad = 0;
+        for (; state == SQLITE_ROW; state = sqlite3_step(rows.get())) {
+            const auto topic = topics_.find(sqlite3_column_int64(rows.get(), 0));
+            if (topic == topics_.end()) continue;
+            const auto message = stored(bytesIn(rows.get(), 2));
+            if (message)
+                bag_.messages.push_back({topic->second, sqlite3_column_int64(rows.get(), 1), *message});
+            else
+                ++bad;
+        }
+        if (state != SQLITE_DONE)
+            bag_.warnings.push_back("The database is cut off or damaged (" + std::string(sqlite3_errmsg(database_)) +
+                                    "): messages behind the first " + std::to_string(bag_.messages.size()) + " were not read.");
+        if (bad > 0) bag_.warnings.push_back(std::to_string(bad) + " messages are compressed and damaged and were left out.");
+    }
+
+    /// The message in memory of the bag's own: SQLite's is gone with the next row.
+    std::optional<ByteView> stored(ByteView message) {
+        const std::size_t before = bag_.unpacked.size();
+        const auto plain = plainMessage(bag_, message, where_);
+        if (!plain || bag_.unpacked.size() > before) return plain;
+        if (block_ == nullptr || block_->capacity() - block_->size() < message.size()) {
+            block_ = &bag_.unpacked.emplace_back();
+            block_->reserve(std::max(kBlock, message.size()));
+        }
+        const std::size_t at = block_->size();
+        block_->insert(block_->end(), message.begin(), message.end()); // within its capacity: views of it stay
+        return ByteView(*block_).subspan(at);
+    }
+
+    static constexpr std::size_t kBlock = 1 << 20;
+    sqlite3* database_;
+    const std::string& where_;
+    RosBag bag_;
+    std::map<std::int64_t, std::uint32_t> topics_;
+    Bytes* block_ = nullptr; // one of `unpacked` that takes plain messages
+};
+
+} // namespace
+
+Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where) {
+    // A file in WAL mode cannot be read from memory; without its journal it reads as any other file.
+    constexpr std::size_t kVersions = 18; // of the file format for writing and reading: 2 is WAL
+    Bytes plain;
+    if (bytes.size() > kVersions + 1 && (bytes[kVersions] == 2 || bytes[kVersions + 1] == 2)) {
+        if (auto enough = checkMemory(bytes.size(), where); !enough) return enough.error();
+        plain.assign(bytes.begin(), bytes.end());
+        plain[kVersions] = plain[kVersions + 1] = 1;
+        bytes = plain;
+    }
+    sqlite3* opened = nullptr;
+    const bool open = sqlite3_open(":memory:", &opened) == SQLITE_OK;
+    const Database database(opened);
+    auto* own = const_cast<unsigned char*>(bytes.data()); // read only
+    const auto size = static_cast<sqlite3_int64>(bytes.size());
+    if (!open || sqlite3_deserialize(opened, "main", own, size, size, SQLITE_DESERIALIZE_READONLY) != SQLITE_OK)
+        return Error{"this SQLite database cannot be opened", where, "copy it again"};
+    return DatabaseReader(opened, bytes.size(), where).read();
+}
+
+#else
+
+Result<RosBag> readRosDatabase(ByteView, const std::string& where) {
+    return Error{"this is a ROS 2 bag in SQLite, and this program was built without SQLite", where,
+                 "convert it with \"ros2 bag convert\" to MCAP, or install libsqlite3-dev and build again"};
+}
+
+#endif
+
+} // namespace edgescan::containers

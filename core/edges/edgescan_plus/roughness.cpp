@@ -1,0 +1,162 @@
+// Counts the cells that fold around each cell.
+#include "core/edges/edgescan_plus/roughness.h"
+
+#include "core/base/order_statistic.h"
+#include "core/base/simd.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+namespace edgescan::edges {
+namespace {
+
+constexpr float kFolds = 0.45F;                  // of the threshold: a cell that folds
+constexpr float kNearlyEdge = 0.7F;              // of the threshold: a fold that may become an edge
+constexpr double kRoughScan = 0.47;              // median of the shares around such folds
+constexpr float kRoughFrom = 0.45F;              // share from which a fold must be stronger
+constexpr float kReachRad = 0.265F;              // 15 degrees to each side
+constexpr int kLeastReach = 10, kMostReach = 90; // cells
+constexpr int kEvery = 4;                        // lines of which one is looked at for the median
+constexpr int kBits = 64;
+constexpr int kGroupsOfWord = kBits / Roughness::kGroup;
+constexpr double kFineMm = 20; // points closer than that are looked at in squares of two by two cells
+
+EDGESCAN_INLINE void markFolding(const float* alongBeams, const float* alongLines, const Support* support, int beams,
+                                 std::uint8_t* __restrict folding, std::uint8_t* __restrict solid) {
+    for (int j = 0; j < beams; ++j) {
+        const float fold = std::max(std::abs(alongBeams[j]), std::abs(alongLines[j]));
+        const bool isSolid = support[j] != Support::Void;
+        folding[j] = static_cast<std::uint8_t>((fold > kFolds) & isSolid);
+        solid[j] = static_cast<std::uint8_t>(isSolid);
+    }
+}
+
+// Eight bytes of 0 or 1 as bits, the first one lowest.
+std::uint64_t bitsOf(const std::uint8_t* eight) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, eight, sizeof bytes);
+    return (bytes * 0x0102040810204080U) >> 56U;
+}
+
+void pack(const std::vector<std::uint8_t>& marks, std::uint64_t* words) {
+    for (std::size_t at = 0; at < marks.size(); at += kBits) {
+        std::uint64_t word = 0;
+        for (std::size_t n = 0; n < kBits; n += 8) word |= bitsOf(marks.data() + at + n) << n;
+        words[at / kBits] = word;
+    }
+}
+
+float middleOf(const std::vector<float>& steps) { return median(steps, 0.0F); }
+
+int reachOf(float stepRad) {
+    return std::clamp(static_cast<int>(std::lround(kReachRad / std::max(stepRad, 1e-4F))), kLeastReach, kMostReach);
+}
+
+// Per line and group of beams: the number of marks. With `square`, a mark counts for the whole square of two by two cells that it is in.
+Grid<std::uint8_t> groupCounts(const Grid<std::uint64_t>& marks, bool square) {
+    Grid<std::uint8_t> counts(marks.lines, marks.beams * kGroupsOfWord);
+    for (int i = 0; i < marks.lines; ++i) {
+        const std::uint64_t* own = marks.line(i);
+        const std::uint64_t* other = marks.line(square ? std::min(i ^ 1, marks.lines - 1) : i);
+        for (int w = 0; w < marks.beams; ++w) {
+            std::uint64_t word = own[w];
+            if (square) {
+                constexpr std::uint64_t kEven = 0x5555555555555555U;
+                word |= other[w];
+                word = (word | word >> 1U) & kEven;
+                word |= word << 1U;
+            }
+            for (int g = 0; g < kGroupsOfWord; ++g)
+                counts.at(i, w * kGroupsOfWord + g) =
+                    static_cast<std::uint8_t>(std::popcount(word >> static_cast<unsigned>(g * Roughness::kGroup) & 0xFFFFU));
+        }
+    }
+    return counts;
+}
+
+// The sum over the lines and groups within reach of each one.
+Grid<std::uint32_t> sumsAround(const Grid<std::uint8_t>& counts, int up, int aside) {
+    Grid<std::uint32_t> sums(counts.lines, counts.beams);
+    std::vector<std::uint32_t> column(static_cast<std::size_t>(counts.beams)), upTo(column.size() + 1);
+    const auto take = [&](int line, std::uint32_t sign) {
+        const std::uint8_t* from = counts.line(line);
+        for (std::size_t g = 0; g < column.size(); ++g) column[g] += sign * from[g];
+    };
+    for (int i = 0; i < std::min(up, counts.lines); ++i) take(i, 1);
+    for (int i = 0; i < counts.lines; ++i) {
+        if (i + up < counts.lines) take(i + up, 1);
+        if (i - up - 1 >= 0) take(i - up - 1, ~0U);
+        for (std::size_t g = 0; g < column.size(); ++g) upTo[g + 1] = upTo[g] + column[g];
+        std::uint32_t* out = sums.line(i);
+        for (int g = 0; g < counts.beams; ++g)
+            out[g] = upTo[static_cast<std::size_t>(std::min(counts.beams, g + aside + 1))] -
+                     upTo[static_cast<std::size_t>(std::max(0, g - aside))];
+    }
+    return sums;
+}
+
+double total(const Grid<std::uint64_t>& marks) {
+    std::size_t count = 0;
+    for (const std::uint64_t word : marks.cells) count += static_cast<std::size_t>(std::popcount(word));
+    return static_cast<double>(count);
+}
+
+} // namespace
+
+FoldingCells::FoldingCells(int lines, int beamCount)
+    : folding(lines, (beamCount + kBits - 1) / kBits), solid(lines, folding.beams), beams(beamCount) {}
+
+void FoldingCells::note(int line, const float* alongBeams, const float* alongLines, const Support* support) {
+    thread_local std::vector<std::uint8_t> folds, solids;
+    folds.assign(static_cast<std::size_t>(folding.beams) * kBits, 0);
+    solids.assign(folds.size(), 0);
+    vectorised<markFolding>(alongBeams, alongLines, support, beams, folds.data(), solids.data());
+    pack(folds, folding.line(line));
+    pack(solids, solid.line(line));
+}
+
+float Roughness::factorAt(int line, int beam) const {
+    const float times = aroundAt(line, beam) / kRoughFrom;
+    const float square = times * times;
+    return times <= 1 ? 1.0F : square * square * square;
+}
+
+Roughness roughnessOf(const FoldingCells& cells, const AngularSteps& steps, double spacingMm, const Grid<float>& crease) {
+    Roughness result;
+    if (cells.folding.size() == 0) return result;
+    result.share = total(cells.folding) / std::max(1.0, total(cells.solid));
+    const bool square = spacingMm < kFineMm;
+    const int up = reachOf(middleOf(steps.line)), aside = (reachOf(middleOf(steps.beam)) + Roughness::kGroup / 2) / Roughness::kGroup;
+    const Grid<std::uint32_t> folding = sumsAround(groupCounts(cells.folding, square), up, aside);
+    const Grid<std::uint32_t> solid = sumsAround(groupCounts(cells.solid, square), up, aside);
+    result.around = Grid<float>(folding.lines, folding.beams);
+    for (std::size_t k = 0; k < folding.size(); ++k)
+        result.around[k] = solid[k] > 0 ? static_cast<float>(folding[k]) / static_cast<float>(solid[k]) : 0.0F;
+    std::vector<float> aroundFolds;
+    for (int i = 0; i < crease.lines; i += kEvery) {
+        const float* fold = crease.line(i);
+        for (int j = 0; j < crease.beams; ++j) {
+            if (std::abs(fold[j]) > kNearlyEdge) aroundFolds.push_back(result.aroundAt(i, j));
+        }
+    }
+    result.aroundFolds = static_cast<double>(median(std::move(aroundFolds), 0.0F));
+    result.rough = result.aroundFolds > kRoughScan;
+    if (!result.rough) result.around = {};
+    return result;
+}
+
+void weighFolds(const Roughness& roughness, Grid<float>& crease) {
+    if (!roughness.rough) return;
+    for (int i = 0; i < crease.lines; ++i) {
+        float* fold = crease.line(i);
+        for (int j = 0; j < crease.beams; ++j) {
+            if (fold[j] != 0) fold[j] /= roughness.factorAt(i, j);
+        }
+    }
+}
+
+} // namespace edgescan::edges

@@ -1,0 +1,43 @@
+// How rough the surfaces of a scan are: where nearly half of the cells fold, a fold must exceed its surroundings
+// (docs/method/edges.md, "Rough scans").
+#pragma once
+
+#include "core/edges/edgescan_plus/range_field.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace edgescan::edges {
+
+/// One bit per cell, lines x words: the cells that fold before suppression, and those that are not void.
+struct FoldingCells {
+    Grid<std::uint64_t> folding, solid;
+    int beams = 0;
+
+    FoldingCells() = default;
+    FoldingCells(int lines, int beamCount);
+    /// Notes one line. `alongBeams`, `alongLines`: S_C of its cells. Lines may be noted in any order, and by several threads.
+    void note(int line, const float* alongBeams, const float* alongLines, const Support* support);
+};
+
+/// The share of the cells within 15 degrees that fold.
+struct Roughness {
+    double share = 0;       ///< of all cells of the scan
+    double aroundFolds = 0; ///< median around those cells whose fold is, or is nearly, an edge
+    bool rough = false;     ///< the scan is one of rough surfaces: aroundFolds is above 0.47
+    Grid<float> around;     ///< lines x groups of kGroup beams; empty unless the scan is rough
+
+    static constexpr int kGroup = 16;
+
+    [[nodiscard]] float aroundAt(int line, int beam) const { return around.at(line, beam / kGroup); }
+    /// How many times as strong as elsewhere a fold must be: 1 where the surface is not rough.
+    [[nodiscard]] float factorAt(int line, int beam) const;
+};
+
+/// `crease`: S_C after suppression. `spacingMm`: of the points.
+[[nodiscard]] Roughness roughnessOf(const FoldingCells& cells, const AngularSteps& steps, double spacingMm, const Grid<float>& crease);
+
+/// Divides each fold by the factor of its cell, if the scan is rough.
+void weighFolds(const Roughness& roughness, Grid<float>& crease);
+
+} // namespace edgescan::edges

@@ -1,0 +1,21 @@
+// The rim of an open void: a chimney, a brow, the end of a wall (docs/method/edges.md, "The rim of an open void").
+#pragma once
+
+#include "core/edges/edgescan_plus/range_field.h"
+#include "core/scan/grid/scan.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace edgescan::edges {
+
+/// The cells without a range that say nothing about the surface, ascending: a filter left them out, or their telegrams never arrived.
+[[nodiscard]] std::vector<std::uint32_t> withheldCells(const Scan& scan);
+
+/// Measured cells next to a void of at least 30 connected cells (4 neighbours), ascending. A cell is left out where its surface slants by
+/// more than 70 degrees towards the void: there ranges fade out, and nothing ends. `withheld` cells do not belong to a void: missing data has
+/// no rim (docs/reference/rules.md, "S3").
+[[nodiscard]] std::vector<std::uint32_t> voidRimCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits,
+                                                      const std::vector<std::uint32_t>& withheld);
+
+} // namespace edgescan::edges

@@ -1,0 +1,90 @@
+// Words for topics, from the first message of each.
+#include "core/files/ros/bag_listing.h"
+
+#include "core/files/ros/bag_topics.h"
+#include "core/files/ros/frames.h"
+
+#include <algorithm>
+
+namespace edgescan::files {
+namespace {
+
+using containers::RosValue;
+
+constexpr std::size_t kMostNames = 20;
+
+std::string textIn(const RosValue& value) { return {reinterpret_cast<const char*>(value.bytes.data()), value.bytes.size()}; }
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t n = 0; n < std::min(names.size(), kMostNames); ++n) text += (n == 0 ? "" : ", ") + names[n];
+    return names.size() > kMostNames ? text + " and others" : text;
+}
+
+std::size_t lengthOf(const RosValue& message, const char* path) {
+    const RosValue* array = message.at(path);
+    return array == nullptr ? 0 : array->count;
+}
+
+std::string wholeText(const RosValue& message, const char* path) {
+    return std::to_string(static_cast<long long>(message.number(path).value_or(0)));
+}
+
+std::string jointsIn(const RosValue& message) {
+    std::vector<std::string> names;
+    if (const RosValue* all = message.at("name")) {
+        for (const RosValue& name : all->inside) names.push_back(textIn(name));
+    }
+    return "joints: " + joined(names);
+}
+
+std::string linksIn(const RosValue& message) {
+    std::vector<std::string> names;
+    if (const RosValue* all = message.at("transforms")) {
+        for (const RosValue& one : all->inside)
+            names.push_back(frameNameOf(one.text("child_frame_id")) + " in " + frameNameOf(one.text("header.frame_id")));
+    }
+    return "transforms: " + joined(names);
+}
+
+std::string fieldsIn(const RosValue& message) {
+    std::vector<std::string> names;
+    if (const RosValue* all = message.at("fields")) {
+        for (const RosValue& field : all->inside) names.emplace_back(field.text("name"));
+    }
+    return wholeText(message, "height") + " x " + wholeText(message, "width") + " points with " + joined(names);
+}
+
+std::string given(const std::string& type, const RosValue& message) {
+    if (type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan")
+        return "scan lines of " + std::to_string(lengthOf(message, "ranges")) + " beams";
+    if (type == "sensor_msgs/PointCloud2") return fieldsIn(message);
+    if (type == "sensor_msgs/JointState") return jointsIn(message);
+    if (type == "tf2_msgs/TFMessage" || type == "tf/tfMessage") return linksIn(message);
+    return {};
+}
+
+} // namespace
+
+BagListing listingOf(const containers::RosBag& bag) {
+    BagListing listing{bag.kind, {}, bag.warnings};
+    std::vector<const containers::RosBagMessage*> first(bag.topics.size(), nullptr);
+    for (const containers::RosBagMessage& message : bag.messages) {
+        if (first[message.topic] == nullptr) first[message.topic] = &message;
+    }
+    for (const BagTopic& topic : bagTopics(bag)) {
+        const containers::RosTopic& of = bag.topics[topic.topic];
+        ListedTopic row{of.name, of.type, topic.messages, topic.hertz, {}, {}, topic.gives != TopicGives::Nothing};
+        const auto definition = containers::rosDefinition(of.type, of.definition, "");
+        const auto message = definition ? containers::rosMessage(*definition, of.encoding, first[topic.topic]->bytes, "")
+                                        : Result<RosValue>(definition.error());
+        if (message) {
+            row.frame = frameNameOf(message->text("header.frame_id"));
+            row.gives = given(of.type, *message);
+        }
+        listing.topics.push_back(std::move(row));
+    }
+    return listing;
+}
+
+} // namespace edgescan::files

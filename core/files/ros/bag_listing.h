@@ -1,0 +1,30 @@
+// What the topics of a bag would give, for people who choose one.
+#pragma once
+
+#include "core/containers/ros/bag.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace edgescan::files {
+
+struct ListedTopic {
+    std::string name, type;
+    std::size_t messages = 0;
+    double hertz = 0;    ///< mean rate; 0: fewer than two messages
+    std::string frame;   ///< of the first message; empty: it has none
+    std::string gives;   ///< "scan lines of 541 beams", "joints: tilt, wheel"; empty: nothing that is used
+    bool isScan = false; ///< --topic may choose it
+};
+
+struct BagListing {
+    std::string kind; ///< RosBag::kind
+    std::vector<ListedTopic> topics;
+    std::vector<std::string> warnings;
+};
+
+/// One row per topic with messages, in the order of the bag.
+[[nodiscard]] BagListing listingOf(const containers::RosBag& bag);
+
+} // namespace edgescan::files

@@ -1,0 +1,235 @@
+// Lines of a laser with their angles, assembled to sweeps.
+#include "core/files/ros/bag_sweep.h"
+
+#include "core/base/number_text.h"
+#include "core/files/ros/bag_place.h"
+#include "core/files/ros/laser_lines.h"
+#include "core/files/ros/laser_motion.h"
+#include "core/scan/grid/acquisition.h"
+#include "core/scanner/sweep_assembly/sweep_assembler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::files {
+namespace {
+
+constexpr double kStillShare = 0.05; // of the median step from line to line
+constexpr double kWorthSayingDeg = 0.5, kWorthSayingM = 0.002;
+
+Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& where) {
+    FrameTree tree;
+    for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
+        if (bag.topics[topic].type != "tf2_msgs/TFMessage" && bag.topics[topic].type != "tf/tfMessage") continue;
+        const auto definition = containers::rosDefinition(bag.topics[topic].type, bag.topics[topic].definition, where);
+        if (!definition) return definition.error();
+        for (const containers::RosBagMessage& stored : bag.messages) {
+            if (stored.topic != topic) continue;
+            if (const auto message = containers::rosMessage(*definition, bag.topics[topic].encoding, stored.bytes, where))
+                tree.add(*message);
+        }
+    }
+    tree.finish();
+    return tree;
+}
+
+double middleOf(const LaserLines& lines) {
+    const scanner::BeamGrid& beams = lines.lines.front().line.beams;
+    return beams.startDeg + beams.stepDeg * (beams.beams - 1) / 2;
+}
+
+/// How the laser was turned; empty: only the step from line to line is known.
+Result<std::optional<LaserMotion>> motionOf(const containers::RosBag& bag, const FrameTree& tree, const LaserLines& lines,
+                                            const Source& source) {
+    const std::string where = source.path.string();
+    const std::int64_t from = lines.lines.front().stampNs, to = lines.lines.back().stampNs;
+    const std::string& joint = source.options->joint;
+    if (joint.empty()) {
+        auto byFrames = motionByFrames(tree, lines.frame, middleOf(lines), from, to, where);
+        if (byFrames) return std::optional(std::move(*byFrames));
+        auto byJoint = motionByJoint(bag, joint, from, to, where);
+        if (byJoint) return std::optional(std::move(*byJoint));
+        if (source.options->lineStepDeg) return std::optional<LaserMotion>();
+        return byFrames.error();
+    }
+    auto byJoint = motionByJoint(bag, joint, from, to, where);
+    if (!byJoint) return byJoint.error();
+    return std::optional(std::move(*byJoint));
+}
+
+class Sweeps {
+public:
+    Sweeps(const containers::RosBag& bag, const BagTopic& topic, const Source& source)
+        : bag_(bag), topic_(topic), source_(source), where_(source.path.string()) {}
+
+    Result<Scan> assemble() {
+        auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_);
+        if (!lines) return lines.error();
+        lines_ = std::move(*lines);
+        auto tree = framesOf(bag_, where_);
+        if (!tree) return tree.error();
+        auto motion = motionOf(bag_, *tree, lines_, source_);
+        if (!motion) return motion.error();
+        motion_ = std::move(*motion);
+        tree_ = std::move(*tree);
+        warnings_ = bag_.warnings;
+        warnings_.insert(warnings_.end(), tree_.warnings().begin(), tree_.warnings().end());
+        sayWhatWasTaken();
+        giveAngles();
+        return chosen();
+    }
+
+private:
+    void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
+
+    void sayWhatWasTaken() {
+        const std::vector<BagTopic> topics = bagTopics(bag_);
+        const auto scans = std::ranges::count_if(topics, [](const BagTopic& t) { return t.gives != TopicGives::Nothing; });
+        if (scans > 1 && source_.options->topic.empty()) {
+            std::string others;
+            for (const BagTopic& topic : topics) {
+                if (topic.gives != TopicGives::Nothing && topic.topic != topic_.topic)
+                    others += (others.empty() ? "" : ", ") + topicText(bag_, topic);
+            }
+            warn("GUESS: the topic " + topicText(bag_, topic_) + " was taken; --topic chooses another: " + others + ".");
+        }
+        if (bag_.topics[topic_.topic].assumed)
+            warn("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
+        if (lines_.unreadable > 0)
+            warn(std::to_string(lines_.unreadable) + " messages of the topic were left out: " + lines_.whyUnreadable + ".");
+        if (lines_.disordered > 0)
+            warn(std::to_string(lines_.disordered) + " lines came out of order and were put in the order of their stamps.");
+        if (!motion_) return;
+        if (source_.options->joint.empty()) warn("GUESS: the angle of each line comes from " + motion_->source + ".");
+        if (motion_->axisAssumed && !source_.options->axis)
+            warn("A joint does not say how the laser is mounted on it. ASSUMED: the axis (spin). Give --axis where that is wrong.");
+        if (motion_->outOfPlaneDeg > kWorthSayingDeg)
+            warn("The axis is " + significantText(motion_->outOfPlaneDeg, 2) +
+                 " degrees out of the plane of the fan: points are that far off.");
+        if (motion_->offAxisM > kWorthSayingM)
+            warn("The laser is " + significantText(motion_->offAxisM * 1000, 3) +
+                 " mm off its axis: ranges are as measured, and points are as if it were on the axis.");
+    }
+
+    /// Lines get their angles. Lines before the first and after the last angle, and lines of a laser at rest, are left out.
+    void giveAngles() {
+        std::vector<LaserLine>& all = lines_.lines;
+        for (LaserLine& line : all) {
+            scanner::SweepLine& to = line.line;
+            if (line.beamS == 0) continue;
+            to.facts.secondsPerTurn = line.beamS * 360.0 / to.beams.stepDeg;
+            skewed_ = true;
+        }
+        const double shift = motion_ && !motion_->axisAssumed ? motion_->beamShiftDeg : forwardShiftDeg(middleOf(lines_));
+        for (LaserLine& line : all) line.line.beams.startDeg -= shift;
+        if (!motion_) return;
+        std::size_t outside = 0;
+        std::vector<double> steps;
+        for (LaserLine& line : all) {
+            const AngleAt angle = angleAt(motion_->angles, line.stampNs);
+            outside += angle.inside ? 0 : 1;
+            scanner::LineTiming& facts = line.line.facts;
+            facts.stepperDeg = angle.deg;
+            facts.degPerSecond = angle.degPerS;
+            facts.stepperSettled = angle.inside;
+        }
+        std::erase_if(all, [](const LaserLine& line) { return !line.line.facts.stepperSettled; });
+        if (outside > 0) warn(std::to_string(outside) + " lines were measured before the first or after the last angle and were left out.");
+        const auto moved = [&](std::size_t n) { return std::abs(*all[n].line.facts.stepperDeg - *all[n - 1].line.facts.stepperDeg); };
+        for (std::size_t n = 1; n < all.size(); ++n) {
+            if (moved(n) > 0) steps.push_back(moved(n));
+        }
+        if (steps.empty()) return;
+        const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+        std::ranges::nth_element(steps, middle);
+        const double least = kStillShare * *middle;
+        std::vector<LaserLine> turning;
+        for (std::size_t n = 0; n < all.size(); ++n) {
+            if ((n > 0 && moved(n) > least) || (n == 0 && all.size() > 1 && moved(1) > least)) turning.push_back(std::move(all[n]));
+        }
+        if (turning.size() < all.size())
+            warn(std::to_string(all.size() - turning.size()) + " lines were measured while the laser did not turn and were left out.");
+        all = std::move(turning);
+    }
+
+    scanner::SweepSettings settings() const {
+        scanner::SweepSettings settings;
+        const ReadingOptions& options = *source_.options;
+        settings.axis = options.axis ? *options.axis : motion_ ? motion_->axis : Axis::Spin;
+        settings.axisAssumed = !options.axis && !motion_;
+        settings.degPerLine = options.lineStepDeg;
+        if (options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
+        settings.continuous = skewed_;
+        settings.outputInterval = 1;
+        const scanner::BeamGrid& beams = lines_.lines.front().line.beams;
+        settings.indexDeg = lines_.reversed ? beams.startDeg + beams.stepDeg * (beams.beams - 1) : beams.startDeg;
+        return settings;
+    }
+
+    Result<Scan> chosen() {
+        if (lines_.lines.empty())
+            return Error{"the laser did not turn while it measured", where_, "choose another topic, or give the joint that turns it"};
+        scanner::SweepAssembler assembler(settings());
+        const std::optional<std::size_t> wanted = source_.options->scanIndex;
+        scanner::FinishedSweep best;
+        std::size_t sweeps = 0, number = 0;
+        const auto collect = [&] {
+            for (scanner::FinishedSweep& sweep : assembler.takeFinished()) {
+                if (wanted ? *wanted == sweeps : !best.scan || sweep.progress.received > best.progress.received) {
+                    best = std::move(sweep);
+                    number = sweeps;
+                }
+                ++sweeps;
+            }
+        };
+        const std::int64_t first = lines_.lines.front().stampNs;
+        for (LaserLine& line : lines_.lines) {
+            const auto done = static_cast<double>(line.stampNs - first);
+            if (!source_.goOn("assembling lines", done / std::max(1.0, static_cast<double>(lines_.lines.back().stampNs - first))))
+                return source_.cancelled();
+            assembler.push(std::move(line.line), line.stampNs);
+            collect();
+        }
+        assembler.finish();
+        collect();
+        if (sweeps == 0)
+            return Error{"no line of the topic " + bag_.topics[topic_.topic].name + " could be placed", where_, "choose another topic"};
+        if (!best.scan)
+            return Error{"the topic " + bag_.topics[topic_.topic].name + " holds " + std::to_string(sweeps) +
+                             (sweeps == 1 ? " sweep" : " sweeps"),
+                         where_, "choose one of them with --scan, from 0"};
+        Scan scan = *best.scan;
+        if (sweeps > 1)
+            warn("The topic holds " + std::to_string(sweeps) + " sweeps; sweep " + std::to_string(number) +
+                 ", counted from 0, was opened. --scan chooses another.");
+        if (motion_ && source_.options->pose.empty()) placeByFrames(scan, tree_, *motion_, warnings_);
+        scan.warnings.insert(scan.warnings.begin(), warnings_.begin(), warnings_.end());
+        scan.format = bag_.kind;
+        if (scan.acquisition) {
+            Acquisition device = *scan.acquisition;
+            device.vendor.clear();
+            device.clockSource = "the stamps of the messages";
+            device.contamination.clear();
+            scan.acquisition = std::make_shared<const Acquisition>(std::move(device));
+        }
+        return scan;
+    }
+
+    const containers::RosBag& bag_;
+    const BagTopic& topic_;
+    const Source& source_;
+    const std::string where_;
+    LaserLines lines_;
+    FrameTree tree_;
+    std::optional<LaserMotion> motion_;
+    std::vector<std::string> warnings_;
+    bool skewed_ = false;
+};
+
+} // namespace
+
+Result<Scan> sweepOfBag(const containers::RosBag& bag, const BagTopic& topic, const Source& source) {
+    return Sweeps(bag, topic, source).assemble();
+}
+
+} // namespace edgescan::files

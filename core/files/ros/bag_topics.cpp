@@ -1,0 +1,83 @@
+// Which topic of a bag is a scan.
+#include "core/files/ros/bag_topics.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace edgescan::files {
+namespace {
+
+TopicGives givenBy(const std::string& type) {
+    if (type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan") return TopicGives::Lines;
+    return type == "sensor_msgs/PointCloud2" ? TopicGives::Clouds : TopicGives::Nothing;
+}
+
+std::string listed(const containers::RosBag& bag, const std::vector<BagTopic>& topics, bool scansOnly = true) {
+    constexpr std::size_t kLongest = 1000;
+    std::string text;
+    for (const BagTopic& topic : topics) {
+        if (scansOnly && topic.gives == TopicGives::Nothing) continue;
+        if (text.size() > kLongest) return text + " and others";
+        text += (text.empty() ? "" : ", ") + topicText(bag, topic);
+    }
+    return text;
+}
+
+} // namespace
+
+std::vector<BagTopic> bagTopics(const containers::RosBag& bag) {
+    struct Span {
+        std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = std::numeric_limits<std::int64_t>::min();
+    };
+    std::vector<BagTopic> all(bag.topics.size());
+    std::vector<Span> spans(bag.topics.size());
+    for (const containers::RosBagMessage& message : bag.messages) {
+        BagTopic& topic = all[message.topic];
+        ++topic.messages;
+        topic.largest = std::max(topic.largest, message.bytes.size());
+        Span& span = spans[message.topic];
+        span.first = std::min(span.first, message.logNs);
+        span.last = std::max(span.last, message.logNs);
+    }
+    for (std::uint32_t n = 0; n < all.size(); ++n) {
+        all[n].topic = n;
+        all[n].gives = givenBy(bag.topics[n].type);
+        if (all[n].messages > 1 && spans[n].last > spans[n].first)
+            all[n].hertz = static_cast<double>(all[n].messages - 1) * 1e9 / static_cast<double>(spans[n].last - spans[n].first);
+    }
+    std::erase_if(all, [](const BagTopic& topic) { return topic.messages == 0; });
+    return all;
+}
+
+std::string topicText(const containers::RosBag& bag, const BagTopic& topic) {
+    const containers::RosTopic& of = bag.topics[topic.topic];
+    return of.name + " (" + of.type + ", " + std::to_string(topic.messages) + (topic.messages == 1 ? " message" : " messages") +
+           (topic.hertz > 0 ? " at " + significantText(topic.hertz, 3) + " Hz" : "") + ")";
+}
+
+Result<BagTopic> chosenTopic(const containers::RosBag& bag, const std::string& name, const std::string& where) {
+    const std::vector<BagTopic> topics = bagTopics(bag);
+    const std::string scans = listed(bag, topics);
+    if (scans.empty())
+        return Error{"no topic of this " + bag.kind + " is a laser's" + (topics.empty() ? "" : ": " + listed(bag, topics, false)), where,
+                     "choose another bag"};
+    const BagTopic* best = nullptr;
+    for (const BagTopic& topic : topics) {
+        if (name.empty()) {
+            const auto rank = [](const BagTopic& t) { return t.gives == TopicGives::Lines ? t.messages : t.largest; };
+            if (topic.gives == TopicGives::Nothing) continue;
+            const bool kindWins = best != nullptr && topic.gives == TopicGives::Lines && best->gives == TopicGives::Clouds;
+            if (best == nullptr || kindWins || (topic.gives == best->gives && rank(topic) > rank(*best))) best = &topic;
+        } else if (bag.topics[topic.topic].name == name && (best == nullptr || topic.messages > best->messages)) {
+            best = &topic;
+        }
+    }
+    if (best == nullptr) return Error{"the bag has no topic \"" + name + "\"", where, "choose one of " + scans};
+    if (best->gives == TopicGives::Nothing)
+        return Error{"the topic " + topicText(bag, *best) + " holds no scan", where, "choose one of " + scans};
+    return *best;
+}
+
+} // namespace edgescan::files

@@ -1,0 +1,33 @@
+// The topics of a bag, what each would give, and which one is taken.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/containers/ros/bag.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace edgescan::files {
+
+enum class TopicGives : std::uint8_t { Nothing, Lines, Clouds };
+
+struct BagTopic {
+    std::uint32_t topic = 0; ///< index in RosBag::topics
+    TopicGives gives = TopicGives::Nothing;
+    std::size_t messages = 0;
+    double hertz = 0;        ///< mean rate; 0: fewer than two messages
+    std::size_t largest = 0; ///< bytes of the largest message
+};
+
+/// One row per topic with messages, in the order of the bag.
+[[nodiscard]] std::vector<BagTopic> bagTopics(const containers::RosBag& bag);
+
+/// "/scan (sensor_msgs/LaserScan, 1000 messages at 50 Hz)".
+[[nodiscard]] std::string topicText(const containers::RosBag& bag, const BagTopic& topic);
+
+/// The topic called `name`; without a name the topic of lines with most messages, else that of clouds with most bytes. Error: the bag has
+/// not this topic, or it has none that gives a scan; the hint lists those that do.
+Result<BagTopic> chosenTopic(const containers::RosBag& bag, const std::string& name, const std::string& where);
+
+} // namespace edgescan::files

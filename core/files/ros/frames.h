@@ -1,0 +1,54 @@
+// The frames of a ROS bag: which frame is fixed to which, where it was at what time (tf2_msgs/TFMessage, REP 105).
+#pragma once
+
+#include "core/containers/ros/message.h"
+#include "core/scan/grid/placement.h"
+
+#include <Eigen/Geometry>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgescan::files {
+
+/// "/laser" and "laser" are one frame.
+[[nodiscard]] std::string frameNameOf(std::string_view name);
+
+/// A frame in its parent, metres.
+struct TimedPose {
+    std::int64_t ns = 0; ///< since 1970 UTC
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d translationM = Eigen::Vector3d::Zero();
+};
+
+struct FrameLink {
+    std::string parent;
+    std::vector<TimedPose> poses; ///< by time; one if the link is static
+};
+
+class FrameTree {
+public:
+    /// The transforms of one message. Those with a rotation of length 0 or numbers that are not finite are counted and left out.
+    void add(const containers::RosValue& tfMessage);
+    /// Sorts the poses. Call it after the last message; warnings about loops and other parents follow from it.
+    void finish();
+
+    /// Frames from `frame` up to its root, itself first. A loop ends it.
+    [[nodiscard]] std::vector<std::string> chain(const std::string& frame) const;
+    /// Where a frame is in its parent: between two poses the rotation by slerp, before the first and after the last theirs. Empty: no
+    /// parent.
+    [[nodiscard]] std::optional<RigidTransform> inParent(const std::string& frame, std::int64_t ns) const;
+    /// Where a frame is in one of those above it. Empty: that frame is not above it.
+    [[nodiscard]] std::optional<RigidTransform> inFrame(const std::string& frame, const std::string& above, std::int64_t ns) const;
+    [[nodiscard]] const FrameLink* link(const std::string& frame) const;
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+private:
+    std::map<std::string, FrameLink> links_; // by child
+    std::size_t unusable_ = 0, moved_ = 0;
+    std::vector<std::string> warnings_;
+};
+
+} // namespace edgescan::files

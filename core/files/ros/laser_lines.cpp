@@ -1,0 +1,173 @@
+// Laser messages as scan lines.
+#include "core/files/ros/laser_lines.h"
+
+#include "core/base/angles.h"
+#include "core/base/physical_limits.h"
+#include "core/files/ros/frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace edgescan::files {
+namespace {
+
+using containers::RosValue;
+
+constexpr double kMmPerM = 1000.0;
+constexpr double kNsPerS = 1e9;
+constexpr std::size_t kMostBeams = 1'000'000;
+constexpr double kOfNew = 0.05;          // share of a new line in the usual lateness
+constexpr std::size_t kAhead = 8;        // lines that must be late, too, until a late line shows that others were lost
+constexpr double kMostLostLines = 30000; // by one gap: a longer one begins another sweep anyway
+
+/// Millimetres of a range in metres of 4 bytes: the whole number whose nearest float it is, if there is one.
+float millimetresOf(double metres) {
+    const double mm = metres * kMmPerM, whole = std::round(mm);
+    return static_cast<float>(static_cast<float>(whole / kMmPerM) == static_cast<float>(metres) ? whole : mm);
+}
+
+/// The echoes of each beam: one number, or the first or last of several.
+std::vector<double> echoesOf(const RosValue& message, const char* name, scanner::Echo echo) {
+    const RosValue* values = message.at(name);
+    if (values == nullptr || values->field == nullptr) return {};
+    if (values->field->scalar != containers::RosScalar::Message) return message.numbers(name);
+    std::vector<double> all;
+    for (const RosValue& beam : values->inside) {
+        const std::vector<double> echoes = beam.numbers("echoes");
+        all.push_back(echoes.empty()                 ? std::numeric_limits<double>::quiet_NaN()
+                      : echo == scanner::Echo::First ? echoes.front()
+                                                     : echoes.back());
+    }
+    return all;
+}
+
+void takeRanges(scanner::SweepLine& line, const std::vector<double>& rangesM, double leastM, double mostM) {
+    for (const double metres : rangesM) {
+        const bool isRange = std::isfinite(metres) && metres > 0 && metres >= leastM && metres <= mostM &&
+                             physical::kRangeMm.hold(static_cast<float>(metres * kMmPerM));
+        line.ranges.rangeMm.push_back(isRange ? millimetresOf(metres) : 0.0F);
+        line.ranges.state.push_back(isRange ? CellState::Valid : CellState::NoReturn);
+    }
+}
+
+/// The line in a message; its counters are set later. Empty: there are no beams, or their angles are not numbers.
+std::optional<LaserLine> lineOf(const RosValue& message, scanner::Echo echo) {
+    const auto number = [&](const char* name, double otherwise) {
+        const double value = message.number(name).value_or(otherwise);
+        return std::isfinite(value) ? value : otherwise;
+    };
+    const auto stamp = containers::stampNs(message, "header.stamp");
+    const double step = number("angle_increment", 0);
+    std::vector<double> rangesM = echoesOf(message, "ranges", echo);
+    if (!stamp || rangesM.empty() || step == 0 || rangesM.size() > kMostBeams) return std::nullopt;
+    LaserLine found;
+    found.stampNs = *stamp;
+    found.beamS = number("time_increment", 0);
+    scanner::SweepLine& line = found.line;
+    const auto count = static_cast<int>(rangesM.size());
+    line.beams = {scanner::snappedDeg(degrees(number("angle_min", 0))), scanner::snappedDeg(degrees(step)), count};
+    const double most = number("range_max", std::numeric_limits<double>::max());
+    takeRanges(line, rangesM, number("range_min", 0), most > 0 ? most : std::numeric_limits<double>::max());
+    const std::vector<double> strengths = echoesOf(message, "intensities", echo);
+    if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
+    if (step < 0) {
+        found.beamS = -found.beamS;
+        line.beams.startDeg += line.beams.stepDeg * (count - 1);
+        line.beams.stepDeg = -line.beams.stepDeg;
+        std::ranges::reverse(line.ranges.rangeMm);
+        std::ranges::reverse(line.ranges.state);
+        std::ranges::reverse(line.intensity);
+    }
+    if (const double turn = number("scan_time", 0); turn > 0) line.facts.secondsPerTurn = turn;
+    line.echoes = "ranges";
+    return found;
+}
+
+double secondsBetween(const LaserLine& a, const LaserLine& b) { return static_cast<double>(b.stampNs - a.stampNs) / kNsPerS; }
+
+/// From line to line: the mean of all that are within a half of the median.
+double usualPeriodS(const std::vector<LaserLine>& lines) {
+    std::vector<double> periods;
+    for (std::size_t n = 1; n < lines.size(); ++n) {
+        if (const double s = secondsBetween(lines[n - 1], lines[n]); s > 0) periods.push_back(s);
+    }
+    if (periods.empty()) return scanner::LineCount{}.periodS;
+    const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
+    std::ranges::nth_element(periods, middle);
+    const double median = *middle;
+    std::erase_if(periods, [&](double s) { return std::abs(s - median) > median / 2; });
+    double sum = 0;
+    for (const double s : periods) sum += s;
+    return sum / static_cast<double>(periods.size());
+}
+
+/// Lines that are missing before each line. Stamps of a computer jitter by more than a half of a period: a line is late because others are
+/// missing if all lines behind it are as late.
+std::vector<std::uint32_t> missingBefore(const LaserLines& all) {
+    const std::size_t lines = all.lines.size();
+    std::vector<double> late(lines, 0.0); // periods behind the first line, without those of the lines between
+    for (std::size_t n = 0; n < lines; ++n)
+        late[n] = secondsBetween(all.lines.front(), all.lines[n]) / all.periodS - static_cast<double>(n);
+    std::vector<std::uint32_t> missing(lines, 0);
+    double usual = 0;
+    for (std::size_t n = 1; n < lines; ++n) {
+        const auto from = late.begin() + static_cast<std::ptrdiff_t>(n);
+        const double least = *std::min_element(from, late.begin() + static_cast<std::ptrdiff_t>(std::min(n + kAhead, lines)));
+        const double gap = std::max(0.0, std::round(least - usual));
+        missing[n] = static_cast<std::uint32_t>(std::min(gap, kMostLostLines));
+        usual += gap;
+        usual += kOfNew * (least - usual);
+    }
+    return missing;
+}
+
+void count(LaserLines& all) {
+    const std::vector<std::uint32_t> missing = missingBefore(all);
+    std::uint64_t number = 0;
+    for (std::size_t n = 0; n < all.lines.size(); ++n) {
+        scanner::SweepLine& line = all.lines[n].line;
+        if (n > 0) number += 1 + missing[n];
+        const auto us = static_cast<std::uint32_t>((all.lines[n].stampNs - all.lines.front().stampNs) / 1000);
+        line.count = {static_cast<std::uint16_t>(number), static_cast<std::uint16_t>(number), us, us, all.periodS};
+        line.facts.hostNs = line.facts.stampNs = all.lines[n].stampNs;
+    }
+}
+
+} // namespace
+
+Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where) {
+    const containers::RosTopic& of = bag.topics[topic];
+    const auto definition = containers::rosDefinition(of.type, of.definition, where);
+    if (!definition) return definition.error();
+    LaserLines all;
+    const auto unreadable = [&](const std::string& why) {
+        if (all.unreadable++ == 0) all.whyUnreadable = why;
+    };
+    for (const containers::RosBagMessage& stored : bag.messages) {
+        if (stored.topic != topic) continue;
+        const auto message = containers::rosMessage(*definition, of.encoding, stored.bytes, where);
+        if (!message) {
+            unreadable(message.error().what);
+            continue;
+        }
+        auto line = lineOf(*message, echo);
+        if (!line) {
+            unreadable("it has no beams, no stamp or no step between beams");
+            continue;
+        }
+        if (all.frame.empty()) all.frame = frameNameOf(message->text("header.frame_id"));
+        all.reversed = all.reversed || message->number("angle_increment").value_or(0) < 0;
+        if (!all.lines.empty() && line->stampNs < all.lines.back().stampNs) ++all.disordered;
+        all.lines.push_back(std::move(*line));
+    }
+    if (all.lines.empty())
+        return Error{"no message of the topic " + of.name + " is a line of ranges" + (all.unreadable > 0 ? ": " + all.whyUnreadable : ""),
+                     where, "choose another topic"};
+    std::ranges::stable_sort(all.lines, {}, &LaserLine::stampNs);
+    all.periodS = usualPeriodS(all.lines);
+    count(all);
+    return all;
+}
+
+} // namespace edgescan::files

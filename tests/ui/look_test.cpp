@@ -1,0 +1,294 @@
+// The look: what is on the screen once, what needs one line, what can be pressed, and what asks in time.
+#include "core/edges/settings/parameters.h"
+#include "tests/support/folders.h"
+#include "tests/support/placements.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/pane.h"
+#include "ui/controllers/report_pdf.h"
+#include "ui/panels/cab/keypad.h"
+#include "ui/panels/dialogs/export_dialog.h"
+#include "ui/panels/dialogs/report_form.h"
+#include "ui/panels/live/state_badge.h"
+#include "ui/views/cloud/view_cube.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/pane_places.h"
+#include "ui/window/theme.h"
+#include "ui/window/tool_bar.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPlainTextEdit>
+#include <QToolButton>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class LookTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string bell_;
+
+    static QMenu* menuNamed(const MainWindow& window, const QString& name) {
+        for (QAction* each : window.menuBar()->actions()) {
+            if (each->text().remove('&') == name) return each->menu();
+        }
+        return nullptr;
+    }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        sim::SimulationSettings settings;
+        settings.seed = 101;
+        settings.lines = 150;
+        settings.beams = 171;
+        bell_ = (folder_ / "bell.json").string();
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, bell_)));
+    }
+
+    void aNoticeTakesOneLineAndTheRestIsShownOnRequest() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_));
+        NoticeBar& notice = on.viewer.notice;
+        auto* more = notice.findChild<QToolButton*>("notice-unfold");
+        notice.showNotice(NoticeBar::Kind::Warning, "short");
+        QTRY_VERIFY(notice.isVisible());
+        const int one = notice.height();
+        QVERIFY(more->isHidden());
+        const QString text = QString("line of a long warning\n").repeated(12).trimmed();
+        notice.showNotice(NoticeBar::Kind::Warning, text);
+        QTRY_VERIFY(more->isVisible());
+        QVERIFY2(notice.height() <= one + 2, qPrintable(QString("%1 after %2").arg(notice.height()).arg(one)));
+        QCOMPARE(notice.text(), text);
+        QTest::mouseClick(more, Qt::LeftButton);
+        QVERIFY(notice.unfolded());
+        QTRY_VERIFY(notice.height() > 5 * one);
+        QTest::mouseClick(more, Qt::LeftButton);
+        QTRY_VERIFY(notice.height() <= one + 2);
+        notice.unfold(true);
+        notice.showNotice(NoticeBar::Kind::Warning, text + " again"); // the next one is folded
+        QVERIFY(!notice.unfolded());
+    }
+
+    void noMenuOfTheWindowIsLong() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        const QMenu* view = menuNamed(on.window, "View");
+        QVERIFY(view != nullptr);
+        int entries = 0;
+        for (const QAction* each : view->actions()) entries += each->isSeparator() ? 0 : 1;
+        QVERIFY2(entries <= 20, qPrintable(QString::number(entries)));
+    }
+
+    void whatNeedsAScanIsDisabledBeforeOneIsOpen() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        const auto enabled = [&] {
+            QStringList names;
+            for (const auto* button : on.viewer.tools.findChildren<QToolButton*>()) {
+                if (!button->accessibleName().isEmpty() && button->isEnabled()) names << button->accessibleName();
+            }
+            return names;
+        };
+        QCOMPARE(enabled(), (QStringList{"Open", "Connect", "Cab"}));
+        QVERIFY(on.open(bell_));
+        const QStringList then = enabled();
+        for (const char* name :
+             {"Open", "Connect", "Pin", "Measure", "Select", "Why", "Scanner view", "Fit", "Rocks", "A/B", "Export", "Report"})
+            QVERIFY2(then.contains(name), name);
+    }
+
+    void theBadgeIsInTheToolBarAtEveryWidth() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        for (const int width : {900, 1100, 1280, 1920}) {
+            on.window.resize(width, 700);
+            QCoreApplication::processEvents();
+            const StateBadge& badge = on.viewer.origin;
+            const QRect place(badge.mapTo(&on.window, QPoint()), badge.size());
+            const QByteArray at =
+                QByteArray::number(width) + ": " + QByteArray::number(place.left()) + " to " + QByteArray::number(place.right());
+            QVERIFY2(badge.isVisible() && on.window.rect().contains(place) && badge.width() >= badge.minimumSizeHint().width(), at);
+            QVERIFY2(place.right() > on.window.width() - 20, at);
+            QCOMPARE(badge.parentWidget()->parentWidget()->objectName(), QString("badge-bar"));
+        }
+    }
+
+    void theClassesAreListedOnce() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        for (const edges::Choice& choice : edges::findParameter("classes")->choices) {
+            int listed = 0;
+            for (const auto* box : on.window.findChildren<QCheckBox*>()) listed += box->text().startsWith(choice.label) ? 1 : 0;
+            QVERIFY2(listed <= 1, choice.label);
+        }
+    }
+
+    void theExportAsksForItsFormatAndFitsASmallScreen() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        ExportDialog dialog(on.picture().detection, exports::ExportContent::EdgeCloud);
+        dialog.offerFormats({{"Point Cloud Library (*.pcd)", ".pcd"}, {"Polygon (*.ply)", ".ply"}, {"Text (*.csv)", ".csv"}}, ".ply");
+        QCOMPARE(dialog.extension(), QString(".ply"));
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, kPatienceMs));
+        QVERIFY2(dialog.width() <= 640 && dialog.height() <= 640, qPrintable(QString("%1 x %2").arg(dialog.width()).arg(dialog.height())));
+        auto* format = dialog.findChild<QComboBox*>("format");
+        QVERIFY(format->isVisible());
+        format->setCurrentIndex(2);
+        QCOMPARE(dialog.extension(), QString(".csv"));
+        dialog.findChild<QAbstractButton*>("gray")->click();
+        QCOMPARE(dialog.extension(), QString(".png"));
+        QVERIFY(!format->isVisible());
+    }
+
+    void theReportSaysWhatTheFormWasGivenAndIsAlsoAPdf() {
+        const std::string logo = (folder_ / "logo.png").string();
+        QImage picture(40, 20, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QVERIFY(picture.save(QString::fromStdString(logo)));
+        ReportForm form({"Panel 3 <west>", "A. Miner", "one\ntwo & three", QString::fromStdString(logo), ".pdf"});
+        form.findChild<QLineEdit*>("report-author")->setText(" B. Miner ");
+        const ReportWords words = form.words();
+        QCOMPARE(words.author, QString("B. Miner"));
+        QCOMPARE(words.remark, QString("one\ntwo & three"));
+        QCOMPARE(words.extension, QString(".pdf"));
+
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        const auto made = [&](const char* name, const ReportWords& with) {
+            QSignalSpy ended(&on.viewer.report, &ScanReport::ended);
+            const std::string path = (folder_ / name).string();
+            on.viewer.report.writeTo(QString::fromStdString(path), with);
+            if (!ended.wait(4 * kPatienceMs)) return std::string();
+            return test::fileText(path);
+        };
+        const std::string page = made("report.html", words);
+        for (const char* part : {"Panel 3 &lt;west&gt;", "B. Miner", "one<br>\ntwo &amp; three", "class=\"logo\"", "--site"})
+            QVERIFY2(page.find(part) != std::string::npos, part);
+        const std::string pdf = made("report.pdf", words);
+        QVERIFY2(pdf.starts_with("%PDF-"), pdf.substr(0, 20).c_str());
+        QVERIFY2(pdf.size() > 20'000, "with its pictures");
+        QVERIFY(pdf.find("%%EOF") != std::string::npos);
+        // What is no PNG picture is refused, and nothing is written.
+        ReportWords wrong = words;
+        wrong.logo = QString::fromStdString(bell_);
+        on.viewer.report.writeTo(QString::fromStdString((folder_ / "wrong.html").string()), wrong);
+        QVERIFY2(on.viewer.notice.text().contains("not a PNG picture"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(!std::filesystem::exists(folder_ / "wrong.html"));
+    }
+
+    // Both images side by side and large, the cloud in the rest; the choice and an exchange are stored.
+    void imagesFirstAndAnExchangeAreStored() {
+        const QString ini = QString::fromStdString((folder_ / "places.ini").string());
+        const auto titleOf = [](QWidget& view) { return view.parentWidget()->findChild<QLabel*>()->parentWidget(); };
+        {
+            WindowFixture on(ini);
+            on.window.resize(1280, 800);
+            QVERIFY(on.showWith(bell_) && on.activate());
+            const ImageView &gray = on.viewer.gray, &edges = on.viewer.edges;
+            const int before = gray.width(), usual = on.viewer.cloud.width();
+            QTest::keyClick(&on.window, Qt::Key_M, Qt::ControlModifier);
+            QTRY_VERIFY2(gray.width() > 1.15 * before && edges.width() > 1.15 * before, qPrintable(QString::number(gray.width())));
+            QCOMPARE(gray.mapTo(&on.window, QPoint()).y(), edges.mapTo(&on.window, QPoint()).y());
+            const double share =
+                static_cast<double>(gray.width() + edges.width()) / (gray.width() + edges.width() + on.viewer.cloud.width());
+            QVERIFY2(share > 0.6 && share < 0.72, qPrintable(QString::number(share)));
+            QTest::keyClick(&on.window, Qt::Key_M, Qt::ControlModifier);
+            QTRY_VERIFY(std::abs(on.viewer.cloud.width() - usual) <= 8);
+            QTest::mouseDClick(titleOf(on.viewer.gray), Qt::LeftButton);
+            QTRY_VERIFY2(gray.width() > 600 && on.viewer.cloud.width() < 400, qPrintable(QString::number(gray.width())));
+            // The large image is larger than the small one next to it shows the same part.
+            QVERIFY(on.viewer.gray.viewPort()->cellSize(gray.size()).width() >
+                    1.5 * on.viewer.edges.viewPort()->cellSize(edges.size()).width());
+            QVERIFY(!on.viewer.cloud.grabFrame().isNull());
+        }
+        WindowFixture on(ini);
+        QVERIFY(on.showWith(bell_));
+        QTRY_VERIFY(on.viewer.gray.width() > on.viewer.cloud.width());
+        QCOMPARE(on.window.places().text(), QString("gray"));
+        QTest::mouseDClick(titleOf(on.viewer.cloud), Qt::LeftButton);
+        QTRY_VERIFY(on.viewer.cloud.width() > 2 * on.viewer.gray.width());
+        on.window.places().setImagesFirst(true);
+        on.window.resetLayout();
+        QVERIFY(!on.window.places().imagesFirst());
+    }
+
+    void viewsAreStoredAndGivenBack() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_) && on.activate());
+        on.viewer.cloud.viewIsometric();
+        const CameraPose stored = on.viewer.cloud.camera();
+        QTest::keyClick(&on.window, Qt::Key_2, Qt::ControlModifier);
+        QVERIFY(on.viewer.savedViews.view(2).has_value());
+        on.viewer.cloud.viewTop();
+        QVERIFY(on.viewer.cloud.camera() != stored);
+        QTest::keyClick(&on.window, Qt::Key_2, Qt::AltModifier);
+        QVERIFY(on.viewer.cloud.camera() == stored);
+        QTest::keyClick(&on.window, Qt::Key_3, Qt::AltModifier); // there is none
+        QVERIFY2(on.viewer.notice.text().contains("Ctrl+3"), qPrintable(on.viewer.notice.text()));
+        const QString text = on.viewer.savedViews.text();
+        on.viewer.savedViews.use(QString());
+        QVERIFY(!on.viewer.savedViews.view(2));
+        on.viewer.savedViews.use(text);
+        QVERIFY((on.viewer.savedViews.view(2)->position - stored.position).norm() < 1e-6);
+        for (const char* damaged : {"2", "x", "2 nan 0 0 0 0 1 0 1 0 45 0", "99 0 0 0 0 0 1 0 1 0 45 0", "2 0 0 0 0 0 0 0 1 0 45 0"}) {
+            on.viewer.savedViews.use(damaged);
+            QVERIFY2(on.viewer.savedViews.text().isEmpty(), damaged);
+        }
+    }
+
+    void aFaceOfTheCubeLooksFromThere() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_));
+        ViewCube& cube = on.viewer.viewCube;
+        QTRY_VERIFY(cube.isVisible());
+        on.viewer.cloud.viewIsometric();
+        QTRY_VERIFY(cube.middleOf(ViewCube::Face::Top).has_value());
+        QVERIFY(!cube.middleOf(ViewCube::Face::Bottom));
+        QTest::mouseClick(&cube, Qt::LeftButton, Qt::NoModifier, cube.middleOf(ViewCube::Face::Top)->toPoint());
+        const Eigen::Vector3d up = on.viewer.cloud.geometryOfCloud()->axes.up;
+        QVERIFY(on.viewer.cloud.camera().forward().dot(up) < -0.999);
+        cube.setForGloves(true);
+        QVERIFY(!cube.isVisible());
+    }
+
+    void aKeypadTypesIntoTheFieldInCabMode() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_) && on.activate());
+        QLineEdit field(&on.window);
+        field.setGeometry(100, 100, 200, 40);
+        field.show();
+        field.setFocus();
+        Keypad& pad = on.window.cab().keypad();
+        QVERIFY(!pad.isVisible());
+        field.clearFocus();
+        on.window.cab().set(true);
+        field.raise();
+        field.setFocus();
+        QTRY_VERIFY(pad.isVisible());
+        QCOMPARE(pad.field(), &field);
+        for (const char* key : {"1", "0", ".", "4", "7", "Del"}) {
+            QVERIFY2(pad.key(key) != nullptr, key);
+            QVERIFY(pad.key(key)->width() >= 48 && pad.key(key)->height() >= 48);
+            QTest::mouseClick(pad.key(key), Qt::LeftButton);
+        }
+        QCOMPARE(field.text(), QString("10.4"));
+        QVERIFY(field.hasFocus());
+        field.clearFocus();
+        on.window.cab().set(false);
+        QVERIFY(!pad.isVisible());
+    }
+};
+
+int look_test(int argc, char** argv) { return runWindowTest<LookTest>(argc, argv); }
+
+#include "look_test.moc"

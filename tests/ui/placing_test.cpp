@@ -1,0 +1,194 @@
+// Scan > Pose and Mounting in the real window: typed, pasted, shown in the cloud, stored with the scan, undone; also for the demo.
+#include "core/files/open_save/pose_sidecar.h"
+#include "core/scan/grid/placement.h"
+#include "tests/support/run_program.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/notice_bar.h"
+#include "ui/controllers/files/placing.h"
+#include "ui/panels/dialogs/place_dialog.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScreen>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+namespace {
+
+/// The window with the form open.
+struct PlaceForm : WindowFixture {
+    explicit PlaceForm(const QString& ini = {}) : WindowFixture(ini), placing(*window.findChild<Placing*>("placing")) {}
+
+    bool ready() {
+        placing.show();
+        return placing.dialog() != nullptr && placing.dialog()->isVisible();
+    }
+    QLineEdit& field(const char* name) { return *placing.dialog()->findChild<QLineEdit*>(name); }
+    QLabel& fault(const char* name) { return *placing.dialog()->findChild<QLabel*>(QString("fault-") + name); }
+    QPushButton& button(const char* name) { return *placing.dialog()->findChild<QPushButton*>(name); }
+    bool placed() {
+        return eventually([this] { return placing.settled() && button("place-keep").isEnabled(); }) && settled();
+    }
+    [[nodiscard]] const Placement* place() { return picture().detection->scan->placement.get(); }
+    void paste(const char* line) {
+        field("survey-line").setText(line);
+        button("survey-take").click();
+    }
+    bool stored() {
+        button("place-keep").click();
+        return reopened();
+    }
+    bool reopened() {
+        return eventually([this] { return placing.settled() && !viewer.engine.working(); }) && settled();
+    }
+
+    Placing& placing;
+};
+
+} // namespace
+
+class PlacingTest : public QObject {
+    Q_OBJECT
+
+    edgescan::test::TemporaryFolder folder_;
+    std::string scan_ = (folder_ / "wall.json").string();
+
+private slots:
+    void init() {
+        qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "cache").string()));
+        sim::SimulationSettings settings;
+        settings.lines = 120;
+        settings.beams = 160;
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, scan_)));
+        QVERIFY(bool(files::writePoseSidecar(scan_, std::nullopt)));
+    }
+
+    void aSurveyLineFillsTheFormAndTheCloudShowsThePlace() {
+        PlaceForm on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.ready());
+        QVERIFY(!on.button("place-keep").isEnabled());
+        QVERIFY(!on.button("place-remove").isEnabled());
+        on.paste("P7; 498765.432; 5150123.456; 287.654; 217.4; 14.25; -3.4");
+        QCOMPARE(on.field("talin-northing_m").text(), QString("5150123.456"));
+        QVERIFY(on.placed());
+        QVERIFY(on.place() != nullptr);
+        QCOMPARE(on.place()->originEnhM.x(), 498700.0);
+        QVERIFY2(on.placing.dialog()->stateText().contains("E 498765.432, N 5150123.456, RL 287.654"),
+                 qPrintable(on.placing.dialog()->stateText()));
+        // Closed without storing, the scan has no place again.
+        on.placing.dialog()->reject();
+        QVERIFY(on.settled());
+        QVERIFY(on.place() == nullptr);
+        QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
+    }
+
+    void eachWrongFieldHasItsSentence() {
+        PlaceForm on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.ready());
+        on.paste("498765.432, 5150123.456, 287.654");
+        QVERIFY(on.fault("talin-heading_deg").isVisible());
+        QCOMPARE(on.fault("talin-heading_deg").text(), QString("Heading, clockwise from north is missing."));
+        QVERIFY(!on.fault("talin-easting_m").isVisible());
+        on.field("talin-heading_deg").setText("400");
+        QVERIFY(on.fault("talin-heading_deg").text().contains("must be from -360 to 360"));
+        on.field("talin-heading_deg").setText("40");
+        QVERIFY(!on.fault("talin-heading_deg").isVisible());
+        on.paste("one two");
+        QVERIFY(on.placing.dialog()->stateText().startsWith("✕ "));
+    }
+
+    void itIsStoredBesideTheScanAndUndone() {
+        PlaceForm on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.ready());
+        on.paste("498765.432 5150123.456 287.654 217.4");
+        QVERIFY(on.placed());
+        QVERIFY(on.stored());
+        QVERIFY(!on.placing.dialog()->isVisible());
+        QVERIFY(on.place() != nullptr);
+        QVERIFY2(on.viewer.notice.text().contains("wall.json.pose.json"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(bool(files::openScan(scan_)->placement));
+        on.viewer.undo.undo();
+        QVERIFY(on.reopened());
+        QVERIFY(on.place() == nullptr);
+        QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
+        on.viewer.undo.redo();
+        QVERIFY(on.reopened());
+        QVERIFY(on.place() != nullptr);
+        // Another pose replaces it, with a message; it can be removed.
+        QVERIFY(on.ready());
+        QCOMPARE(on.field("talin-easting_m").text(), QString("498765.432"));
+        on.field("talin-easting_m").setText("498965.432");
+        QVERIFY(on.placed());
+        QVERIFY(on.stored());
+        QVERIFY(on.viewer.notice.text().contains("it replaced the pose"));
+        QCOMPARE(on.place()->originEnhM.x(), 498900.0);
+        QVERIFY(on.ready());
+        on.button("place-remove").click();
+        QVERIFY(on.reopened());
+        QVERIFY(on.place() == nullptr);
+        on.viewer.undo.undo();
+        QVERIFY(on.reopened());
+        QCOMPARE(on.place()->originEnhM.x(), 498900.0);
+    }
+
+    void theDemoHasAPoseToo() {
+        PlaceForm on;
+        QVERIFY(on.show());
+        on.viewer.files.openDemo();
+        QVERIFY(on.settled());
+        QVERIFY(on.ready());
+        on.paste("498765.432 5150123.456 287.654 217.4");
+        QVERIFY(on.placed());
+        QVERIFY(on.stored());
+        QVERIFY(on.place() != nullptr);
+        QVERIFY(on.viewer.files.demo().has_value());
+        on.viewer.undo.undo();
+        QVERIFY(on.reopened());
+        QVERIFY(on.place() == nullptr);
+    }
+
+    void aMountingHasANameForTheNextScan() {
+        const QString ini = QString::fromStdString((folder_ / "viewer.ini").string());
+        {
+            PlaceForm on(ini);
+            QVERIFY(on.showWith(scan_));
+            QVERIFY(on.ready());
+            on.field("talin-in_robot_m").setText("-0.85, 0.1, 1.15");
+            on.field("grid-scale").setText("1.0004");
+            on.placing.keepScanner("Robot 3");
+            on.placing.dialog()->reject();
+        }
+        PlaceForm on(ini);
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.ready());
+        auto& names = *on.placing.dialog()->findChild<QComboBox*>("scanner-names");
+        QCOMPARE(names.currentText(), QString("Robot 3"));
+        QCOMPARE(on.field("grid-scale").text(), QString("1.0004"));
+        QCOMPARE(on.field("talin-in_robot_m").text(), QString("-0.85, 0.1, 1.15"));
+        on.button("scanner-forget").click();
+        QCOMPARE(names.count(), 1);
+    }
+
+    void itFitsASmallScreenAndAnotherScanClosesIt() {
+        PlaceForm on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.ready());
+        QVERIFY(on.placing.dialog()->minimumSizeHint().height() <= 600);
+        QVERIFY(on.placing.dialog()->minimumSizeHint().width() <= 640);
+        const std::string other = (folder_ / "other.json").string();
+        QVERIFY(bool(files::saveScan(sim::simulate({.lines = 60, .beams = 80})->scan, other)));
+        QVERIFY(on.open(other));
+        QVERIFY(!on.placing.dialog()->isVisible());
+        QVERIFY(on.place() == nullptr);
+    }
+};
+
+int placing_test(int argc, char** argv) { return runWindowTest<PlacingTest>(argc, argv); }
+
+#include "placing_test.moc"

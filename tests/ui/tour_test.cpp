@@ -1,0 +1,135 @@
+// The tour: on the first start only, ended at any time, opened again from the menu, and covering nothing; the demo before and after a blast
+// by one click.
+#include "tests/support/folders.h"
+#include "tests/support/run_program.h"
+#include "tests/ui/whole_widgets.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/base/language/languages.h"
+#include "ui/panels/start/start_page.h"
+#include "ui/panels/start/tour.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/start.h"
+#include "ui/window/theme.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QLabel>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+namespace {
+
+struct FirstStart : WindowFixture {
+    explicit FirstStart(const QString& ini = {}) : WindowFixture(ini), tour(*window.findChild<Tour*>("tour")) {}
+
+    bool begin() {
+        if (!show()) return false;
+        page = showStart(window, preferences);
+        return page->isVisible() && activate();
+    }
+    void click(const char* name) { QTest::mouseClick(window.findChild<QAbstractButton*>(name), Qt::LeftButton); }
+
+    Tour& tour;
+    StartPage* page = nullptr;
+};
+
+} // namespace
+
+class TourTest : public QObject {
+    Q_OBJECT
+    edgescan::test::TemporaryFolder folder_;
+    QString ini_ = QString::fromStdString((folder_ / "viewer.ini").string());
+
+private slots:
+    void initTestCase() { useTheme(*qApp); }
+    void init() { QFile::remove(ini_); }
+    void cleanup() { useLanguage("en"); }
+
+    void itIsShownOnTheFirstStartUntilItIsEnded_data() {
+        QTest::addColumn<QString>("way");
+        for (const char* way : {"Esc", "button", "last step"}) QTest::newRow(way) << QString(way);
+    }
+    void itIsShownOnTheFirstStartUntilItIsEnded() {
+        QFETCH(QString, way);
+        {
+            FirstStart on(ini_);
+            QVERIFY(on.begin());
+            QVERIFY(on.tour.isVisible());
+            QCOMPARE(on.tour.step(), 0);
+            on.click("tour-next");
+            QCOMPARE(on.tour.step(), 1);
+            on.click("tour-back");
+            QCOMPARE(on.tour.step(), 0);
+            if (way == "Esc") QTest::keyClick(&on.window, Qt::Key_Escape);
+            if (way == "button") on.click("tour-end");
+            for (int n = 0; way == "last step" && n < Tour::kSteps; ++n) on.click("tour-next");
+            QVERIFY(!on.tour.isVisible());
+        }
+        FirstStart again(ini_);
+        QVERIFY(again.begin());
+        QVERIFY(!again.tour.isVisible());
+        for (QAction* action : again.window.findChildren<QAction*>()) {
+            if (action->text() == "&Tour") action->trigger();
+        }
+        QVERIFY(again.tour.isVisible());
+        QCOMPARE(again.tour.step(), 0);
+    }
+
+    void withoutSettingsItIsNotShownBecauseItsEndCouldNotBeStored() {
+        FirstStart on;
+        QVERIFY(on.begin());
+        QVERIFY(!on.tour.isVisible());
+    }
+
+    void aCabHidesIt() {
+        FirstStart on(ini_);
+        QVERIFY(on.begin());
+        on.window.cab().set(true);
+        QVERIFY(!on.tour.isVisible());
+        on.window.cab().set(false);
+        QVERIFY(on.tour.isVisible());
+    }
+
+    void itCoversNothing_data() {
+        QTest::addColumn<QString>("language");
+        for (const Language& language : kLanguages) QTest::newRow(language.code) << QString(language.code);
+    }
+    void itCoversNothing() {
+        QFETCH(QString, language);
+        QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+        FirstStart on(ini_);
+        QVERIFY(on.begin());
+        for (const QSize size : {QSize(1024, 768), QSize(1280, 800)}) {
+            on.window.resize(size);
+            QVERIFY2(eventually([&] { return on.window.size() == size; }), qPrintable(QString::number(on.window.width())));
+            for (int step = 0; step < Tour::kSteps; ++step) {
+                on.tour.showStep(step);
+                for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
+                const QStringList faults = faultsIn(*on.page) + faultsIn(on.window).filter("tour");
+                QVERIFY2(faults.isEmpty(), qPrintable(QString("step %1: ").arg(step) + faults.join('\n')));
+                const int strip = on.tour.mapTo(&on.window, QPoint(0, on.tour.height())).y();
+                QVERIFY2(on.page->y() >= strip,
+                         qPrintable(QString("the page begins at %1, the strip ends at %2").arg(on.page->y()).arg(strip)));
+            }
+        }
+    }
+
+    void theDemoBeforeAndAfterTakesOneClick() {
+        qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "cache").string()));
+        FirstStart on;
+        QVERIFY(on.begin());
+        on.click("start-demo-pair");
+        QVERIFY(eventually([&] { return on.viewer.comparing.comparison() != nullptr && on.viewer.comparing.settled(); }));
+        QCOMPARE(on.viewer.files.demo(), std::optional<bool>(true));
+        QCOMPARE(on.viewer.comparing.pictureA()->detection->scan->name, std::string("demo draw-bell"));
+        QVERIFY(on.viewer.comparing.comparison()->isOfTwoScans());
+        QVERIFY(!on.page->isVisible());
+        on.viewer.undo.undo();
+        QVERIFY(on.viewer.comparing.pictureA() == nullptr);
+    }
+};
+
+int tour_test(int argc, char** argv) { return runWindowTest<TourTest>(argc, argv); }
+
+#include "tour_test.moc"

@@ -1,0 +1,171 @@
+// The tables of words, of parts of sentences, and of flags.
+#include "ui/base/core_words.h"
+
+#include "ui/base/shown_text.h"
+
+#include <QObject>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace edgescan::ui {
+namespace {
+
+// Whole texts of the live strip. %1 and %2 are numbers, or texts of this table again.
+constexpr std::array kWholeTexts{
+    QT_TRANSLATE_NOOP("QObject", "CONNECTING"),
+    QT_TRANSLATE_NOOP("QObject", "LIVE"),
+    QT_TRANSLATE_NOOP("QObject", "STALE"),
+    QT_TRANSLATE_NOOP("QObject", "STALE %1"),
+    QT_TRANSLATE_NOOP("QObject", "LOST"),
+    QT_TRANSLATE_NOOP("QObject", "LOST %1"),
+    QT_TRANSLATE_NOOP("QObject", "STOPPED"),
+    QT_TRANSLATE_NOOP("QObject", "%1, COUNTERS IN DOUBT"),
+    QT_TRANSLATE_NOOP("QObject", "INCOMPLETE %1 lines"),
+    QT_TRANSLATE_NOOP("QObject", "%1 lost: %2"),
+    QT_TRANSLATE_NOOP("QObject", "%1 lines"),
+    QT_TRANSLATE_NOOP("QObject", "line %1"),
+    QT_TRANSLATE_NOOP("QObject", "lines %1 and others"),
+    QT_TRANSLATE_NOOP("QObject", "lines %1"),
+    QT_TRANSLATE_NOOP("QObject", "no return %1 %"),
+    QT_TRANSLATE_NOOP("QObject", "COUNTERS IN DOUBT"),
+    QT_TRANSLATE_NOOP("QObject", "MOUNTING ASSUMED"),
+    QT_TRANSLATE_NOOP("QObject", "1 remark"),
+    QT_TRANSLATE_NOOP("QObject", "%1 remarks"),
+    QT_TRANSLATE_NOOP("QObject", "%1 earlier in this sweep"),
+    QT_TRANSLATE_NOOP("QObject", "WINDOW TOO DIRTY"),
+    QT_TRANSLATE_NOOP("QObject", "WINDOW DIRTY"),
+    QT_TRANSLATE_NOOP("QObject", "window clean"),
+    QT_TRANSLATE_NOOP("QObject", "device ok"),
+    QT_TRANSLATE_NOOP("QObject", "DEVICE ERROR"),
+    QT_TRANSLATE_NOOP("QObject", "no pose"),
+    QT_TRANSLATE_NOOP("QObject", "pose of unknown age"),
+    QT_TRANSLATE_NOOP("QObject", "pose %1 old"),
+    QT_TRANSLATE_NOOP("QObject", "sweep whole"),
+    QT_TRANSLATE_NOOP("QObject", "sweep ended"),
+    QT_TRANSLATE_NOOP("QObject", "ends in %1"),
+    QT_TRANSLATE_NOOP("QObject", "recording %1 MB, %2"),
+    QT_TRANSLATE_NOOP("QObject", "recording %1 MB"),
+    QT_TRANSLATE_NOOP("QObject", "the disk is %1 s behind (%2 MB)"),
+    QT_TRANSLATE_NOOP("QObject", "RECORDING ENDED: %1"),
+    QT_TRANSLATE_NOOP("QObject", "RECORDING HAS GAPS: %1"),
+};
+
+// Parts of sentences, the longer ones first where one holds another.
+constexpr std::array kParts{
+    QT_TRANSLATE_NOOP("QObject", "INCOMPLETE: %1 lines are there, how many there were is not known."),
+    QT_TRANSLATE_NOOP("QObject", "INCOMPLETE %1 lines"),
+    QT_TRANSLATE_NOOP("QObject", "Telegrams were lost: lines "),
+    QT_TRANSLATE_NOOP("QObject", "Telegrams were lost: line "),
+    QT_TRANSLATE_NOOP("QObject", "Telegrams had fewer beams than the sweep, the others are lost: "),
+    QT_TRANSLATE_NOOP("QObject", "The line angles are reckoned from time alone: a change of speed bends the cloud."),
+    QT_TRANSLATE_NOOP("QObject", "How a motor turned the scanner was not said. ASSUMED: "),
+    QT_TRANSLATE_NOOP("QObject", "The scanner reported an error or was not ready"),
+    QT_TRANSLATE_NOOP("QObject", "The scanner reported a window too dirty to measure through"),
+    QT_TRANSLATE_NOOP("QObject", "The scanner reported a dirty window"),
+    QT_TRANSLATE_NOOP("QObject", " in all)"),
+    QT_TRANSLATE_NOOP("QObject", "Trying again in %1 s."),
+    QT_TRANSLATE_NOOP("QObject", "Connecting to %1."),
+    QT_TRANSLATE_NOOP("QObject", " accepts the connection; asking what it is."),
+    QT_TRANSLATE_NOOP("QObject", " is sending again."),
+    QT_TRANSLATE_NOOP("QObject", " is sending."),
+    QT_TRANSLATE_NOOP("QObject", ": no scan for %1 s."),
+    QT_TRANSLATE_NOOP("QObject", ": disconnected."),
+    QT_TRANSLATE_NOOP("QObject", "there is no such file"),
+    QT_TRANSLATE_NOOP("QObject", "check the spelling and the folder"),
+    QT_TRANSLATE_NOOP("QObject", "reading this file is not allowed"),
+    QT_TRANSLATE_NOOP("QObject", "ask its owner for the right to read it"),
+    QT_TRANSLATE_NOOP("QObject", "this is a folder, not a file"),
+    QT_TRANSLATE_NOOP("QObject", "choose a file inside it"),
+    QT_TRANSLATE_NOOP("QObject", "there is not enough memory for this scan"),
+    QT_TRANSLATE_NOOP("QObject", "close other programs or open a smaller scan"),
+    QT_TRANSLATE_NOOP("QObject", "it was cancelled, so nothing was written"),
+    QT_TRANSLATE_NOOP("QObject", "save it again"),
+};
+
+/// Where the window sets what a flag sets. The flags of reading are fields of one dialog.
+constexpr std::array<std::pair<const char*, const char*>, 7> kPlaces{{
+    {"straighten", QT_TRANSLATE_NOOP("QObject", "Scan > Straighten Beams")},
+    {"frame", QT_TRANSLATE_NOOP("QObject", "the coordinates in the export dialog")},
+    {"include-attached", QT_TRANSLATE_NOOP("QObject", "the points behind others in the export dialog")},
+    {"with-filled", QT_TRANSLATE_NOOP("QObject", "the filled cells in the export dialog")},
+    {"comments", QT_TRANSLATE_NOOP("QObject", "the comments in the export dialog")},
+    {"fill", QT_TRANSLATE_NOOP("QObject", "the filling of gaps in the Edges panel")},
+    {"picture-outlines", QT_TRANSLATE_NOOP("QObject", "the outlines in the picture")},
+}};
+constexpr std::array kFieldsOfReading{"beam-start", "beam-step", "line-start", "line-step", "unit", "grid-step",
+                                      "axis",       "sensor",    "project",    "scan",      "pose", "calibration"};
+
+struct Pattern {
+    const char* source;
+    QRegularExpression match;
+};
+
+QRegularExpression matchOf(const char* source, bool whole) {
+    QString text = QRegularExpression::escape(QString::fromUtf8(source));
+    for (const char* place : {"1", "2"}) text.replace(QString("\\%") + place, "(.+?)").replace(QString("%") + place, "(.+?)");
+    return QRegularExpression(whole ? "^" + text + "$" : text);
+}
+
+template <std::size_t Size>
+std::vector<Pattern> patternsOf(const std::array<const char*, Size>& texts, bool whole) {
+    std::vector<Pattern> patterns;
+    for (const char* text : texts) patterns.push_back({text, matchOf(text, whole)});
+    return patterns;
+}
+
+QString filled(const char* source, const QRegularExpressionMatch& found, QString (*inner)(const QString&)) {
+    QString text = QObject::tr(source);
+    for (int n = found.lastCapturedIndex(); n >= 1; --n) text.replace("%" + QString::number(n), inner(found.captured(n)));
+    return text;
+}
+
+QString same(const QString& text) { return text; }
+
+QString wordsOf(const QString& text) {
+    static const std::vector<Pattern> patterns = patternsOf(kWholeTexts, true);
+    for (const Pattern& each : patterns) {
+        if (const auto found = each.match.match(text); found.hasMatch()) return filled(each.source, found, wordsOf);
+    }
+    return text;
+}
+
+/// "--unit m" -> "“unit” in Scan > How the Scan Is Read".
+QString placeOf(const QString& flag) {
+    const auto known = std::ranges::find_if(kPlaces, [&](const auto& each) { return flag == QLatin1String(each.first); });
+    if (known != kPlaces.end()) return QObject::tr(known->second);
+    if (std::ranges::any_of(kFieldsOfReading, [&](const char* field) { return flag == QLatin1String(field); }))
+        return QObject::tr("“%1” in Scan > How the Scan Is Read").arg(flag);
+    return QObject::tr("“%1”").arg(QString(flag).replace('-', ' '));
+}
+
+QString withoutFlags(QString text) {
+    // A flag, its value, and the place in the window that some texts name themselves.
+    static const QRegularExpression flag("(?<![\\w-])--([a-z][a-z-]*)((?: [A-Z][A-Z,.a-z]*(?:\\.json)?)?)( \\([^)]* > [^)]*\\))?");
+    for (auto found = flag.match(text); found.hasMatch(); found = flag.match(text)) {
+        const QString place = found.captured(3).isEmpty() ? placeOf(found.captured(1)) : found.captured(3).mid(2).chopped(1);
+        text.replace(found.capturedStart(), found.capturedLength(), place);
+    }
+    return text;
+}
+
+} // namespace
+
+QString coreWords(const std::string& text) { return wordsOf(shownText(text)); }
+
+QString coreSentence(const QString& text) {
+    static const std::vector<Pattern> patterns = patternsOf(kParts, false);
+    QString result = withoutFlags(text);
+    for (const Pattern& each : patterns) {
+        if (const auto found = each.match.match(result); found.hasMatch())
+            result.replace(found.capturedStart(), found.capturedLength(), filled(each.source, found, same));
+    }
+    return result;
+}
+
+QString coreSentence(const std::string& text) { return coreSentence(shownText(text)); }
+
+} // namespace edgescan::ui

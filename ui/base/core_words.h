@@ -1,0 +1,19 @@
+// Texts that the core makes, on their way into the window: in its language, with the names of its fields instead of flags of the command
+// line.
+#pragma once
+
+#include <QString>
+
+#include <string>
+
+namespace edgescan::ui {
+
+/// A short text of a live scanner, such as "LOST 12 s" or "no return 4.2 %", in the language of the window.
+[[nodiscard]] QString coreWords(const std::string& text);
+
+/// Sentences: an error, a warning, a remark. Their known parts are translated, and "--unit m" becomes the place in the window where it is
+/// set. Other text stays.
+[[nodiscard]] QString coreSentence(const QString& text);
+[[nodiscard]] QString coreSentence(const std::string& text);
+
+} // namespace edgescan::ui

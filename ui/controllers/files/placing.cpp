@@ -1,0 +1,365 @@
+// From typed texts to a placed scan.
+#include "ui/controllers/files/placing.h"
+
+#include "core/base/bounded_json.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
+#include "core/base/whole_file.h"
+#include "core/edges/pipeline/work_memory.h"
+#include "core/files/open_save/pose_sidecar.h"
+#include "core/scan/georef/place_scan.h"
+#include "core/scan/georef/placed_points.h"
+#include "core/scan/georef/survey_line.h"
+#include "core/scan/grid/cartesian.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/undo_step.h"
+#include "ui/controllers/files/files.h"
+#include "ui/engine/worker_bridge/engine.h"
+#include "ui/engine/worker_bridge/in_background.h"
+#include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/dialogs/place_dialog.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QLineEdit>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <new>
+
+namespace edgescan::ui {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kScanners = "scanners";        // of the preferences: calibrations by name, as JSON
+constexpr const char* kLastScanner = "scanner-last"; // name
+constexpr auto kWhileTyping = std::chrono::milliseconds(200);
+constexpr std::size_t kCellsLooked = 20000;
+constexpr std::uint64_t kMostCalibrationBytes = std::uint64_t{1} << 20U;
+
+Json scannersIn(const Preferences& preferences) {
+    const auto stored = parseOrderedJson(exactBytes(preferences.text(kScanners)), kScanners, kSettingsJson);
+    return stored && stored->is_object() ? *stored : Json::object();
+}
+
+QString spanOf(const QString& name, double from, double to) {
+    return QString("%1 %2 … %3").arg(name, shownText(fixedText(from, 2)), shownText(fixedText(to, 2)));
+}
+
+/// The scanner and the span of its points in the mine grid.
+QString placeWords(const Scan& scan) {
+    const PlacedPoints mine(scan);
+    const CartesianTables tables(scan);
+    const int middle = scan.lines() / 2;
+    const Eigen::Vector3d sensor = mine.mine(middle, scan.beams() / 2, tables.sensor());
+    Eigen::Vector3d least = sensor, most = sensor;
+    for (std::size_t k = 0; k < scan.cells(); k += std::max<std::size_t>(1, scan.cells() / kCellsLooked)) {
+        const Eigen::Vector3d point = tables.point(k);
+        if (!point.allFinite()) continue;
+        const auto beams = static_cast<std::size_t>(scan.beams());
+        const Eigen::Vector3d p = mine.mine(static_cast<int>(k / beams), static_cast<int>(k % beams), point);
+        least = least.cwiseMin(p);
+        most = most.cwiseMax(p);
+    }
+    return Placing::tr("Scanner at E %1, N %2, RL %3. Its points: ")
+               .arg(shownText(fixedText(sensor.x(), 3)), shownText(fixedText(sensor.y(), 3)), shownText(fixedText(sensor.z(), 3))) +
+           spanOf("E", least.x(), most.x()) + ", " + spanOf("N", least.y(), most.y()) + ", " + spanOf("RL", least.z(), most.z());
+}
+
+Axis axisOf(const Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    return polar != nullptr ? polar->axis : Axis::Spin;
+}
+
+Result<std::string> textAt(const std::string& path) {
+    const auto bytes = readWholeFile(path, kMostCalibrationBytes);
+    if (!bytes) return bytes.error();
+    return std::string(textOf(*bytes));
+}
+
+} // namespace
+
+Placing::Placing(Engine& engine, Files& files, NoticeBar& notice, Preferences& preferences, QUndoStack& undo, QObject* parent)
+    : QObject(parent), engine_(engine), files_(files), notice_(notice), preferences_(preferences), undo_(undo),
+      preview_(
+          Urgency::Soon, [](const Question& question) { return placed(question); },
+          [this](const Question&, const std::shared_ptr<const Answer>& answer) { take(*answer); },
+          [this](const QString& what) {
+              if (scan_) dialog_->showState(tr("It failed (%1); close other programs or use a smaller scan.").arg(what), false);
+          }) {
+    connect(&engine_, &Engine::streamChanged, this, &Placing::follow);
+}
+
+void Placing::make() {
+    if (dialog_ != nullptr) return;
+    dialog_ = new PlaceDialog(notice_.window());
+    connect(dialog_, &PlaceDialog::changed, this, &Placing::check);
+    connect(dialog_, &PlaceDialog::surveyLineTyped, this, &Placing::takeLine);
+    connect(dialog_, &PlaceDialog::keepRequested, this, [this] { store(typed_.file, stepName("Store Pose")); });
+    connect(dialog_, &PlaceDialog::removeRequested, this, [this] { store(std::nullopt, stepName("Remove Pose")); });
+    connect(dialog_, &PlaceDialog::scannerChosen, this, &Placing::useScanner);
+    connect(dialog_, &PlaceDialog::scannerKept, this, &Placing::askScannerName);
+    connect(dialog_, &PlaceDialog::scannerForgotten, this, &Placing::forgetScanner);
+    connect(dialog_, &PlaceDialog::fileRequested, this, &Placing::askFile);
+    connect(dialog_, &QDialog::finished, this, &Placing::closed);
+}
+
+void Placing::show() {
+    const auto& picture = engine_.picture();
+    if (!picture) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
+    if (scan_) return dialog_->raise();
+    const Scan& scan = *picture->detection->scan;
+    if (scan.path.empty() || picture->source.growth.sweep >= 0 || (files_.path().isEmpty() && !files_.demo()))
+        return notice_.showNotice(
+            NoticeBar::Kind::Warning,
+            tr("What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording."));
+    make();
+    source_ = picture->source;
+    previewed_ = false;
+    if (!load(scan)) return;
+    scan_ = picture->detection->scan;
+    check();
+    dialog_->show();
+    dialog_->raise();
+    dialog_->activateWindow();
+}
+
+/// Fills the form: from the sidecar of the scan, else from the files that it was opened with, else with the scanner used last.
+bool Placing::load(const Scan& scan) {
+    const auto beside = files::readPoseSidecar(scan.path);
+    if (!beside) {
+        notice_.showError(beside.error());
+        return false;
+    }
+    stored_ = {files_.options(), *beside};
+    poseBase_ = beside->value_or(std::string());
+    mountingBase_.clear();
+    std::string scanner;
+    if (!stored_.options.pose.empty()) {
+        const auto text = textAt(stored_.options.pose);
+        poseBase_ = text ? *text : std::string();
+    }
+    if (!stored_.options.calibration.empty()) {
+        const auto text = textAt(stored_.options.calibration);
+        mountingBase_ = text ? *text : std::string();
+    } else if (!poseBase_.empty()) {
+        mountingBase_ = calibrationInPose(poseBase_);
+    } else {
+        const Json scanners = scannersIn(preferences_);
+        scanner = exactBytes(preferences_.text(kLastScanner));
+        if (scanners.contains(scanner))
+            mountingBase_ = jsonText(scanners[scanner], 2);
+        else
+            scanner.clear();
+    }
+    const PlaceTexts none(poseFields().size());
+    const auto pose = poseBase_.empty() ? Result<PlaceTexts>(none) : placeTexts(poseFields(), poseBase_, files::poseSidecar(scan.path));
+    if (!pose) notice_.showError(pose.error());
+    auto mounting =
+        mountingBase_.empty() ? Result<PlaceTexts>(nominalMounting(axisOf(scan))) : placeTexts(mountingFields(), mountingBase_, scan.path);
+    if (!mounting) mounting = nominalMounting(axisOf(scan));
+    dialog_->setRemovable(beside->has_value());
+    dialog_->showPose(pose ? *pose : none);
+    dialog_->showMounting(*mounting);
+    showScanners(exactText(scanner));
+    return true;
+}
+
+/// Another scan is on the screen: the form belongs to the former one.
+void Placing::follow() {
+    if (!message_.isEmpty()) {
+        const bool warned = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning;
+        notice_.showNotice(warned ? NoticeBar::Kind::Warning : NoticeBar::Kind::Done,
+                           (warned ? notice_.text() + '\n' : QString()) + message_);
+        message_.clear();
+    }
+    if (!scan_ || engine_.picture()->source.stream == source_.stream) return;
+    previewed_ = false;
+    dialog_->hide();
+    closed();
+}
+
+void Placing::check() {
+    if (!scan_) return;
+    typed_ = typedPlace({dialog_->poseTexts(), poseBase_}, {dialog_->mountingTexts(), mountingBase_});
+    dialog_->showFaults(typed_);
+    if (typed_.isSound())
+        preview_.ask({scan_, typed_.file}, kWhileTyping);
+    else
+        preview_.giveUp();
+}
+
+Placing::Answer Placing::placed(const Question& question) {
+    try {
+        const auto poses = parsePoses(question.file, "form");
+        if (!poses) return {poses.error(), {}};
+        const auto placement = placeScan(*question.scan, *poses->calibration, *poses);
+        if (!placement) return {placement.error(), {}};
+        if (auto enough = edges::checkMemoryFor(edges::Work::Detect, *question.scan); !enough) return {enough.error(), {}};
+        auto scan = std::make_shared<Scan>(*question.scan);
+        scan->placement = *placement;
+        const QString words = placeWords(*scan);
+        return {std::shared_ptr<const Scan>(std::move(scan)), words};
+    } catch (const std::bad_alloc&) {
+        return {Error{"there is not enough memory to show the scan in its place", "", "close other programs"}, {}};
+    }
+}
+
+void Placing::take(const Answer& answer) {
+    if (!scan_) return;
+    if (!answer.scan) return dialog_->showState("✕ " + shownText(answer.scan.error().what) + ".", false);
+    previewed_ = true;
+    engine_.follow(*answer.scan, source_);
+    dialog_->showState(answer.words, true);
+}
+
+void Placing::takeLine(const QString& line, bool northingFirst) {
+    const auto read = parseSurveyLine(exactBytes(line), northingFirst ? SurveyOrder::NorthingFirst : SurveyOrder::EastingFirst);
+    if (!read) return dialog_->showState("✕ " + shownText(read.error().sentence()), false);
+    PlaceTexts texts = dialog_->poseTexts();
+    const auto put = [&](const std::string& key, std::optional<double> value) {
+        for (std::size_t n = 0; n < texts.size(); ++n) {
+            if (value && key == poseFields()[n].key) texts[n] = shortestText(*value);
+        }
+    };
+    put("easting_m", read->enhM.x());
+    put("northing_m", read->enhM.y());
+    put("elevation_m", read->enhM.z());
+    put("heading_deg", read->headingDeg);
+    put("tilt_x_deg", read->pitchDeg);
+    put("tilt_y_deg", read->rollDeg);
+    dialog_->showPose(texts);
+}
+
+QStringList Placing::scannerNames() const {
+    QStringList names;
+    for (const auto& [name, value] : scannersIn(preferences_).items()) names << exactText(name);
+    return names;
+}
+
+void Placing::showScanners(const QString& inUse) { dialog_->showScanners(scannerNames(), inUse); }
+
+void Placing::useScanner(const QString& name) {
+    const Json scanners = scannersIn(preferences_);
+    const std::string key = exactBytes(name);
+    mountingBase_ = scanners.contains(key) ? jsonText(scanners[key], 2) : std::string();
+    const auto texts =
+        mountingBase_.empty() ? Result<PlaceTexts>(nominalMounting(axisOf(*scan_))) : placeTexts(mountingFields(), mountingBase_, key);
+    if (texts) dialog_->showMounting(*texts);
+    preferences_.keep(kLastScanner, name);
+    showScanners(name);
+}
+
+void Placing::askScannerName() {
+    const QString typed = exactText(dialog_->mountingTexts().front());
+    const QString name =
+        QInputDialog::getText(dialog_, tr("Store the mounting"), tr("Name of the scanner"), QLineEdit::Normal, typed).trimmed();
+    if (!name.isEmpty()) keepScanner(name);
+}
+
+void Placing::keepScanner(const QString& name) {
+    const auto file = typedMounting({dialog_->mountingTexts(), mountingBase_});
+    if (!file) return dialog_->showState("✕ " + shownText(file.error().what), false);
+    Json scanners = scannersIn(preferences_);
+    scanners[exactBytes(name)] = *parseOrderedJson(*file, kScanners);
+    preferences_.keep(kScanners, exactText(jsonText(scanners)));
+    preferences_.keep(kLastScanner, name);
+    showScanners(name);
+}
+
+void Placing::forgetScanner(const QString& name) {
+    Json scanners = scannersIn(preferences_);
+    scanners.erase(exactBytes(name));
+    preferences_.keep(kScanners, exactText(jsonText(scanners)));
+    preferences_.keep(kLastScanner, QString());
+    showScanners({});
+}
+
+void Placing::askFile() {
+    const QString path =
+        QFileDialog::getOpenFileName(dialog_, tr("The robot's calibration"), preferences_.folder("exports"), tr("Calibration (*.json)"));
+    if (!path.isEmpty()) useCalibration(path);
+}
+
+void Placing::useCalibration(const QString& path) {
+    const auto text = textAt(exactBytes(path));
+    const auto sound = text ? parseCalibration(*text, exactBytes(path)) : Result<Calibration>(text.error());
+    if (!sound) return dialog_->showState("✕ " + shownText(sound.error().sentence()), false);
+    const auto texts = placeTexts(mountingFields(), *text, exactBytes(path));
+    if (!texts) return dialog_->showState("✕ " + shownText(texts.error().sentence()), false);
+    mountingBase_ = *text;
+    dialog_->showMounting(*texts);
+    showScanners({});
+}
+
+void Placing::store(const std::optional<std::string>& file, const QString& what) {
+    if (!scan_ || storing_) return;
+    Stored after{stored_.options, file};
+    after.options.pose.clear();
+    after.options.calibration.clear();
+    const Stored before = stored_;
+    const std::string path = scan_->path;
+    previewed_ = false; // opening the scan again shows it in its place
+    dialog_->accept();
+    auto* step = new UndoStep<Stored>(what, before, after, [this, path](const Stored& value) { return use(path, value); });
+    step->giveWayIn(undo_);
+    undo_.push(step);
+}
+
+/// Writes or removes the sidecar of the scan, and opens the scan again.
+bool Placing::use(const std::string& scanPath, const Stored& stored) {
+    if (!engine_.picture() || engine_.picture()->detection->scan->path != scanPath) return false;
+    if (storing_) { // the file has one value after the other
+        next_ = stored;
+        return true;
+    }
+    storing_ = true;
+    inBackground(
+        this,
+        [this, scanPath, stored]() -> std::function<void()> {
+            const auto before = files::readPoseSidecar(scanPath);
+            const bool replaces = before && *before && *before != stored.file;
+            const auto written = files::writePoseSidecar(scanPath, stored.file);
+            return [this, scanPath, stored, written, replaces] {
+                if (!written) {
+                    reopen(files_.options());
+                    return notice_.showError(written.error());
+                }
+                const QString name = shownName(QFileInfo(exactText(files::poseSidecar(scanPath).string())).fileName());
+                message_ = !stored.file ? tr("No pose is stored with the scan any more.")
+                           : replaces   ? tr("Stored %1; it replaced the pose that was there.").arg(name)
+                                        : tr("Stored %1.").arg(name);
+                reopen(stored.options);
+            };
+        },
+        [this](const QString& what) { notice_.showNotice(NoticeBar::Kind::Error, tr("The pose could not be stored (%1).").arg(what)); },
+        [this, scanPath] {
+            storing_ = false;
+            if (const auto next = std::exchange(next_, std::nullopt)) use(scanPath, *next);
+        });
+    return true;
+}
+
+void Placing::reopen(const ReadingOptions& options) {
+    if (files_.demo())
+        files_.openDemo(*files_.demo());
+    else
+        files_.look(options);
+}
+
+/// Closed without storing: the scan is again where it was.
+void Placing::closed() {
+    preview_.giveUp();
+    const auto scan = std::exchange(scan_, nullptr);
+    if (scan && previewed_) engine_.follow(scan, source_);
+    previewed_ = false;
+}
+
+} // namespace edgescan::ui
+
+#include "moc_placing.cpp"

@@ -1,0 +1,91 @@
+// Lays the page of a report out on paper.
+#include "ui/controllers/report_pdf.h"
+
+#include <QBuffer>
+#include <QFont>
+#include <QImage>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kMarginMm = 15;
+constexpr int kWide = 660, kHigh = 860; // px of 1/96 inch: room for a picture on a page
+constexpr int kLogoHigh = 90;
+constexpr int kResolution = 300;
+
+/// Removes each part from `begin` to `end`, both included.
+void cut(QString& html, const QString& begin, const QString& end) {
+    for (int from = static_cast<int>(html.indexOf(begin)); from >= 0; from = static_cast<int>(html.indexOf(begin, from))) {
+        const int to = static_cast<int>(html.indexOf(end, from));
+        if (to < 0) return;
+        html.remove(from, to + end.size() - from);
+    }
+}
+
+/// The pictures become resources of the document, no larger than the page.
+QString withResources(const QString& html, QTextDocument& document) {
+    const QString begin = "src=\"data:image/png;base64,", logo = "<p class=\"logo\">";
+    QString made;
+    int from = 0, number = 0;
+    for (int at = static_cast<int>(html.indexOf(begin)); at >= 0; at = static_cast<int>(html.indexOf(begin, from))) {
+        const int data = at + static_cast<int>(begin.size()), end = static_cast<int>(html.indexOf('"', data));
+        if (end < 0) break;
+        const QImage image = QImage::fromData(QByteArray::fromBase64(html.mid(data, end - data).toLatin1()), "PNG");
+        const int high = html.lastIndexOf(logo, at) >= 0 && html.indexOf("</p>", html.lastIndexOf(logo, at)) > at ? kLogoHigh : kHigh;
+        const double scale =
+            image.isNull() ? 1.0 : std::min(static_cast<double>(kWide) / image.width(), static_cast<double>(high) / image.height());
+        const QString name = QString("picture-%1").arg(number++);
+        document.addResource(QTextDocument::ImageResource, QUrl(name), image);
+        made += html.mid(from, at - from) + QString("src=\"%1\" width=\"%2\" height=\"%3\"")
+                                                .arg(name)
+                                                .arg(std::lround(scale * image.width()))
+                                                .arg(std::lround(scale * image.height()));
+        from = end + 1;
+    }
+    return made + html.mid(from);
+}
+
+} // namespace
+
+QByteArray pdfOfPage(const std::string& html) {
+    QString page = QString::fromStdString(html);
+    cut(page, "<script", "</script>");
+    cut(page, "<style", "</style>");
+    cut(page, "<svg", "</svg>");
+    cut(page, "<section class=\"onscreen\">", "</section>");
+    cut(page, "<details class=\"onscreen\">", "</details>");
+    // Columns of facts become rows of a table, which paper can show.
+    page.replace("<dl class=\"facts\">", "<table class=\"facts\" cellpadding=\"2\">").replace("</dl>", "</table>");
+    page.replace("<div><dt>", "<tr><td class=\"name\">").replace("</dt><dd>", "</td><td>").replace("</dd></div>", "</td></tr>");
+    page.replace("\"></i>", "\">&nbsp;&nbsp;&nbsp;</i>&nbsp;");
+    QTextDocument document;
+    QFont font("Noto Sans");
+    font.setPointSize(9);
+    document.setDefaultFont(font);
+    document.setDefaultStyleSheet("h1 { font-size: 16pt; } h2 { font-size: 12pt; } td, th { padding: 2px 8px 2px 0px; text-align: left; }"
+                                  " td.name, .note, figcaption { color: #5b6268; } .warning { background-color: #fff3d6; }"
+                                  " pre { font-size: 7pt; white-space: pre-wrap; }");
+    document.setHtml(withResources(page, document));
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&buffer);
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageMargins(QMarginsF(kMarginMm, kMarginMm, kMarginMm, kMarginMm), QPageLayout::Millimeter);
+        writer.setResolution(kResolution);
+        writer.setCreator("EdgeScan");
+        writer.setTitle(document.metaInformation(QTextDocument::DocumentTitle));
+        document.print(&writer);
+    }
+    return bytes;
+}
+
+} // namespace edgescan::ui

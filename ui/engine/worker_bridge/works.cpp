@@ -1,0 +1,39 @@
+// The list of what runs.
+#include "ui/engine/worker_bridge/works.h"
+
+#include <utility>
+
+namespace edgescan::ui {
+
+Works::Running::Running(Works& works, QString its, std::function<void()> cancelled)
+    : title(std::move(its)), cancel(std::move(cancelled)), works_(&works) {
+    works.running_.push_back(this);
+    emit works.changed();
+}
+
+Works::Running::~Running() {
+    if (works_.isNull()) return;
+    std::erase(works_->running_, this);
+    emit works_->changed();
+}
+
+void Works::Running::progress(const QString& now, double share) {
+    stage = now;
+    fraction = share;
+    if (!works_.isNull()) emit works_->changed();
+}
+
+std::unique_ptr<Works::Running> Works::start(const QString& title, std::function<void()> cancel) {
+    return std::make_unique<Running>(*this, title, std::move(cancel));
+}
+
+bool Works::cancel() {
+    if (running_.empty()) return false;
+    const std::function<void()> chosen = running_.back()->cancel; // the work may end during the call
+    chosen();
+    return true;
+}
+
+} // namespace edgescan::ui
+
+#include "moc_works.cpp"

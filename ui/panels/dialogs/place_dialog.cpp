@@ -1,0 +1,230 @@
+// Two pages of rows, one per field of the core's tables.
+#include "ui/panels/dialogs/place_dialog.h"
+
+#include "ui/base/scrolled.h"
+#include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
+#include "ui/base/window_room.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kDialogWide = 460, kDialogHigh = 660;
+
+QLabel* wrappedLabel(const QString& text = {}) {
+    auto* label = new QLabel(text);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+bool anyFault(const PlaceTexts& faults) {
+    return std::ranges::any_of(faults, [](const std::string& fault) { return !fault.empty(); });
+}
+
+} // namespace
+
+PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidget), state_(wrappedLabel()) {
+    setObjectName("place-dialog");
+    setWindowTitle(tr("Pose and Mounting"));
+    tabs_->setObjectName("place-tabs");
+    tabs_->addTab(posePage(), tr("Pose"));
+    tabs_->addTab(mountingPage(), tr("Mounting"));
+    state_->setObjectName("place-state");
+    state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    state_->setMinimumHeight(3 * state_->fontMetrics().lineSpacing()); // the fields do not move while numbers are typed
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    keep_ = buttons->addButton(tr("&Store with the Scan"), QDialogButtonBox::AcceptRole);
+    remove_ = buttons->addButton(tr("&Remove Pose"), QDialogButtonBox::DestructiveRole);
+    keep_->setObjectName("place-keep");
+    remove_->setObjectName("place-remove");
+    connect(keep_, &QPushButton::clicked, this, &PlaceDialog::keepRequested);
+    connect(remove_, &QPushButton::clicked, this, &PlaceDialog::removeRequested);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(tabs_, 1);
+    column->addWidget(state_);
+    column->addWidget(buttons);
+    const QScreen* at = screen();
+    const QSize room = at != nullptr ? at->availableSize() - QSize(20, 60) : QSize(kDialogWide, kDialogHigh);
+    resize(QSize(kDialogWide, kDialogHigh).boundedTo(room));
+    showState({}, false);
+}
+
+QWidget* PlaceDialog::posePage() {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->addWidget(wrappedLabel(tr("A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them")));
+    line_ = new QLineEdit;
+    line_->setObjectName("survey-line");
+    line_->setPlaceholderText("P7; 498765.432; 5150123.456; 287.654");
+    order_ = new QComboBox;
+    order_->setObjectName("survey-order");
+    order_->addItems({"E, N, RL", "N, E, RL"});
+    auto* take = new QPushButton(tr("&Fill In"));
+    take->setObjectName("survey-take");
+    take->setAutoDefault(false);
+    auto* row = new QHBoxLayout;
+    row->addWidget(line_, 1);
+    row->addWidget(order_);
+    row->addWidget(take);
+    column->addLayout(row);
+    const auto taken = [this] { emit surveyLineTyped(line_->text(), order_->currentIndex() == 1); };
+    connect(take, &QPushButton::clicked, this, taken);
+    connect(line_, &QLineEdit::returnPressed, this, taken);
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 4, 0);
+    for (const PlaceField& field : poseFields()) addRow(*form, field, pose_);
+    column->addWidget(scrolled(*fields), 1);
+    return page;
+}
+
+QWidget* PlaceDialog::mountingPage() {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->addWidget(
+        wrappedLabel(tr("How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.")));
+    scanner_ = new QComboBox;
+    scanner_->setObjectName("scanner-names");
+    auto* keep = new QPushButton(tr("Store &As…"));
+    forget_ = new QPushButton(tr("For&get"));
+    auto* file = new QPushButton(tr("From Fi&le…"));
+    keep->setObjectName("scanner-keep");
+    forget_->setObjectName("scanner-forget");
+    file->setObjectName("scanner-file");
+    column->addWidget(scanner_);
+    auto* row = new QHBoxLayout;
+    for (QPushButton* each : {keep, forget_, file}) {
+        each->setAutoDefault(false);
+        row->addWidget(each);
+    }
+    row->addStretch(1);
+    column->addLayout(row);
+    connect(scanner_, QOverload<int>::of(&QComboBox::activated), this,
+            [this](int index) { emit scannerChosen(scanner_->itemData(index).toString()); });
+    connect(keep, &QPushButton::clicked, this, &PlaceDialog::scannerKept);
+    connect(forget_, &QPushButton::clicked, this, [this] { emit scannerForgotten(scanner_->currentData().toString()); });
+    connect(file, &QPushButton::clicked, this, &PlaceDialog::fileRequested);
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 4, 0);
+    for (const PlaceField& field : mountingFields()) addRow(*form, field, mounting_);
+    column->addWidget(scrolled(*fields), 1);
+    return page;
+}
+
+void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector<Row>& rows) {
+    auto* label = wrappedLabel(QObject::tr(field.label));
+    label->setMinimumWidth(170);
+    auto* fault = wrappedLabel();
+    fault->setObjectName(QString("fault-%1-%2").arg(field.group, field.key));
+    followColours(*fault, [fault](const Theme& theme) {
+        QPalette palette = fault->palette();
+        palette.setColor(QPalette::WindowText, theme.bad);
+        fault->setPalette(palette);
+    });
+    fault->hide();
+    Row row{{}, {}, fault};
+    auto* cell = new QVBoxLayout;
+    cell->setSpacing(2);
+    const auto told = [this] {
+        if (!showing_) emit changed();
+    };
+    const QString name = QString("%1-%2").arg(field.group, field.key);
+    if (field.kind == PlaceField::Kind::Word) {
+        auto* choice = new QComboBox;
+        choice->setObjectName(name);
+        for (const std::string& word : field.words) choice->addItem(exactText(word));
+        connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, told);
+        row.text = [choice] { return choice->currentText(); };
+        row.show = [choice, usual = QString(field.usual)](const QString& text) { choice->setCurrentText(text.isEmpty() ? usual : text); };
+        cell->addWidget(choice);
+        label->setBuddy(choice);
+    } else {
+        auto* edit = new QLineEdit;
+        edit->setObjectName(name);
+        edit->setPlaceholderText(field.usual != nullptr ? QString(field.usual) : QString());
+        connect(edit, &QLineEdit::textChanged, this, told);
+        row.text = [edit] { return edit->text(); };
+        row.show = [edit](const QString& text) { edit->setText(text); };
+        cell->addWidget(edit);
+        label->setBuddy(edit);
+    }
+    cell->addWidget(fault);
+    form.addRow(label, cell);
+    rows.push_back(std::move(row));
+}
+
+void PlaceDialog::showTexts(const std::vector<Row>& rows, const PlaceTexts& texts) {
+    showing_ = true;
+    for (std::size_t n = 0; n < rows.size(); ++n) rows[n].show(exactText(texts[n]));
+    showing_ = false;
+    emit changed();
+}
+
+void PlaceDialog::showPose(const PlaceTexts& texts) { showTexts(pose_, texts); }
+void PlaceDialog::showMounting(const PlaceTexts& texts) { showTexts(mounting_, texts); }
+
+namespace {
+
+template <class Rows>
+PlaceTexts textsOf(const Rows& rows) {
+    PlaceTexts texts;
+    for (const auto& row : rows) texts.push_back(exactBytes(row.text()));
+    return texts;
+}
+
+} // namespace
+
+PlaceTexts PlaceDialog::poseTexts() const { return textsOf(pose_); }
+PlaceTexts PlaceDialog::mountingTexts() const { return textsOf(mounting_); }
+
+void PlaceDialog::showFaults(const TypedPlace& typed) {
+    const auto show = [](const std::vector<Row>& rows, const PlaceTexts& faults) {
+        for (std::size_t n = 0; n < rows.size(); ++n) {
+            rows[n].fault->setText(shownText(faults[n]));
+            rows[n].fault->setVisible(!faults[n].empty());
+        }
+    };
+    show(pose_, typed.poseFaults);
+    show(mounting_, typed.mountFaults);
+    tabs_->setTabText(0, (anyFault(typed.poseFaults) ? "✕ " : "") + tr("Pose"));
+    tabs_->setTabText(1, (anyFault(typed.mountFaults) ? "✕ " : "") + tr("Mounting"));
+    if (!typed.isSound()) showState(shownText(typed.fault), false);
+}
+
+void PlaceDialog::showState(const QString& words, bool ready) {
+    state_->setText(words);
+    keep_->setEnabled(ready);
+}
+
+void PlaceDialog::showScanners(const QStringList& names, const QString& inUse) {
+    scanner_->clear();
+    scanner_->addItem(tr("Nominal mounting"), QString());
+    for (const QString& name : names) scanner_->addItem(shownName(name), name);
+    scanner_->setCurrentIndex(std::max(0, scanner_->findData(inUse)));
+    forget_->setEnabled(scanner_->currentIndex() > 0);
+}
+
+void PlaceDialog::setRemovable(bool on) { remove_->setEnabled(on); }
+
+QString PlaceDialog::stateText() const { return state_->text(); }
+
+} // namespace edgescan::ui
+
+#include "moc_place_dialog.cpp"

@@ -1,0 +1,80 @@
+// The form of a report.
+#include "ui/panels/dialogs/report_form.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kLongestLine = 200, kWide = 480, kRemarkLines = 4;
+
+QLineEdit* line(const char* name, const QString& text) {
+    auto* made = new QLineEdit(text);
+    made->setObjectName(name);
+    made->setMaxLength(kLongestLine);
+    return made;
+}
+
+} // namespace
+
+ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
+    : QDialog(parent), site_(line("report-site", words.site)), author_(line("report-author", words.author)),
+      remark_(new QPlainTextEdit(words.remark)), logo_(line("report-logo", words.logo)), format_(new QComboBox) {
+    setObjectName("report-form");
+    setWindowTitle(tr("Report"));
+    remark_->setObjectName("report-remark");
+    remark_->setTabChangesFocus(true);
+    remark_->setFixedHeight(remark_->fontMetrics().lineSpacing() * kRemarkLines + 16);
+    logo_->setMaxLength(4096);
+    logo_->setPlaceholderText(tr("none"));
+    format_->setObjectName("report-format");
+    format_->addItem(tr("HTML: turns in any browser, without a network"), ".html");
+    format_->addItem(tr("PDF: pages to print and to file"), ".pdf");
+    format_->setCurrentIndex(std::max(0, format_->findData(words.extension)));
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("Site"), site_);
+    form->addRow(tr("Author"), author_);
+    form->addRow(tr("Remark"), remark_);
+    form->addRow(tr("Logo (PNG)"), logoRow());
+    form->addRow(tr("Format"), format_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Save)->setText(tr("Choose File…"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    form->addRow(buttons);
+    setMinimumWidth(kWide);
+}
+
+QWidget* ReportForm::logoRow() {
+    auto* both = new QWidget;
+    auto* row = new QHBoxLayout(both);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* choose = new QToolButton;
+    choose->setText(tr("Choose…"));
+    row->addWidget(logo_, 1);
+    row->addWidget(choose);
+    connect(choose, &QToolButton::clicked, this, [this] {
+        const QString path = QFileDialog::getOpenFileName(this, tr("Logo"), logo_->text(), tr("PNG picture (*.png)"));
+        if (!path.isEmpty()) logo_->setText(path);
+    });
+    return both;
+}
+
+ReportWords ReportForm::words() const {
+    return {site_->text().trimmed(), author_->text().trimmed(), remark_->toPlainText().trimmed(), logo_->text().trimmed(),
+            format_->currentData().toString()};
+}
+
+} // namespace edgescan::ui
+
+#include "moc_report_form.cpp"

@@ -1,0 +1,41 @@
+// Five steps for the first start, in a strip above the views that covers nothing.
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+class QToolButton;
+
+namespace edgescan::ui {
+
+/// GUI thread only. Displays one step after the other and signals the operator's choices.
+class Tour : public QFrame {
+    Q_OBJECT
+public:
+    static constexpr int kSteps = 5;
+
+    explicit Tour(QWidget* parent = nullptr);
+
+    /// Begins with the first step.
+    void start();
+    void end();
+    [[nodiscard]] bool running() const { return running_; }
+    /// From 0.
+    [[nodiscard]] int step() const { return step_; }
+    void showStep(int step);
+
+signals:
+    /// The operator wants to see what the step is about.
+    void tryRequested(int step);
+    /// By the last step, by End or by Esc.
+    void ended();
+
+private:
+    QLabel* number_;
+    QLabel* text_;
+    QToolButton *try_, *back_, *next_, *end_;
+    bool running_ = false;
+    int step_ = 0;
+};
+
+} // namespace edgescan::ui

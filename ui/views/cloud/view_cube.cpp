@@ -1,0 +1,161 @@
+// Draws the cube of directions and reads clicks on its faces.
+#include "ui/views/cloud/view_cube.h"
+
+#include "ui/views/cloud/cloud_view.h"
+
+#include <QEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kSide = 92;      // px of the widget
+constexpr double kHalf = 25.0; // px: half an edge of the cube
+constexpr int kFromTop = 40;   // px: below notes of the view
+constexpr int kFromRight = 8;  // px
+constexpr QSize kLeastCubeView(460, 340);
+constexpr double kLeastTowardsEye = 0.05; // faces seen more edge-on have no area to click
+
+/// A face: its outward direction and one of its edges, along right, forward and up of the cloud.
+struct CubeFace {
+    ViewCube::Face face;
+    const char* name;
+    Eigen::Vector3d out, along;
+    void (CloudView::*look)();
+};
+
+const std::array<CubeFace, 6>& cubeFaces() {
+    using Face = ViewCube::Face;
+    static const std::array<CubeFace, 6> faces{{
+        {Face::Front, QT_TRANSLATE_NOOP("QObject", "Front"), {0, -1, 0}, {1, 0, 0}, &CloudView::viewFront},
+        {Face::Back, QT_TRANSLATE_NOOP("QObject", "Back"), {0, 1, 0}, {-1, 0, 0}, &CloudView::viewBack},
+        {Face::Left, QT_TRANSLATE_NOOP("QObject", "Left"), {-1, 0, 0}, {0, -1, 0}, &CloudView::viewLeft},
+        {Face::Right, QT_TRANSLATE_NOOP("QObject", "Right"), {1, 0, 0}, {0, 1, 0}, &CloudView::viewRight},
+        {Face::Top, QT_TRANSLATE_NOOP("QObject", "Top"), {0, 0, 1}, {1, 0, 0}, &CloudView::viewTop},
+        {Face::Bottom, QT_TRANSLATE_NOOP("QObject", "Bottom"), {0, 0, -1}, {1, 0, 0}, &CloudView::viewBottom},
+    }};
+    return faces;
+}
+
+} // namespace
+
+ViewCube::ViewCube(CloudView* cloud) : QWidget(cloud), cloud_(cloud) {
+    setObjectName("view-cube");
+    setMouseTracking(true);
+    setCursor(Qt::PointingHandCursor);
+    setToolTip(tr("Click a face: look at the cloud from there"));
+    resize(kSide, kSide);
+    connect(cloud, &CloudView::frameDrawn, this, &ViewCube::follow);
+    cloud->installEventFilter(this);
+    hide();
+}
+
+void ViewCube::setWanted(bool on) {
+    wanted_ = on;
+    place();
+}
+
+void ViewCube::setForGloves(bool on) {
+    forGloves_ = on;
+    place();
+}
+
+bool ViewCube::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == cloud_ && event->type() == QEvent::Resize) place();
+    return QWidget::eventFilter(watched, event);
+}
+
+void ViewCube::place() {
+    const auto& cloud = cloud_->geometryOfCloud();
+    setVisible(wanted_ && !forGloves_ && cloud && cloud->validCount > 0 && cloud_->width() >= kLeastCubeView.width() &&
+               cloud_->height() >= kLeastCubeView.height());
+    move(cloud_->width() - kFromRight - width(), kFromTop);
+}
+
+void ViewCube::follow() {
+    place();
+    if (!isVisible()) return;
+    const CameraPose pose = cloud_->camera();
+    const auto& axes = cloud_->geometryOfCloud()->axes;
+    const auto inCloud = [&axes](const Eigen::Vector3d& way) {
+        return Eigen::Vector3d(way.dot(axes.right), way.dot(axes.forward), way.dot(axes.up));
+    };
+    Eigen::Matrix3d turn;
+    turn.row(0) = inCloud(pose.right());
+    turn.row(1) = inCloud(pose.up);
+    turn.row(2) = inCloud(pose.forward());
+    if (turn == turn_) return;
+    turn_ = turn;
+    seen_.clear();
+    for (const CubeFace& face : cubeFaces()) {
+        const double towardsEye = -turn.row(2).dot(face.out);
+        if (towardsEye < kLeastTowardsEye) continue;
+        const Eigen::Vector3d across = face.out.cross(face.along);
+        Seen one{face.face, {}, towardsEye};
+        for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+            const Eigen::Vector3d corner = turn * (face.out + a * face.along + b * across);
+            one.corners << QPointF(kSide / 2.0 + kHalf * corner.x(), kSide / 2.0 - kHalf * corner.y());
+        }
+        seen_.push_back(one);
+    }
+    update();
+}
+
+std::optional<ViewCube::Face> ViewCube::at(QPointF pixel) const {
+    for (const Seen& each : seen_) {
+        if (each.corners.containsPoint(pixel, Qt::OddEvenFill)) return each.face;
+    }
+    return std::nullopt;
+}
+
+std::optional<QPointF> ViewCube::middleOf(Face face) const {
+    const auto found = std::ranges::find(seen_, face, &Seen::face);
+    if (found == seen_.end()) return std::nullopt;
+    return (found->corners[0] + found->corners[2]) / 2.0;
+}
+
+void ViewCube::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont letters = painter.font();
+    letters.setPixelSize(12);
+    painter.setFont(letters);
+    for (const Seen& each : seen_) {
+        const int light = static_cast<int>(56 + 60 * each.towardsEye);
+        painter.setPen(QPen(QColor(0x85, 0x8b, 0x92), 1.0));
+        painter.setBrush(under_ == each.face ? QColor(0x1f, 0x4f, 0x80) : QColor(light, light, light));
+        painter.drawPolygon(each.corners);
+        if (each.towardsEye < 0.4) continue; // too narrow for letters
+        const QString name = QObject::tr(cubeFaces()[static_cast<std::size_t>(each.face)].name);
+        const QRectF room(*middleOf(each.face) - QPointF(kHalf, 8), QSizeF(2 * kHalf, 16));
+        painter.setPen(QColor(0xe8, 0xe8, 0xe8));
+        painter.drawText(room, Qt::AlignCenter, painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(room.width())));
+    }
+}
+
+void ViewCube::mouseMoveEvent(QMouseEvent* event) {
+    const auto now = at(event->localPos());
+    if (now == under_) return;
+    under_ = now;
+    update();
+}
+
+/// The press does not reach the cloud under the cube.
+void ViewCube::mousePressEvent(QMouseEvent* event) { event->accept(); }
+
+void ViewCube::mouseReleaseEvent(QMouseEvent* event) {
+    if (const auto face = at(event->localPos())) (cloud_->*cubeFaces()[static_cast<std::size_t>(*face)].look)();
+}
+
+void ViewCube::leaveEvent(QEvent* /*event*/) {
+    under_.reset();
+    update();
+}
+
+} // namespace edgescan::ui
+
+#include "moc_view_cube.cpp"

@@ -1,0 +1,178 @@
+// Makes, opens, folds and places the docks.
+#include "ui/window/docks.h"
+
+#include "ui/base/dock_rail.h"
+#include "ui/base/scrolled.h"
+#include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/rocks/rock_table.h"
+#include "ui/panels/rocks/rocks_panel.h"
+#include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/edges_panel.h"
+#include "ui/window/viewer.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QStyle>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kPanelsFrom = 1100, kTableFrom = 1600; // px of the window's width
+constexpr int kStackedFrom = 1000;                   // px of its height: in a lower one rocks and targets share a place
+constexpr int kTableHeight = 234;                    // px
+constexpr double kPanelHeight = 0.55;                // of the window, of a panel that opens under another
+constexpr int kLeastPanel = 240, kMostPanel = 400;   // px; narrower panels cut off text
+constexpr int kSamePx = 2;                           // widths that differ by less count as equal
+constexpr const char* kByHand = "byHand";            // of a dock: "open" or "folded" if the operator opened or folded it
+constexpr const char *kEdges = "dock-edges", *kRocks = "dock-rocks", *kTargets = "dock-targets", *kTable = "dock-rock-table";
+
+QString byHand(const QDockWidget& dock) { return dock.property(kByHand).toString(); }
+
+} // namespace
+
+Docks::Docks(QMainWindow& window, DockRail& rail, Viewer& viewer)
+    : QObject(&window), window_(window), rail_(rail), preferences_(viewer.preferences) {
+    window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    add(tr("Edges"), kEdges, &viewer.panel, Side::Right, kPanelsFrom);
+    add(tr("Rocks"), kRocks, scrolled(viewer.rocksPanel), Side::Right, kPanelsFrom);
+    add(tr("Targets"), kTargets, scrolled(viewer.targetsPanel), Side::Right, kPanelsFrom);
+    add(tr("Rock Table"), kTable, &viewer.rockTable, Side::Bottom, kTableFrom);
+    place();
+    for (const char* name : {kRocks, kTargets}) rail_.setWanted(named(name).widget, false);
+    named(kEdges).wanted = true;
+    connect(&viewer.rocks, &Rocks::shownChanged, this, [this](bool on) {
+        want(kTable, on);
+        want(kRocks, on);
+    });
+    connect(&viewer.targets, &Targets::pinned, this, [this] { want(kTargets, true); });
+}
+
+void Docks::add(const QString& title, const char* name, QWidget* content, Side side, int opensFrom) {
+    auto* dock = new QDockWidget(title, &window_);
+    dock->setObjectName(name);
+    dock->setProperty(kByHand, preferences_.text("window/" + dock->objectName()));
+    dock->setWidget(content);
+    docks_.push_back({dock, side, opensFrom});
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool open) {
+        keep(*dock, open ? "open" : "folded");
+        emit changed();
+    });
+    if (side == Side::Right) rail_.add(dock);
+    dock->hide();
+}
+
+void Docks::keep(QDockWidget& dock, const QString& byHand) {
+    dock.setProperty(kByHand, byHand);
+    preferences_.keep("window/" + dock.objectName(), byHand);
+}
+
+Docks::Dock& Docks::named(const char* name) {
+    return *std::ranges::find_if(docks_, [name](const Dock& dock) { return dock.widget->objectName() == name; });
+}
+
+void Docks::want(const char* name, bool on) {
+    Dock& dock = named(name);
+    if (std::exchange(dock.wanted, on) == on) return;
+    if (!on && byHand(*dock.widget) == "open") keep(*dock.widget, QString()); // opened for what is gone
+    rail_.setWanted(dock.widget, on);
+    emit changed();
+    if (on && !dock.widget->isHidden()) dock.widget->raise();
+}
+
+bool Docks::isOpenAt(const Dock& dock, int width, int most) const {
+    if (locked_) return false;
+    const QString hand = byHand(*dock.widget);
+    if (!hand.isEmpty()) return hand == "open";
+    const bool room = dock.side == Side::Bottom || std::max(kLeastPanel, dock.widget->minimumSizeHint().width()) <= most;
+    return dock.wanted && width >= dock.opensFrom && room;
+}
+
+void Docks::fit(int most) {
+    stack();
+    for (Dock& dock : docks_) {
+        const bool open = isOpenAt(dock, window_.width(), most);
+        if (dock.widget->isHidden() != open) continue;
+        dock.widget->setVisible(open);
+        if (!open) continue;
+        if (dock.side == Side::Bottom)
+            window_.resizeDocks({dock.widget}, {kTableHeight}, Qt::Vertical);
+        else if (dock.widget->objectName() != kEdges)
+            window_.resizeDocks({dock.widget}, {static_cast<int>(kPanelHeight * window_.height())}, Qt::Vertical);
+    }
+}
+
+int Docks::usualWidth(const QDockWidget& dock) const {
+    const int usual = static_cast<int>(std::lround(260 + 0.1656 * (window_.width() - 1280)));
+    return std::max(std::clamp(usual, kLeastPanel, kMostPanel), dock.minimumSizeHint().width());
+}
+
+int Docks::setWidths(int most) {
+    int panels = 0, usual = 0;
+    std::vector<QDockWidget*> open;
+    for (const Dock& dock : docks_) {
+        if (dock.side != Side::Right || dock.widget->isHidden() || dock.widget->isFloating()) continue;
+        open.push_back(dock.widget);
+        usual = std::max(usual, usualWidth(*dock.widget));
+        panels = std::max(panels, dock.widget->width());
+    }
+    // no operator wants a panel that cuts off text, or one that takes the cloud's room
+    const bool follows = arranged_ == 0 || std::abs(panels - arranged_) <= kSamePx || panels < kLeastPanel || panels > most;
+    if (!open.empty() && follows) {
+        arranged_ = panels = usual;
+        for (QDockWidget* dock : open) window_.resizeDocks({dock}, {usual}, Qt::Horizontal); // its width changes later
+    }
+    if (!open.empty()) panels += window_.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window_);
+    return panels + (rail_.isHidden() ? 0 : rail_.sizeHint().width());
+}
+
+void Docks::place() {
+    for (const Dock& dock : docks_) {
+        dock.widget->setFloating(false);
+        window_.addDockWidget(dock.side == Side::Right ? Qt::RightDockWidgetArea : Qt::BottomDockWidgetArea, dock.widget);
+    }
+    stack();
+}
+
+/// On a low window one whole card is easier to read than a third of each.
+void Docks::stack() {
+    QDockWidget* rocks = named(kRocks).widget;
+    QDockWidget* targets = named(kTargets).widget;
+    if (rocks->isFloating() || targets->isFloating()) return;
+    const bool low = window_.height() < kStackedFrom;
+    const bool together = window_.tabifiedDockWidgets(rocks).contains(targets);
+    if (low == together) return;
+    const bool open = !targets->isHidden();
+    if (low)
+        window_.tabifyDockWidget(rocks, targets);
+    else
+        window_.addDockWidget(Qt::RightDockWidgetArea, targets);
+    targets->setVisible(open);
+}
+
+void Docks::reset() {
+    for (const Dock& dock : docks_) keep(*dock.widget, QString());
+    arranged_ = 0;
+    place();
+    emit changed();
+}
+
+void Docks::setLocked(bool on) {
+    locked_ = on;
+    rail_.setLocked(on);
+    for (const Dock& dock : docks_) {
+        dock.widget->toggleViewAction()->setEnabled(!on);
+        if (on) dock.widget->hide();
+    }
+    if (!on) emit changed();
+}
+
+} // namespace edgescan::ui
+
+#include "moc_docks.cpp"

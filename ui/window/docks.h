@@ -1,0 +1,68 @@
+// The docks of the window: what a dock shows decides whether it is wanted, the width and the operator whether it is open.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include <vector>
+
+class QDockWidget;
+class QMainWindow;
+class QWidget;
+
+namespace edgescan::ui {
+
+class DockRail;
+class Preferences;
+struct Viewer;
+
+/// GUI thread only. A dock that the operator opened or folded stays so, also in the next session, until reset().
+class Docks : public QObject {
+    Q_OBJECT
+public:
+    /// Adds the docks of the viewer's panels to the window. All must outlive it.
+    Docks(QMainWindow& window, DockRail& rail, Viewer& viewer);
+
+    /// Opens and folds them for the window's size. `most`: px of its width that the docks at the right may take.
+    void fit(int most);
+    /// As fit() would open them without what the operator did, in their first order.
+    void reset();
+    /// While locked all are hidden and nothing opens one.
+    void setLocked(bool on);
+    /// After fit(): gives the open docks at the right their usual width, except where the operator dragged them to another one. Returns px
+    /// of the window's width that they take, with the rail.
+    int setWidths(int most);
+    /// For the settings memory: the width that setWidths() gave last.
+    [[nodiscard]] int arrangedWidth() const { return arranged_; }
+    void setArrangedWidth(int width) { arranged_ = width; }
+
+signals:
+    /// A dock is wanted, or the operator opened or folded one: fit() is needed.
+    void changed();
+
+private:
+    enum class Side { Right, Bottom };
+    struct Dock {
+        QDockWidget* widget;
+        Side side;
+        int opensFrom;       ///< px of the window: in a narrower one only the operator opens it
+        bool wanted = false; ///< there is something to show in it
+    };
+    void add(const QString& title, const char* name, QWidget* content, Side side, int opensFrom);
+    void want(const char* name, bool on);
+    void keep(QDockWidget& dock, const QString& byHand);
+    [[nodiscard]] Dock& named(const char* name);
+    [[nodiscard]] bool isOpenAt(const Dock& dock, int width, int most) const;
+    [[nodiscard]] int usualWidth(const QDockWidget& dock) const;
+    void place();
+    void stack();
+
+    QMainWindow& window_;
+    DockRail& rail_;
+    Preferences& preferences_;
+    std::vector<Dock> docks_; // in their order from top to bottom
+    bool locked_ = false;
+    int arranged_ = 0; // width set by setWidths(): a dock that still has this width follows the window
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,67 @@
+// What each step of the tour shows.
+#include "ui/window/first_tour.h"
+
+#include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/dialogs/sheets.h"
+#include "ui/panels/start/tour.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QDockWidget>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr const char* kTourEnded = "tour-ended";
+
+Tour* tourOf(MainWindow& window) { return window.findChild<Tour*>("tour"); }
+
+void tryStep(MainWindow& window, int step) {
+    Viewer& viewer = window.viewer();
+    switch (step) {
+    case 0:
+        return viewer.comparing.openDemoPair();
+    case 1:
+        return viewer.cloud.viewFromScanner();
+    case 2:
+        if (auto* dock = window.findChild<QDockWidget*>("dock-edges"); dock != nullptr && dock->toggleViewAction()->isEnabled()) {
+            dock->show();
+            dock->raise();
+        }
+        return;
+    case 3:
+        return viewer.rocks.setShown(true);
+    default:
+        return showShortcuts(&window, window.actions());
+    }
+}
+
+} // namespace
+
+void addTour(MainWindow& window, QBoxLayout& column) {
+    auto* tour = new Tour;
+    column.addWidget(tour);
+    QObject::connect(&window.cab(), &CabMode::changed, tour, [tour](bool cab) { tour->setVisible(tour->running() && !cab); });
+    QObject::connect(tour, &Tour::ended, &window, [&window] { window.viewer().preferences.keep(kTourEnded, true); });
+    QObject::connect(tour, &Tour::tryRequested, &window, [&window](int step) { tryStep(window, step); });
+}
+
+void startTour(MainWindow& window) {
+    if (!window.cab().on()) tourOf(window)->start();
+}
+
+bool endTour(MainWindow& window) {
+    Tour& tour = *tourOf(window);
+    if (!tour.isVisible()) return false;
+    tour.end();
+    return true;
+}
+
+void offerTour(MainWindow& window, const Preferences& preferences) {
+    if (!preferences.dataFolder().isEmpty() && !preferences.flag(kTourEnded, false)) startTour(window);
+}
+
+} // namespace edgescan::ui
