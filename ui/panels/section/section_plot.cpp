@@ -10,6 +10,8 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -178,7 +180,7 @@ void SectionPlot::drawMarks(QPainter& painter) const {
 }
 
 void SectionPlot::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
+    const double steps = notches(*event);
     event->accept();
     if (steps == 0.0 || !section_) return;
     const double factor = std::clamp(perM_ * std::pow(1.2, steps), 1.0, 1e5) / perM_;
@@ -189,24 +191,24 @@ void SectionPlot::wheelEvent(QWheelEvent* event) {
 }
 
 void SectionPlot::mousePressEvent(QMouseEvent* event) {
-    press_ = event->position();
+    press_ = place(*event);
     travelled_ = false;
 }
 
 void SectionPlot::mouseMoveEvent(QMouseEvent* event) {
-    if (press_ && (travelled_ || QLineF(*press_, event->position()).length() > kTravel)) {
-        origin_ += event->position() - *press_;
-        press_ = event->position();
+    if (press_ && (travelled_ || QLineF(*press_, place(*event)).length() > kTravel)) {
+        origin_ += place(*event) - *press_;
+        press_ = place(*event);
         travelled_ = moved_ = true;
         return update();
     }
-    if (const inspect::SectionVertex* vertex = nearest(event->position())) emit hovered(vertex->cell);
+    if (const inspect::SectionVertex* vertex = nearest(place(*event))) emit hovered(vertex->cell);
 }
 
 void SectionPlot::mouseReleaseEvent(QMouseEvent* event) {
     const bool click = press_ && !travelled_ && event->button() == Qt::LeftButton;
     press_.reset();
-    const inspect::SectionVertex* vertex = click ? nearest(event->position()) : nullptr;
+    const inspect::SectionVertex* vertex = click ? nearest(place(*event)) : nullptr;
     if (vertex == nullptr) return;
     if (ends_.size() == 2) ends_.clear();
     length_.clear();
