@@ -127,7 +127,7 @@ void Sections::askExport() {
     const Scan& scan = *picture_->detection->scan;
     SaveQuestion question;
     question.title = tr("Export Section");
-    question.filters = {tr("Drawing (*.dxf)"), tr("Table (*.csv)"), tr("Picture (*.png)")};
+    question.filters = QStringList{tr("Drawing (*.dxf)"), tr("Table (*.csv)"), tr("Picture (*.png)")};
     question.extension = ".dxf";
     const QString name = shownName(exactText(scan.name), 80).replace(' ', '-').replace('/', '-') + "_section.dxf";
     question.place = QDir(preferences_.folder("exports")).filePath(name);
