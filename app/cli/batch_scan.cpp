@@ -56,7 +56,8 @@ const std::vector<ResultWord>& resultWords() {
         const auto add = [&](exports::ExportKind::Needs needs, bool oneFormat) {
             for (const exports::ExportKind& kind : exports::exportKinds()) {
                 const bool one = kind.holds != exports::ExportKind::Holds::Points && kind.files.size() == 1;
-                if (kind.needs == needs && one == oneFormat)
+                const bool inFolder = std::ranges::any_of(kind.files, &exports::ExportFile::inFolder); // a section needs a plane
+                if (kind.needs == needs && one == oneFormat && inFolder)
                     words.push_back({kind.key, &kind, {}, one ? kind.files.front().extension : ""});
             }
         };

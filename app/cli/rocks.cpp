@@ -13,6 +13,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/exports/provenance.h"
 #include "core/exports/rock_report.h"
+#include "core/inspect/section/section.h"
 #include "core/rocks/attributes/size_curve.h"
 #include "core/rocks/attributes/study.h"
 
@@ -32,6 +33,8 @@ struct RocksFlags {
     std::string file, writeEdits;
     ExportPaths out;
     std::vector<std::string> why, split;
+    std::vector<std::string> through; ///< cells of a section
+    int throughRock = 0;              ///< 0: none
     RockFlags rocks;
     ReadFlags read;
     WriteFlags write;
@@ -83,9 +86,35 @@ Result<Done> answerWhy(const RocksFlags& flags, const rocks::Study& study) {
     return Done{};
 }
 
+/// The plane of the section; null without one.
+Result<std::shared_ptr<const inspect::SectionPlane>> planeFor(const RocksFlags& flags, const rocks::Study& study) {
+    const Scan& scan = *study.segmentation->inputs.scan;
+    std::shared_ptr<const inspect::SectionPlane> none;
+    Result<inspect::SectionPlane> plane = inspect::SectionPlane{};
+    if (flags.throughRock > 0) {
+        const Grid<std::uint32_t> labels = rocks::rockLabels(*study.segmentation, study.map);
+        std::vector<std::uint32_t> cells;
+        for (std::uint32_t k = 0; k < labels.size(); ++k) {
+            if (labels[k] == static_cast<std::uint32_t>(flags.throughRock)) cells.push_back(k);
+        }
+        plane = inspect::planeThroughRock(scan, cells);
+    } else if (!flags.through.empty()) {
+        const auto from = cellOf(flags.through[0], scan, "--section-through"), to = cellOf(flags.through[1], scan, "--section-through");
+        if (!from || !to) return from ? to.error() : from.error();
+        plane = inspect::planeThrough(scan, *from, *to);
+    } else {
+        return none;
+    }
+    if (!plane) return plane.error();
+    return std::make_shared<const inspect::SectionPlane>(*plane);
+}
+
 Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detection, const std::shared_ptr<const rocks::Study>& study) {
     exports::ExportOptions options = exportOptions(flags.write, *detection.scan);
     options.rocks = study;
+    const auto plane = planeFor(flags, *study);
+    if (!plane) return plane.error();
+    options.section = *plane;
     const std::vector<WantedExport> files = wantedExports(flags.out, kRocks, detection.scan->name, options.frame);
     std::vector<std::string> paths{flags.writeEdits};
     for (const WantedExport& file : files) paths.push_back(file.path);
@@ -139,6 +168,10 @@ Result<Done> checkUsage(RocksFlags& flags) {
     std::vector<std::string> paths(flags.out.typed.begin(), flags.out.typed.end());
     paths.push_back(flags.writeEdits);
     if (auto distinct = checkDistinct(paths); !distinct) return distinct;
+    const bool noPlane = flags.through.empty() && flags.throughRock == 0;
+    if (const std::string& section = flags.out.of(exports::exportKind(exports::ExportContent::Section)); noPlane != section.empty())
+        return Error{noPlane ? "a section needs a plane" : "the section has no file", "--section",
+                     noPlane ? "give --section-through LINE,BEAM LINE,BEAM or --section-rock N" : "give --section FILE"};
     claimInput(flags.file);
     if (const auto rocks = checkRocks(flags.rocks); !rocks) return rocks.error();
     return checkMethod(flags.method);
@@ -177,6 +210,15 @@ void addRocks(CLI::App& app, int& code) {
     command.add_option("-o,--output", flags->out.folder, "Folder for all of these, under the scan's name")->group(results);
     command.add_option("--why", flags->why, "Why two cells, each as LINE,BEAM, lie in two rocks or in one; JSON on stdout")
         ->expected(2)
+        ->group(results);
+    CLI::Option* through = command
+                               .add_option("--section-through", flags->through,
+                                           "The section's plane is vertical and goes through these two cells, each as LINE,BEAM")
+                               ->expected(2)
+                               ->group(results);
+    command.add_option("--section-rock", flags->throughRock, "It goes along the rock with this number")
+        ->check(CLI::Range(1, 1000000))
+        ->excludes(through)
         ->group(results);
     const char* group = "Rocks";
     addRockFlags(command, flags->rocks, true);

@@ -6,6 +6,7 @@
 #include "core/edges/gray/gray.h"
 #include "core/exports/rock_files.h"
 #include "core/exports/rock_outlines.h"
+#include "core/exports/section_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/georef/placed_points.h"
@@ -49,6 +50,7 @@ Files rockLabelPicture(const ExportInput& in) {
 Files rockOutlines(const ExportInput& in) { return one(in, outlineBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
 Files rockPictureOutlines(const ExportInput& in) { return one(in, pictureOutlines(*in.options.rocks, in.record)); }
 Files rockHullFile(const ExportInput& in) { return one(in, hullBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
+Files section(const ExportInput& in) { return one(in, sectionBytes(in)); }
 constexpr std::array kCloudFile{ExportFile{".pcd", nullptr, Coordinates::InName}};
 constexpr std::array kPictureFile{ExportFile{".png", nullptr, Coordinates::None}};
 constexpr std::array kReportFile{ExportFile{".json", "Report with settings and edits", Coordinates::Inside}};
@@ -59,6 +61,9 @@ constexpr std::array kOutlineFiles{ExportFile{".dxf", "Outlines in space", Coord
 constexpr std::array kPictureOutlineFile{ExportFile{".json", nullptr, Coordinates::None}};
 constexpr std::array kHullFiles{ExportFile{".ply", "Convex hulls of the visible points", Coordinates::InName},
                                 ExportFile{".obj", "Convex hulls of the visible points", Coordinates::InName, false}};
+constexpr std::array kSectionFiles{ExportFile{".dxf", nullptr, Coordinates::Inside, false},
+                                   ExportFile{".csv", nullptr, Coordinates::Inside, false},
+                                   ExportFile{".png", nullptr, Coordinates::Inside, false}};
 
 // clang-format off
 constexpr ExportKind kKinds[]{
@@ -91,6 +96,8 @@ constexpr ExportKind kKinds[]{
      "--hulls", "Convex hulls of the visible points, never a volume: .ply or .obj", rockHullFile},
     {ExportContent::RockCloud, "rock-cloud", "rock cloud", Needs::Rocks, Holds::Points, Counts::Points, "rocks", kCloudFile,
      "--cloud", "All points in metres with a field for rocks", fullCloud},
+    {ExportContent::Section, "section", "section", Needs::Rocks, Holds::Shapes, Counts::Rocks, "section", kSectionFiles,
+     "--section", "Where a plane cuts the surfaces, in true scale, with edges and rocks: .dxf, .csv or .png", section},
 };
 // clang-format on
 

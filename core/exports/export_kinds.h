@@ -18,6 +18,9 @@
 namespace edgescan::rocks {
 struct Study;
 } // namespace edgescan::rocks
+namespace edgescan::inspect {
+struct SectionPlane;
+} // namespace edgescan::inspect
 namespace edgescan::files {
 struct SaveOptions;
 } // namespace edgescan::files
@@ -39,6 +42,7 @@ enum class ExportContent : std::uint8_t {
     RockPictureOutlines,
     RockHulls,
     RockCloud,
+    Section,
     End ///< how many there are
 };
 
@@ -51,6 +55,7 @@ struct ExportOptions {
     files::WritingChoices choices{};
     std::shared_ptr<const rocks::Study> rocks{};                   ///< of the detection's scan, for exports of rocks
     std::shared_ptr<const std::vector<std::uint32_t>> selection{}; ///< of a cloud: these cells alone, ascending; null = all
+    std::shared_ptr<const inspect::SectionPlane> section{};        ///< of a section
     bool sidecar = true;                                           ///< also write the record to a sidecar
 };
 

@@ -14,6 +14,7 @@
 #include "core/exports/find_scan.h"
 #include "core/exports/record_parts.h"
 #include "core/exports/report.h"
+#include "core/exports/section_files.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/georef/placed_points.h"
@@ -280,6 +281,11 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
     const auto detection = detectionOf(*record, *kind, scansFolder, v);
     if (!detection) return detection.error();
     if (record->contains("selection")) options.selection = selectionOf(at(*record, "/selection"), (*detection)->scan->cells());
+    if (kind->content == ExportContent::Section) {
+        const auto plane = planeOf(at(*record, "/section"), exported.string());
+        if (!plane) return plane.error();
+        options.section = *plane;
+    }
     if (kind->needs == ExportKind::Needs::Rocks) {
         const auto rocks = rocksOf(*record, **detection, v);
         if (!rocks) return rocks.error();

@@ -173,6 +173,19 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
+<message><source>The section could not be worked out (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
+<message><source>Se&amp;ction</source><translation>Se&amp;cción</translation></message>
+<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de la última medición: mida primero una distancia entre dos celdas.</translation></message>
+<message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
+<message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
+<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plano vertical, escala real. Bordes en verde%1.</translation></message>
+<message><source>, rocks in colours</source><translation>, rocas en colores</translation></message>
+<message><source>▲ no pose: up is the scanner's z</source><translation>▲ sin pose: arriba es el z del escáner</translation></message>
+<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Una sección se exporta con sus rocas: muestre primero las rocas (K) y exporte de nuevo.</translation></message>
+<message><source>Export Section</source><translation>Exportar la sección</translation></message>
+<message><source>Drawing (*.dxf)</source><translation>Dibujo (*.dxf)</translation></message>
+<message><source>Table (*.csv)</source><translation>Tabla (*.csv)</translation></message>
+<message><source>Picture (*.png)</source><translation>Imagen (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
 <message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Este escaneo es plano y con poco ruido: con el preajuste smooth-walls, los escalones bajos lejanos también son bordes.</translation></message>
@@ -286,6 +299,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>being worked out …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
+<message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
+<message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir con las rocas seleccionadas</translation></message>
+<message><source>&amp;Split Here</source><translation>&amp;Dividir aquí</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;No es roca, o sí lo es</translation></message>
+<message><source>&amp;Export Rocks…</source><translation>&amp;Exportar las rocas…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
@@ -351,6 +369,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Show All</source><translation>Mostrar todo</translation></message>
 <message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 celdas seleccionadas, %2 puntos, %3 bordes</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 celdas ocultas</translation></message>
+<message><source>&amp;Isolate</source><translation>A&amp;islar</translation></message>
 <message><source>&amp;Select</source><translation>Se&amp;leccionar</translation></message>
 <message><source>Edge &amp;Chain Here</source><translation>&amp;Cadena de bordes aquí</translation></message>
 <message><source>&amp;Rock Here</source><translation>&amp;Roca aquí</translation></message>
@@ -360,6 +379,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
 <message><source>The targets could not be kept (%1).</source><translation>No se pudieron conservar los objetivos (%1).</translation></message>
 <message><source>The targets could not be worked out (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
+<message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
 <message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>No se conserva: esta imagen no es de ningún archivo, o no se recuerda nada.</translation></message>
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
@@ -692,6 +713,9 @@ mantenga \ para verla</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % de las rocas no son visiblemente más anchas que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
+<message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
+<message><source>Section</source><translation>Sección</translation></message>
+<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
@@ -1027,7 +1051,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir en el próximo clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;No es roca, o sí lo es</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
@@ -1039,6 +1062,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensiones a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Por la &amp;superficie</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Ancho de &amp;garganta</translation></message>
+<message><source>Se&amp;ction through the Last Measurement</source><translation>Se&amp;cción por la última medición</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Sección po&amp;r la roca</translation></message>
 <message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este objetivo</translation></message>

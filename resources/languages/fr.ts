@@ -173,6 +173,19 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
+<message><source>The section could not be worked out (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
+<message><source>Se&amp;ction</source><translation>&amp;Coupe</translation></message>
+<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités de la dernière mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
+<message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
+<message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
+<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plan vertical, échelle vraie. Arêtes en vert%1.</translation></message>
+<message><source>, rocks in colours</source><translation>, blocs en couleurs</translation></message>
+<message><source>▲ no pose: up is the scanner's z</source><translation>▲ pas de pose : le haut est le z du scanner</translation></message>
+<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Une coupe s'exporte avec ses blocs : affichez d'abord les blocs (K), puis exportez de nouveau.</translation></message>
+<message><source>Export Section</source><translation>Exporter la coupe</translation></message>
+<message><source>Drawing (*.dxf)</source><translation>Dessin (*.dxf)</translation></message>
+<message><source>Table (*.csv)</source><translation>Tableau (*.csv)</translation></message>
+<message><source>Picture (*.png)</source><translation>Image (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
 <message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Ce scan est plan et peu bruité : avec le préréglage smooth-walls, les marches basses au loin sont aussi des arêtes.</translation></message>
@@ -286,6 +299,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>being worked out …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
+<message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
+<message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Fusionner avec les blocs sélectionnés</translation></message>
+<message><source>&amp;Split Here</source><translation>&amp;Diviser ici</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
+<message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
@@ -351,6 +369,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Show All</source><translation>Tout afficher</translation></message>
 <message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 cellules sélectionnées, %2 points, %3 arêtes</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 cellules masquées</translation></message>
+<message><source>&amp;Isolate</source><translation>&amp;Isoler</translation></message>
 <message><source>&amp;Select</source><translation>Sé&amp;lectionner</translation></message>
 <message><source>Edge &amp;Chain Here</source><translation>&amp;Chaîne d'arêtes ici</translation></message>
 <message><source>&amp;Rock Here</source><translation>&amp;Bloc ici</translation></message>
@@ -360,6 +379,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
 <message><source>The targets could not be kept (%1).</source><translation>Les cibles n'ont pas pu être conservées (%1).</translation></message>
 <message><source>The targets could not be worked out (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
+<message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
 <message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Non conservé : cette image ne vient d'aucun fichier, ou rien n'est mémorisé.</translation></message>
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
@@ -692,6 +713,9 @@ tenez \ pour la voir</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % des blocs ne sont visiblement pas plus larges que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
+<message><source>Section</source><translation>Coupe</translation></message>
+<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
@@ -1027,7 +1051,6 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
@@ -1039,6 +1062,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Le long de la &amp;surface</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Largeur du &amp;goulot</translation></message>
+<message><source>Se&amp;ction through the Last Measurement</source><translation>&amp;Coupe par la dernière mesure</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Coupe par le &amp;bloc</translation></message>
 <message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>

@@ -173,6 +173,19 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
+<message><source>The section could not be worked out (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
+<message><source>Se&amp;ction</source><translation>Se&amp;cção</translation></message>
+<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades da última medição: meça primeiro uma distância entre duas células.</translation></message>
+<message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
+<message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
+<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plano vertical, escala real. Arestas a verde%1.</translation></message>
+<message><source>, rocks in colours</source><translation>, rochas a cores</translation></message>
+<message><source>▲ no pose: up is the scanner's z</source><translation>▲ sem pose: para cima é o z do scanner</translation></message>
+<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Uma secção é exportada com as suas rochas: mostre primeiro as rochas (K) e exporte de novo.</translation></message>
+<message><source>Export Section</source><translation>Exportar a secção</translation></message>
+<message><source>Drawing (*.dxf)</source><translation>Desenho (*.dxf)</translation></message>
+<message><source>Table (*.csv)</source><translation>Tabela (*.csv)</translation></message>
+<message><source>Picture (*.png)</source><translation>Imagem (*.png)</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
 <message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Esta varredura é plana e com pouco ruído: com a predefinição smooth-walls, os degraus baixos ao longe também são bordas.</translation></message>
@@ -286,6 +299,11 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>being worked out …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
+<message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
+<message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir às rochas selecionadas</translation></message>
+<message><source>&amp;Split Here</source><translation>&amp;Dividir aqui</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Não é rocha, ou é sim</translation></message>
+<message><source>&amp;Export Rocks…</source><translation>&amp;Exportar as rochas…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
@@ -351,6 +369,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Show All</source><translation>Mostrar tudo</translation></message>
 <message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 células selecionadas, %2 pontos, %3 bordas</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 células ocultas</translation></message>
+<message><source>&amp;Isolate</source><translation>&amp;Isolar</translation></message>
 <message><source>&amp;Select</source><translation>Se&amp;lecionar</translation></message>
 <message><source>Edge &amp;Chain Here</source><translation>&amp;Cadeia de bordas aqui</translation></message>
 <message><source>&amp;Rock Here</source><translation>&amp;Rocha aqui</translation></message>
@@ -360,6 +379,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
 <message><source>The targets could not be kept (%1).</source><translation>Não foi possível conservar os alvos (%1).</translation></message>
 <message><source>The targets could not be worked out (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
+<message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
+<message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
 <message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Não conservado: esta imagem não é de nenhum arquivo, ou nada é lembrado.</translation></message>
 <message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
@@ -692,6 +713,9 @@ segure \ para vê-la</translation></message>
 <message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % das rochas não são visivelmente mais largas que %2 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
+<message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
+<message><source>Section</source><translation>Secção</translation></message>
+<message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
@@ -1027,7 +1051,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir no próximo clique</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Não é rocha, ou é sim</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
@@ -1039,6 +1062,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Ao longo da &amp;superfície</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Largura da &amp;garganta</translation></message>
+<message><source>Se&amp;ction through the Last Measurement</source><translation>Se&amp;cção pela última medição</translation></message>
+<message><source>Section th&amp;rough the Rock</source><translation>Secção pela &amp;rocha</translation></message>
 <message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
 <message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>

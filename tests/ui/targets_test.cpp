@@ -12,6 +12,8 @@
 #include "ui/panels/dialogs/export_dialog.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/section/section_card.h"
+#include "ui/panels/section/section_plot.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/status_line.h"
@@ -31,6 +33,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <cmath>
 #include <set>
 
 using namespace edgescan;
@@ -154,6 +157,65 @@ private slots:
         QVERIFY(targets(on)[0].locked);
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
+    }
+
+    // A void with a wall 13 m behind it: clicks just inside its rim mean the rim, in every tool.
+    void aClickBehindAnEdgeMeansItsNearSide() {
+        const std::string path = (folder_ / "void.json").string();
+        QVERIFY(bool(files::saveScan(
+            test::makeScan(60, 60, [](int i, int j) { return std::hypot(i - 30, j - 30) < 12 ? 18000.0 : 5000.0; }), path)));
+        WindowFixture on;
+        QVERIFY(showWith(on, path));
+        const Scan& scan = *on.picture().detection->scan;
+        ImageView& gray = on.viewer.views.gray();
+        const std::uint32_t clicked = cellUnder(on, 30, 19);
+        QCOMPARE(scan.rangeMm[clicked], 18000.0F);
+        click(gray, 30, 19);
+        QVERIFY(known(on));
+        QCOMPARE(static_cast<int>(targets(on).size()), 1);
+        QCOMPARE(scan.rangeMm[targets(on)[0].cell], 5000.0F);
+        QVERIFY(targets(on)[0].clicked == clicked);
+        QVERIFY(gray.marks().targets[0].clicked == std::size_t{clicked});
+        QTRY_VERIFY2(on.viewer.targetsPanel.card().text().contains("Clicked: 13.00 m behind an edge"),
+                     qPrintable(on.viewer.targetsPanel.card().text()));
+        // With Shift the very cell is meant.
+        click(gray, 30, 20, Qt::ShiftModifier);
+        QCOMPARE(static_cast<int>(targets(on).size()), 2);
+        QCOMPARE(scan.rangeMm[targets(on)[1].cell], 18000.0F);
+        // The throat: the clicks are on the wall behind, the length is that of the opening.
+        on.viewer.measures.start(inspect::MeasureKind::Throat);
+        click(gray, 30, 19);
+        click(gray, 30, 41);
+        const auto& throat = on.viewer.targets.notebook().measures.back();
+        for (const std::uint32_t k : throat.cells) QCOMPARE(scan.rangeMm[k], 5000.0F);
+        const auto measured = inspect::measureCells(scan, {}, throat.kind, throat.cells);
+        QVERIFY2(measured && measured->lengths[0].valueM < 0.6, qPrintable(QString::number(measured->lengths[0].valueM)));
+        QVERIFY(known(on));
+        // A length from the near side to the wall is marked and warned about.
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        click(gray, 30, 10);
+        click(gray, 30, 30);
+        QVERIFY2(on.viewer.notice.text().contains("13.00 m behind the surface under its line"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(known(on));
+        QTRY_VERIFY(gray.marks().measures.back().label.startsWith(QString::fromUtf8("▲ ")));
+        on.viewer.measures.stop();
+        // A section through the ends of this measurement, in true scale; the mouse over it points in the views.
+        on.viewer.sections.throughMeasurement();
+        QTRY_VERIFY(on.viewer.sections.card() != nullptr && on.viewer.sections.card()->isVisible());
+        SectionPlot& plot = on.viewer.sections.card()->plot();
+        QTRY_VERIFY(plot.section() != nullptr);
+        QVERIFY(plot.section()->lines.size() >= 2);
+        const QPointF one = plot.placeOf({1.0, 0.0}) - plot.placeOf({0.0, 0.0}),
+                      other = plot.placeOf({0.0, 1.0}) - plot.placeOf({0.0, 0.0});
+        QVERIFY(std::abs(one.x() + other.y()) < 1e-6 && one.x() > 0);
+        const inspect::SectionVertex vertex = plot.section()->lines[0].front();
+        QSignalSpy pointed(&plot, &SectionPlot::hovered);
+        move(plot, plot.placeOf(vertex.atM).toPoint(), Qt::NoButton);
+        QCOMPARE(pointed.count(), 1);
+        QSignalSpy measuredIn(&plot, &SectionPlot::measured);
+        QTest::mouseClick(&plot, Qt::LeftButton, Qt::NoModifier, plot.placeOf(vertex.atM).toPoint());
+        QTest::mouseClick(&plot, Qt::LeftButton, Qt::NoModifier, plot.placeOf(plot.section()->lines[0].back().atM).toPoint());
+        QCOMPARE(measuredIn.count(), 1);
     }
 
     void theCardSaysWhatIsKnownAndWhatItWas() {

@@ -34,7 +34,8 @@ Viewer::Viewer(Preferences& ofPerson)
       live(engine, livePanel, timeline, views, files, notice, preferences), explanation(views, notice),
       rocks(engine, views, rocksPanel, rockTable, notice, preferences, undo),
       targets(engine, views, rocks, targetsPanel, notice, preferences, undo), measures(views, targets, notice),
-      selection(engine, views, rocks, notice, undo), comparing(engine, views, changeLegend, files, notice, preferences, undo),
+      selection(engine, views, rocks, notice, undo), sections(engine, views, rocks, targets, notice, preferences),
+      comparing(engine, views, changeLegend, files, notice, preferences, undo),
       confidence(engine, views, targets, confidenceLegend, preferences), markedEdges(engine, views, targets, undo, notice),
       look(engine, views, scalePlate, rangeWindow, preferences), savedViews(views, notice),
       report(engine, files, rocks, targets, comparing, notice, preferences), audit(preferences.dataFolder(), engine, views, undo, notice) {

@@ -13,6 +13,7 @@
 #include "ui/controllers/saved_views.h"
 #include "ui/controllers/scan_look.h"
 #include "ui/controllers/scan_report.h"
+#include "ui/controllers/sections.h"
 #include "ui/controllers/targets/marked_edges.h"
 #include "ui/controllers/targets/measures.h"
 #include "ui/controllers/targets/selection.h"
@@ -85,6 +86,7 @@ struct Viewer {
     Targets targets;
     Measures measures;
     Selection selection;
+    Sections sections;
     Comparing comparing;
     Confidence confidence;
     MarkedEdges markedEdges;

@@ -8,6 +8,7 @@
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/open_save/sidecar_grid.h"
+#include "core/inspect/section/section.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/grid/acquisition.h"
 #include "tests/support/folders.h"
@@ -18,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <set>
 
 namespace edgescan::test {
@@ -80,6 +82,7 @@ std::vector<WrittenFile> exportAll(const Folder& folder, const edges::Detection&
     add(ExportContent::RockPictureOutlines, "outlines.json");
     add(ExportContent::RockHulls, "hulls.ply");
     add(ExportContent::RockHulls, "hulls.obj");
+    for (const char* name : {"section.dxf", "section.csv", "section.png"}) add(ExportContent::Section, name);
     return written;
 }
 
@@ -95,6 +98,9 @@ TEST(RecordSchema, EveryFormatsRecordsFollowIt) {
                                        CoordinateFrame::Mine};
         ExportOptions options{frames[seed - 1], seed == 1, seed == 1 ? "" : "=A. Operator", "blasting engineer"};
         options.rocks = std::make_shared<const rocks::Study>(rocks::studyRocks(rocks::rockInputs(*detection), {}));
+        std::vector<std::uint32_t> cells(detection->scan->cells());
+        std::iota(cells.begin(), cells.end(), 0U);
+        options.section = std::make_shared<const inspect::SectionPlane>(*inspect::planeThroughRock(*detection->scan, cells));
         for (const WrittenFile& one : exportAll(folder, *detection, options)) {
             SCOPED_TRACE(one.path.filename().string() + ", seed " + std::to_string(seed));
             ++exports;

@@ -11,6 +11,7 @@
 #include "ui/views/image/viewport.h"
 
 #include <QGuiApplication>
+#include <QMenu>
 #include <QPushButton>
 #include <QStringList>
 
@@ -74,6 +75,7 @@ void Rocks::connectViews() {
         });
         connect(view, &ImageView::cleared, this, [this] { select({}); });
     }
+    connect(&views_, &LinkedViews::cellMenuOpens, this, &Rocks::addToMenu);
     connect(&views_, &LinkedViews::pinChanged, this, &Rocks::followPin);
     CloudView& cloud = views_.cloud();
     connect(&cloud, &CloudView::hovered, this, [this, &cloud](qint64 cell) { point(static_cast<std::size_t>(cell), &cloud); });
@@ -250,8 +252,7 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
 void Rocks::click(std::size_t cell) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(cell);
-    const std::size_t meant = views_.meant(cell).cell; // a click just behind the outline of a rock means the rock
-    if (picture_->labelAt(meant) != 0) cell = meant;
+    cell = rockCellAt(cell).value_or(cell);
     if (!severalWanted()) return select({cell});
     std::vector<std::size_t> cells = selected_;
     const auto sameRock = [&](std::size_t other) {
@@ -263,6 +264,39 @@ void Rocks::click(std::size_t cell) {
     else
         cells.push_back(cell);
     select(std::move(cells));
+}
+
+std::optional<std::size_t> Rocks::rockCellAt(std::size_t clicked) const {
+    if (!picture_ || !views_.shown()) return std::nullopt;
+    for (const std::size_t cell : {static_cast<std::size_t>(views_.meant(clicked).cell), clicked}) {
+        if (cell < picture_->labels.size() && picture_->labelAt(cell) != 0) return cell;
+    }
+    return std::nullopt;
+}
+
+/// Other controllers add what they do with a rock: they find the menu by its name.
+void Rocks::addToMenu(QMenu& menu, std::size_t cell) {
+    const auto at = rockCellAt(cell);
+    if (!at || behind()) return;
+    cell = *at;
+    const std::uint32_t label = picture_->labelAt(cell);
+    QMenu* rock = menu.addMenu(tr("&Rock %1").arg(label));
+    rock->setObjectName(kRockMenu);
+    const auto isOther = [&](std::size_t other) { return picture_->labelAt(other) != label; };
+    rock->addAction(tr("&Merge with Selected Rocks"), this,
+                    [this, cell] {
+                        std::vector<std::size_t> cells = selected_;
+                        cells.push_back(cell);
+                        select(std::move(cells));
+                        mergeSelected();
+                    })
+        ->setEnabled(std::ranges::any_of(selected_, isOther));
+    rock->addAction(tr("&Split Here"), this, [this, cell] { splitAt(cell); });
+    rock->addAction(tr("&No Rock, or a Rock after All"), this, [this, cell] {
+        select({cell});
+        toggleSelected();
+    });
+    rock->addAction(tr("&Export Rocks…"), this, &Rocks::askExport);
 }
 
 void Rocks::jumpTo(std::uint32_t label) {

@@ -17,9 +17,13 @@
 #include <optional>
 #include <vector>
 
+class QMenu;
 class QUndoStack;
 
 namespace edgescan::ui {
+
+/// Name of the submenu of a rock in the menu of a cell.
+inline constexpr const char* kRockMenu = "rock-menu";
 
 class LinkedViews;
 class Preferences;
@@ -71,6 +75,8 @@ public:
 
     /// Selects rocks by cells: labels change with every setting, so a rock is identified by one of its cells. The card shows the last one.
     void select(std::vector<std::size_t> cells);
+    /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
+    [[nodiscard]] std::optional<std::size_t> rockCellAt(std::size_t clicked) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }
     void jumpTo(std::uint32_t label);
 
@@ -111,6 +117,7 @@ private:
     void showSelection();
     void forget();
     void point(std::optional<std::size_t> cell, const QObject* from);
+    void addToMenu(QMenu& menu, std::size_t cell);
     void followPin(std::optional<std::size_t> cell);
     void click(std::size_t cell);
     void splitAt(std::size_t cell);

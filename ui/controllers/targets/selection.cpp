@@ -203,6 +203,12 @@ QString Selection::words() const {
 
 void Selection::addToMenu(QMenu& menu, std::size_t cell) {
     if (!views_.shown()) return;
+    if (auto* rock = menu.findChild<QMenu*>(kRockMenu)) {
+        rock->addAction(tr("&Isolate"), this, [this, cell] {
+            selectRockAt(rocks_.rockCellAt(cell).value_or(cell));
+            isolateSelected();
+        });
+    }
     QMenu* more = menu.addMenu(tr("&Select"));
     more->setObjectName("select-menu");
     more->addAction(tr("Edge &Chain Here"), this, [this, cell] { selectChainAt(cell); })

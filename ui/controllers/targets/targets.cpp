@@ -13,6 +13,8 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 
 #include <algorithm>
@@ -35,6 +37,15 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
     connect(&views_, &LinkedViews::pinCleared, this, [this](std::size_t cell) {
         const auto target = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
         if (target != notebook_.targets.end() && !target->locked) remove(target->number);
+    });
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
+        auto* rock = menu.findChild<QMenu*>(kRockMenu);
+        if (rock == nullptr) return;
+        rock->addAction(tr("Na&me…"), this, [this, cell] { // the name is that of a target on it
+            views_.pinByClick(views_.meant(cell));
+            panel_.card().name()->setFocus();
+        });
+        rock->addAction(tr("Meas&ure from Here"), this, [this, cell] { emit measureRequested(views_.meant(cell).cell); });
     });
     connect(&rocks_, &Rocks::rocksShown, this, &Targets::showCard);
     connect(&rocks_, &Rocks::shownChanged, this, &Targets::showCard);

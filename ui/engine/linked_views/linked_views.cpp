@@ -287,6 +287,8 @@ void LinkedViews::clearPin() {
     if (was) emit pinCleared(*was);
 }
 
+void LinkedViews::pointAt(std::optional<std::size_t> cell) { hover(cell, nullptr); }
+
 void LinkedViews::flyToHovered() {
     if (hovered_) cloud_.flyTo(static_cast<qint64>(*hovered_));
 }

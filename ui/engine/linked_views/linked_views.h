@@ -58,6 +58,8 @@ public:
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.
     void setMarks(const CellMarks& marks);
+    /// As if the mouse were over the cell in a view outside of these.
+    void pointAt(std::optional<std::size_t> cell);
     void flyToHovered();
     void setTrail(const EdgeTrail& trail);
     /// x = beam, y = line.

@@ -1,0 +1,18 @@
+// A section as a drawing, as a table and as a picture in true scale.
+#pragma once
+
+#include "core/exports/export_kinds.h"
+#include "core/inspect/section/section.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace edgescan::exports {
+
+/// By the extension of the input's path: .dxf, .csv or .png. Error: the options have no plane.
+Result<std::string> sectionBytes(const ExportInput& input);
+
+/// The plane in a record, and back. Error: damaged.
+[[nodiscard]] nlohmann::ordered_json planeRecord(const inspect::SectionPlane& plane);
+Result<std::shared_ptr<const inspect::SectionPlane>> planeOf(const nlohmann::ordered_json& record, const std::string& where);
+
+} // namespace edgescan::exports

@@ -1,0 +1,151 @@
+// Sections.
+#include "ui/controllers/sections.h"
+
+#include "core/files/open_save/save_scan.h"
+#include "core/files/open_save/sidecar_grid.h"
+#include "core/inspect/measure/cell_target.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/save_question.h"
+#include "ui/base/shown_text.h"
+#include "ui/controllers/rocks/rocks.h"
+#include "ui/controllers/targets/targets.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/engine/worker_bridge/engine.h"
+#include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/section/section_card.h"
+#include "ui/panels/section/section_plot.h"
+
+#include <QDir>
+#include <QMenu>
+#include <QPushButton>
+
+#include <optional>
+
+namespace edgescan::ui {
+
+Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& targets, NoticeBar& notice, Preferences& preferences)
+    : engine_(engine), views_(views), rocks_(rocks), targets_(targets), notice_(notice), preferences_(preferences),
+      sections_(
+          Urgency::Now,
+          [](const Question& question) {
+              std::optional<Grid<std::uint32_t>> labels;
+              if (question.rocks) labels = rocks::rockLabels(*question.rocks->segmentation, question.rocks->map);
+              return inspect::sectionOf(*question.picture->detection, question.plane, labels ? &*labels : nullptr);
+          },
+          [this](const Question& question, const std::shared_ptr<const inspect::Section>& section) { take(question, section); },
+          [this](const QString& what) {
+              notice_.showNotice(NoticeBar::Kind::Warning, tr("The section could not be worked out (%1).").arg(what));
+          }) {
+    connect(&views_, &LinkedViews::probed, this, [this](const std::optional<edges::Probe>& probe) {
+        if (card_ != nullptr && card_->isVisible()) card_->plot().mark(probe ? std::optional(probe->pointM) : std::nullopt);
+    });
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
+        auto* rock = menu.findChild<QMenu*>(kRockMenu);
+        if (rock == nullptr) return;
+        rock->addAction(tr("Se&ction"), this, [this, cell] {
+            rocks_.select({rocks_.rockCellAt(cell).value_or(cell)});
+            throughRock();
+        });
+    });
+    connect(&views_, &LinkedViews::newScanShown, this, [this] {
+        if (card_ == nullptr) return;
+        card_->plot().show(nullptr); // a plane of another scan has no meaning
+        card_->hide();
+    });
+}
+
+std::shared_ptr<const rocks::Study> Sections::study() const {
+    const auto& shown = rocks_.picture();
+    if (!shown || rocks_.behind()) return nullptr;
+    return std::shared_ptr<const rocks::Study>(shown, &shown->study);
+}
+
+void Sections::throughMeasurement() {
+    const auto& measures = targets_.notebook().measures;
+    if (!engine_.picture() || measures.empty()) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("A section goes through the two ends of the last measurement: measure a distance between two cells first."));
+        return;
+    }
+    ask(inspect::planeThrough(*engine_.picture()->detection->scan, measures.back().cells.front(), measures.back().cells[1]));
+}
+
+void Sections::throughRock() {
+    const std::shared_ptr<const rocks::Study> rocks = study();
+    const std::uint32_t label = rocks && !rocks_.selected().empty() ? rocks_.picture()->labelAt(rocks_.selected().back()) : 0;
+    if (label == 0) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("Select a rock first: press K and click on its face."));
+        return;
+    }
+    std::vector<std::uint32_t> cells;
+    const auto& labels = rocks_.picture()->labels.cells;
+    for (std::uint32_t k = 0; k < labels.size(); ++k) {
+        if (labels[k] == label) cells.push_back(k);
+    }
+    ask(inspect::planeThroughRock(*rocks_.picture()->detection->scan, cells));
+}
+
+void Sections::ask(const Result<inspect::SectionPlane>& plane) {
+    if (!plane) return notice_.showError(plane.error());
+    sections_.ask({engine_.picture(), *plane, study()});
+}
+
+void Sections::take(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
+    if (!engine_.picture() || question.picture->source.stream != engine_.picture()->source.stream) return;
+    if (section->lines.empty()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("The plane of the section meets no surface: choose two other cells."));
+        return;
+    }
+    if (card_ == nullptr) {
+        card_ = new SectionCard(notice_.window());
+        connect(card_->exportButton(), &QPushButton::clicked, this, &Sections::askExport);
+        connect(&card_->plot(), &SectionPlot::measured, this, &Sections::showLength);
+        connect(&card_->plot(), &SectionPlot::hovered, this, [this](std::size_t cell) { views_.pointAt(cell); });
+    }
+    picture_ = question.picture;
+    card_->plot().show(section);
+    QString words = tr("Vertical plane, true scale. Edges green%1.").arg(question.rocks ? tr(", rocks in colours") : QString());
+    if (section->plane.upAssumed) words += " " + tr("▲ no pose: up is the scanner's z");
+    card_->setWords(words);
+    card_->show();
+    card_->raise();
+}
+
+void Sections::showLength(const inspect::SectionVertex& from, const inspect::SectionVertex& to) {
+    const edges::Detection& detection = *picture_->detection;
+    const RangeNoise noise = detection.surface ? inspect::noiseOf(detection) : RangeNoise{};
+    const inspect::MeasuredLength length = inspect::sectionLength(*detection.scan, noise, from, to);
+    card_->plot().setLength(shownText(inspect::lengthText(length)));
+}
+
+void Sections::askExport() {
+    if (!study()) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("A section is exported with its rocks: show the rocks first (K), then export again."));
+        return;
+    }
+    const Scan& scan = *picture_->detection->scan;
+    SaveQuestion question;
+    question.title = tr("Export Section");
+    question.filters = QStringList{tr("Drawing (*.dxf)"), tr("Table (*.csv)"), tr("Picture (*.png)")};
+    question.extension = ".dxf";
+    const QString name = shownName(exactText(scan.name), 80).replace(' ', '-').replace('/', '-') + "_section.dxf";
+    question.place = QDir(preferences_.folder("exports")).filePath(name);
+    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
+    const QString path = askWhereToSave(notice_.window(), question);
+    if (!path.isEmpty()) exportTo(path);
+}
+
+void Sections::exportTo(const QString& path) {
+    const auto section = card_ != nullptr ? card_->plot().section() : nullptr;
+    if (!section || !study()) return;
+    exports::ExportOptions options;
+    options.frame = files::usualFrame(*picture_->detection->scan);
+    options.rocks = study();
+    options.section = std::make_shared<const inspect::SectionPlane>(section->plane);
+    engine_.save(exports::ExportContent::Section, path, options);
+}
+
+} // namespace edgescan::ui
+
+#include "moc_sections.cpp"

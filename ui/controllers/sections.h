@@ -1,0 +1,63 @@
+// Sections through two measured cells or through a rock: worked out, shown in true scale, measured in, exported.
+#pragma once
+
+#include "core/inspect/section/section.h"
+#include "ui/engine/worker_bridge/derived.h"
+#include "ui/engine/worker_bridge/picture.h"
+
+#include <QObject>
+
+#include <memory>
+
+namespace edgescan::rocks {
+struct Study;
+} // namespace edgescan::rocks
+
+namespace edgescan::ui {
+
+class Engine;
+class LinkedViews;
+class NoticeBar;
+class Preferences;
+class Rocks;
+class SectionCard;
+class Targets;
+
+/// GUI thread only. The objects passed to it must outlive it.
+class Sections : public QObject {
+    Q_OBJECT
+public:
+    Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& targets, NoticeBar& notice, Preferences& preferences);
+
+    /// Through the ends of the last measurement.
+    void throughMeasurement();
+    /// Along the selected rock.
+    void throughRock();
+    /// Null before the first section.
+    [[nodiscard]] SectionCard* card() const { return card_; }
+    void exportTo(const QString& path);
+
+private:
+    struct Question {
+        std::shared_ptr<const Picture> picture;
+        inspect::SectionPlane plane;
+        std::shared_ptr<const rocks::Study> rocks; ///< null: rocks are not shown
+    };
+    void ask(const Result<inspect::SectionPlane>& plane);
+    void take(const Question& question, const std::shared_ptr<const inspect::Section>& section);
+    void showLength(const inspect::SectionVertex& from, const inspect::SectionVertex& to);
+    void askExport();
+    [[nodiscard]] std::shared_ptr<const rocks::Study> study() const;
+
+    Engine& engine_;
+    LinkedViews& views_;
+    Rocks& rocks_;
+    Targets& targets_;
+    NoticeBar& notice_;
+    Preferences& preferences_;
+    SectionCard* card_ = nullptr; // child of the window
+    std::shared_ptr<const Picture> picture_;
+    Derived<Question, inspect::Section> sections_; // last
+};
+
+} // namespace edgescan::ui

@@ -1,0 +1,224 @@
+// Draws a section.
+#include "ui/panels/section/section_plot.h"
+
+#include "core/rocks/attributes/faces.h"
+#include "ui/base/gestures.h"
+#include "ui/base/marks.h"
+#include "ui/base/themes.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kMargin = 28.0;       // px
+constexpr double kReach = 24.0;        // px: a click or the mouse means a vertex within this
+constexpr double kTravel = 4.0;        // px: a press that moves farther is a drag
+constexpr double kLeastBetween = 60.0; // px between lines of the grid
+constexpr double kNearPlane = 0.05;    // share of the distance of two vertices and more: a point beyond is not in the section
+const QColor kGround(48, 48, 48), kGrid(80, 80, 80), kWords(200, 200, 200), kSurface(170, 170, 170), kEdge(0, 255, 0);
+
+double stepM(double perM) {
+    double step = 0.01;
+    for (int n = 0; step * perM < kLeastBetween; ++n) step *= n % 3 == 1 ? 2.5 : 2.0;
+    return step;
+}
+
+QColor colourOf(std::uint32_t rock) {
+    if (rock == 0) return kSurface;
+    const Rgb& colour = rocks::kRockFaceColours[rock % std::size(rocks::kRockFaceColours)];
+    return QColor(colour.red, colour.green, colour.blue).lighter(130);
+}
+
+} // namespace
+
+SectionPlot::SectionPlot(QWidget* parent) : QWidget(parent) {
+    setObjectName("section-plot");
+    setMouseTracking(true);
+    setMinimumSize(240, 160);
+    setFocusPolicy(Qt::ClickFocus);
+}
+
+void SectionPlot::show(std::shared_ptr<const inspect::Section> section) {
+    section_ = std::move(section);
+    marked_ = nullptr;
+    ends_.clear();
+    length_.clear();
+    moved_ = false;
+    fit();
+    update();
+}
+
+void SectionPlot::fit() {
+    if (!section_ || moved_) return;
+    Eigen::AlignedBox2d box;
+    for (const inspect::SectionLine& line : section_->lines) {
+        for (const inspect::SectionVertex& vertex : line) box.extend(vertex.atM);
+    }
+    if (box.isEmpty()) return;
+    const Eigen::Vector2d size = box.sizes().cwiseMax(0.01);
+    perM_ = std::max(1e-3, std::min((width() - 2 * kMargin) / size.x(), (height() - 2 * kMargin) / size.y()));
+    const Eigen::Vector2d middle = box.center();
+    origin_ = QPointF(width() / 2.0 - middle.x() * perM_, height() / 2.0 + middle.y() * perM_);
+}
+
+QPointF SectionPlot::placeOf(const Eigen::Vector2d& atM) const { return origin_ + QPointF(atM.x() * perM_, -atM.y() * perM_); }
+
+const inspect::SectionVertex* SectionPlot::nearest(QPointF place) const {
+    const inspect::SectionVertex* best = nullptr;
+    double least = kReach * kReach;
+    if (!section_) return best;
+    for (const inspect::SectionLine& line : section_->lines) {
+        for (const inspect::SectionVertex& vertex : line) {
+            const QPointF way = placeOf(vertex.atM) - place;
+            const double square = QPointF::dotProduct(way, way);
+            if (square < least) {
+                least = square;
+                best = &vertex;
+            }
+        }
+    }
+    return best;
+}
+
+void SectionPlot::mark(const std::optional<Eigen::Vector3d>& pointM) {
+    const inspect::SectionVertex* best = nullptr;
+    if (section_ && pointM && pointM->allFinite()) {
+        const inspect::SectionPlane& plane = section_->plane;
+        const double off = std::abs((*pointM - plane.originM).dot(plane.across.cross(plane.up)));
+        double least = std::max(0.2, kNearPlane * (*pointM - plane.originM).norm());
+        if (off < least) {
+            for (const inspect::SectionLine& line : section_->lines) {
+                for (const inspect::SectionVertex& vertex : line) {
+                    const double away = (vertex.pointM - *pointM).norm();
+                    if (away >= least) continue;
+                    least = away;
+                    best = &vertex;
+                }
+            }
+        }
+    }
+    if (best == marked_) return;
+    marked_ = best;
+    update();
+}
+
+void SectionPlot::setLength(const QString& words) {
+    length_ = words;
+    update();
+}
+
+void SectionPlot::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), kGround); // views stay dark in all themes
+    if (!section_) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawGrid(painter);
+    drawLines(painter);
+    drawMarks(painter);
+}
+
+void SectionPlot::drawGrid(QPainter& painter) const {
+    const double step = stepM(perM_);
+    const int decimals = step < 0.1 ? 2 : step < 1 ? 1 : 0;
+    painter.setPen(kGrid);
+    for (double x = std::ceil(-origin_.x() / perM_ / step) * step; x * perM_ + origin_.x() < width(); x += step) {
+        const double at = x * perM_ + origin_.x();
+        painter.setPen(kGrid);
+        painter.drawLine(QPointF(at, 0), QPointF(at, height()));
+        painter.setPen(kWords);
+        painter.drawText(QPointF(at + 3, height() - 4), QString::number(x + 0.0, 'f', decimals) + " m");
+    }
+    for (double y = std::ceil((origin_.y() - height()) / perM_ / step) * step; origin_.y() - y * perM_ > 0; y += step) {
+        const double at = origin_.y() - y * perM_;
+        painter.setPen(kGrid);
+        painter.drawLine(QPointF(0, at), QPointF(width(), at));
+        painter.setPen(kWords);
+        painter.drawText(QPointF(4, at - 3), QString::number(y + 0.0, 'f', decimals) + " m");
+    }
+}
+
+void SectionPlot::drawLines(QPainter& painter) const {
+    for (const inspect::SectionLine& line : section_->lines) {
+        for (std::size_t n = 1; n < line.size(); ++n) {
+            const std::uint32_t rock = line[n].rock == line[n - 1].rock ? line[n].rock : 0;
+            painter.setPen(QPen(colourOf(rock), rock != 0 ? 3.0 : 1.5));
+            painter.drawLine(placeOf(line[n - 1].atM), placeOf(line[n].atM));
+        }
+    }
+    painter.setPen(QPen(Qt::black, 1.0));
+    painter.setBrush(kEdge);
+    for (const inspect::SectionLine& line : section_->lines) {
+        for (const inspect::SectionVertex& vertex : line) {
+            if (vertex.edge) painter.drawEllipse(placeOf(vertex.atM), 3.0, 3.0);
+        }
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+void SectionPlot::drawMarks(QPainter& painter) const {
+    const QColor measured(120, 190, 255);
+    if (ends_.size() == 2) {
+        const QLineF length(placeOf(ends_[0]->atM), placeOf(ends_[1]->atM));
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 4.0), QPen(measured, 2.0), [&] { painter.drawLine(length); });
+        if (!length_.isEmpty()) drawTipAt(painter, rect(), length.center().toPoint(), length_);
+    }
+    painter.setPen(QPen(Qt::black, 1.5));
+    painter.setBrush(measured);
+    for (const inspect::SectionVertex* end : ends_) painter.drawEllipse(placeOf(end->atM), 4.0, 4.0);
+    painter.setBrush(Qt::NoBrush);
+    if (marked_ != nullptr)
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), QPen(Qt::white, 2.0),
+                    [&] { painter.drawEllipse(placeOf(marked_->atM), 8.0, 8.0); });
+}
+
+void SectionPlot::wheelEvent(QWheelEvent* event) {
+    const double steps = notches(*event);
+    event->accept();
+    if (steps == 0.0 || !section_) return;
+    const double factor = std::clamp(perM_ * std::pow(1.2, steps), 1.0, 1e5) / perM_;
+    origin_ = event->position() + factor * (origin_ - event->position());
+    perM_ *= factor;
+    moved_ = true;
+    update();
+}
+
+void SectionPlot::mousePressEvent(QMouseEvent* event) {
+    press_ = place(*event);
+    travelled_ = false;
+}
+
+void SectionPlot::mouseMoveEvent(QMouseEvent* event) {
+    if (press_ && (travelled_ || QLineF(*press_, place(*event)).length() > kTravel)) {
+        origin_ += place(*event) - *press_;
+        press_ = place(*event);
+        travelled_ = moved_ = true;
+        return update();
+    }
+    if (const inspect::SectionVertex* vertex = nearest(place(*event))) emit hovered(vertex->cell);
+}
+
+void SectionPlot::mouseReleaseEvent(QMouseEvent* event) {
+    const bool click = press_ && !travelled_ && event->button() == Qt::LeftButton;
+    press_.reset();
+    const inspect::SectionVertex* vertex = click ? nearest(place(*event)) : nullptr;
+    if (vertex == nullptr) return;
+    if (ends_.size() == 2) ends_.clear();
+    length_.clear();
+    ends_.push_back(vertex);
+    update();
+    if (ends_.size() == 2) emit measured(*ends_[0], *ends_[1]);
+}
+
+void SectionPlot::resizeEvent(QResizeEvent*) { fit(); }
+
+} // namespace edgescan::ui
+
+#include "moc_section_plot.cpp"

@@ -1,0 +1,65 @@
+// A section in true scale: one metre is as long across as upwards.
+#pragma once
+
+#include "core/inspect/section/section.h"
+
+#include <QWidget>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace edgescan::ui {
+
+/// Wheel: zoom; drag: move; click: the ends of a length. GUI thread only. Displays the values it is given and signals the operator's
+/// choices.
+class SectionPlot : public QWidget {
+    Q_OBJECT
+public:
+    explicit SectionPlot(QWidget* parent = nullptr);
+
+    /// Null: no section. Shows all of it.
+    void show(std::shared_ptr<const inspect::Section> section);
+    [[nodiscard]] const std::shared_ptr<const inspect::Section>& section() const { return section_; }
+    /// A ring at the vertex nearest to this point, if it is near the plane; empty: none.
+    void mark(const std::optional<Eigen::Vector3d>& pointM);
+    [[nodiscard]] const inspect::SectionVertex* marked() const { return marked_; }
+    /// Of the length between the two clicked vertices.
+    void setLength(const QString& words);
+    [[nodiscard]] QPointF placeOf(const Eigen::Vector2d& atM) const;
+    [[nodiscard]] QSize sizeHint() const override { return {640, 420}; }
+
+signals:
+    /// The vertex under the mouse.
+    void hovered(std::size_t cell);
+    /// Two vertices were clicked.
+    void measured(const edgescan::inspect::SectionVertex& from, const edgescan::inspect::SectionVertex& to);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fit();
+    [[nodiscard]] const inspect::SectionVertex* nearest(QPointF place) const;
+    void drawGrid(QPainter& painter) const;
+    void drawLines(QPainter& painter) const;
+    void drawMarks(QPainter& painter) const;
+
+    std::shared_ptr<const inspect::Section> section_;
+    double perM_ = 50.0; // pixels
+    QPointF origin_;     // of (0, 0), pixels
+    bool moved_ = false; // by the operator: a new size does not fit it again
+    std::optional<QPointF> press_;
+    bool travelled_ = false;
+    const inspect::SectionVertex* marked_ = nullptr; // of section_
+    std::vector<const inspect::SectionVertex*> ends_;
+    QString length_;
+};
+
+} // namespace edgescan::ui
