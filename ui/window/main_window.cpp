@@ -229,6 +229,7 @@ void MainWindow::showOrigin() {
     const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(origin.more);
+    viewer_.tools.reserve(viewer_.origin.parentWidget()->sizeHint().width());
     viewer_.targets.setSource(origin.badge);
     emit originShown();
 }
