@@ -13,8 +13,8 @@ class MainWindow;
 /// The page that explains a widget, such as "guide/tune": that of the nearest of its parents that has one. "index" if there is none.
 [[nodiscard]] QString manualPageOf(const QWidget* widget);
 
-/// The page as a file: of the installed manual, or of the one that the build made. French, Spanish and Portuguese pages come first where the
-/// window's language has them. Empty if there is no manual.
+/// The page as a file: of the installed manual, or of the one that the build made. French, Spanish and Portuguese pages come first where
+/// the window's language has them. Empty if there is no manual.
 [[nodiscard]] QString manualFile(const QString& page);
 
 /// Opens the page of the focused widget in the browser; without a manual a notice says where the texts are.

@@ -13,8 +13,8 @@ namespace edgescan::edges {
 [[nodiscard]] std::vector<std::uint32_t> withheldCells(const Scan& scan);
 
 /// Measured cells next to a void of at least 30 connected cells (4 neighbours), ascending. A cell is left out where its surface slants by
-/// more than 70 degrees towards the void: there ranges fade out, and nothing ends. `withheld` cells do not belong to a void: missing data has
-/// no rim (docs/reference/rules.md, "S3").
+/// more than 70 degrees towards the void: there ranges fade out, and nothing ends. `withheld` cells do not belong to a void: missing data
+/// has no rim (docs/reference/rules.md, "S3").
 [[nodiscard]] std::vector<std::uint32_t> voidRimCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits,
                                                       const std::vector<std::uint32_t>& withheld);
 

@@ -101,5 +101,6 @@ TEST(ScannerLayers, AloneTheyAreNoSweep) {
     }
     const auto scan = readScanBytes(bytes, ".bin");
     ASSERT_FALSE(scan);
-    EXPECT_NE(scan.error().sentence().find("the 90 scan telegrams in this recording hold no line"), std::string::npos) << scan.error().sentence();
+    EXPECT_NE(scan.error().sentence().find("the 90 scan telegrams in this recording hold no line"), std::string::npos)
+        << scan.error().sentence();
 }
