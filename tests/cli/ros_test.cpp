@@ -93,7 +93,7 @@ TEST(RosBags, TheCommandsOfThePageRun) {
     int commands = 0;
     for (std::string line; std::getline(page, line);) {
         const std::size_t at = line.find("edgescan-cli ");
-        if (line.find_first_not_of(' ') != at) continue;
+        if (at == std::string::npos || line.find_first_not_of(' ') != at) continue;
         std::string arguments = line.substr(at + std::string("edgescan-cli ").size());
         for (const char* name : {" BELL", " EDGES"})
             arguments = std::regex_replace(arguments, std::regex(name), ' ' + (folder / (name + 1)).string());

@@ -127,14 +127,14 @@ private slots:
         QVERIFY(QLineF(port.toPixel(cell, QSizeF(400, 300)), before).length() < 1e-9);
         QVERIFY(!port.fitted());
         QCOMPARE(port.toCell(port.toPixel(cell, QSizeF(400, 300)), QSizeF(400, 300)), cell);
-        port.panPixels({20, 10}, {});
+        port.panPixels({20, 10}, QSizeF(400, 300));
         QVERIFY(QLineF(port.toPixel(cell, QSizeF(400, 300)), before + QPointF(20, 10)).length() < 1e-9);
         port.setViewSize(&view, {500, 300}); // zoomed: does not change
         QCOMPARE(port.zoom(), 1.5);
         port.fit();
         port.setViewSize(&view, {800, 600}); // fitted: follows the size
         QCOMPARE(port.zoom(), 1.0);
-        port.panPixels({1e7, 1e7}, {});
+        port.panPixels({1e7, 1e7}, QSizeF(400, 300));
         QCOMPARE(port.centre(), QPointF(0, 0)); // cannot be lost
     }
 

@@ -276,7 +276,7 @@ private slots:
         field.setFocus();
         QTRY_VERIFY(pad.isVisible());
         QCOMPARE(pad.field(), &field);
-        for (const char* key : {"1", "0", ".", "4", "7", "Del"}) {
+        for (const char* key : {"1", "0", ".", "4", "7", "⌫"}) {
             QVERIFY2(pad.key(key) != nullptr, key);
             QVERIFY(pad.key(key)->width() >= 48 && pad.key(key)->height() >= 48);
             QTest::mouseClick(pad.key(key), Qt::LeftButton);

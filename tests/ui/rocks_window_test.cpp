@@ -665,14 +665,14 @@ private slots:
             on.viewer.engine.follow(std::make_shared<const Scan>(firstLines(count)), {stream, {0, count < scan_.lines(), scan_.lines()}});
             QVERIFY(on.settled());
             QTRY_VERIFY(on.viewer.rocks.picture()); // rocks of the first lines, perhaps not yet of these
-            const QString title = on.viewer.views.gray().title();
+            const QString title = on.viewer.views.cloud().caption();
             if (count < scan_.lines()) QVERIFY2(title.contains("partial"), qPrintable(title));
             if (picture(on).labels.lines < count) QVERIFY(on.viewer.views.gray().facesFaded());
         }
         QVERIFY(settled(on));
         QCOMPARE(picture(on).labels.lines, scan_.lines());
         QVERIFY(!on.viewer.views.gray().facesFaded());
-        QVERIFY(!on.viewer.views.gray().title().contains("partial"));
+        QVERIFY(!on.viewer.views.cloud().caption().contains("partial"));
         QVERIFY2(lines.size() >= 2 && lines.front() < scan_.lines(), "there were rocks before the sweep was whole");
     }
 

@@ -146,7 +146,7 @@ void Live::showHealth() {
                                                 : HealthStrip::Picture::Follows);
     views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note =
-        held ? tr("Held: %1. Follow shows what the scanner sends now.").arg(shownName(exactText(shown->detection->scan->name), 60))
+        held ? tr("Held: %1. Press Hold again to follow the scanner.").arg(shownName(exactText(shown->detection->scan->name), 60))
              : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
 }

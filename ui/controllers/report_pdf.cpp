@@ -7,10 +7,12 @@
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <QThread>
 #include <QUrl>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace edgescan::ui {
 namespace {
@@ -52,9 +54,7 @@ QString withResources(const QString& html, QTextDocument& document) {
     return made + html.mid(from);
 }
 
-} // namespace
-
-QByteArray pdfOfPage(const std::string& html) {
+QByteArray laidOut(const std::string& html) {
     QString page = QString::fromStdString(html);
     cut(page, "<script", "</script>");
     cut(page, "<style", "</style>");
@@ -86,6 +86,17 @@ QByteArray pdfOfPage(const std::string& html) {
         document.print(&writer);
     }
     return bytes;
+}
+
+} // namespace
+
+/// A document needs a thread of Qt.
+QByteArray pdfOfPage(const std::string& html) {
+    QByteArray pdf;
+    const std::unique_ptr<QThread> thread(QThread::create([&] { pdf = laidOut(html); }));
+    thread->start();
+    thread->wait();
+    return pdf;
 }
 
 } // namespace edgescan::ui

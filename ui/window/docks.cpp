@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QStyle>
@@ -105,6 +106,17 @@ void Docks::fit(int most) {
             window_.resizeDocks({dock.widget}, {kTableHeight}, Qt::Vertical);
         else if (dock.widget->objectName() != kEdges)
             window_.resizeDocks({dock.widget}, {static_cast<int>(kPanelHeight * window_.height())}, Qt::Vertical);
+    }
+    showTitles();
+}
+
+/// A tab says the title already.
+void Docks::showTitles() {
+    const QDockWidget *rocks = named(kRocks).widget, *targets = named(kTargets).widget;
+    const bool tabs =
+        window_.tabifiedDockWidgets(named(kRocks).widget).contains(named(kTargets).widget) && !rocks->isHidden() && !targets->isHidden();
+    for (const QDockWidget* dock : {rocks, targets}) {
+        if (auto* title = dock->titleBarWidget()->findChild<QLabel*>()) title->setText(tabs ? QString() : dock->windowTitle());
     }
 }
 

@@ -56,6 +56,7 @@ private:
     [[nodiscard]] int usualWidth(const QDockWidget& dock) const;
     void place();
     void stack();
+    void showTitles();
 
     QMainWindow& window_;
     DockRail& rail_;

@@ -212,7 +212,6 @@ void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, &viewer_.tools);
     viewer_.tools.toggleViewAction()->setVisible(false);
     viewer_.origin.setObjectName("origin");
-    viewer_.origin.setShrinks();
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
@@ -231,8 +230,8 @@ void MainWindow::layOutTools() {
 void MainWindow::showOrigin() {
     const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
     viewer_.origin.showState(origin.sign, origin.badge);
-    viewer_.origin.setToolTip(viewer_.origin.text() + "\n" + origin.more);
-    arrange(); // the badge has another width
+    viewer_.origin.setToolTip(origin.more);
+    viewer_.tools.reserve(viewer_.origin.parentWidget()->sizeHint().width());
     viewer_.targets.setSource(origin.badge);
     emit originShown();
 }

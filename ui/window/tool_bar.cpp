@@ -8,9 +8,11 @@
 #include <QLabel>
 #include <QMenu>
 #include <QStringList>
+#include <QStyle>
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -86,22 +88,31 @@ void ToolBar::take(QToolButton& button, Word shown) {
 
 void ToolBar::addGap() { insertSeparator(wordsPlace_); }
 
-/// Shows the text of all buttons, or only of those that always have text.
+/// Shows the text of all buttons, or only of those that always have text where there is any room for it.
 void ToolBar::fit() {
-    int needed = kForAsked;
-    for (const Button& each : buttons_) {
-        each.button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        needed += each.button->sizeHint().width() + 2;
-    }
-    const bool room = needed <= width();
-    for (const Button& each : buttons_) {
-        if (!room && each.shown == Word::IfSpace) each.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    }
+    constexpr int kAround = 16; // px: frame and handle
+    const auto needed = [this](ToolBar::Word least) {
+        const int gap = style()->pixelMetric(QStyle::PM_ToolBarSeparatorExtent, nullptr, this) + 2;
+        int sum = kAround + gap * static_cast<int>(std::ranges::count_if(actions(), &QAction::isSeparator));
+        for (const Button& each : buttons_) {
+            const bool words = least == Word::IfSpace || each.shown == Word::Always;
+            each.button->setToolButtonStyle(words ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+            sum += each.button->sizeHint().width() + 2;
+        }
+        return sum;
+    };
+    if (needed(Word::IfSpace) + kForAsked <= width() || needed(Word::Always) <= width()) return;
+    for (const Button& each : buttons_) each.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
 QSize ToolBar::sizeHint() const {
-    const QSize least = QToolBar::sizeHint();
-    return parentWidget() == nullptr ? least : least.expandedTo({parentWidget()->width(), 0});
+    const QSize own = QToolBar::sizeHint();
+    const int rest = parentWidget() == nullptr ? 0 : parentWidget()->width() - reserved_;
+    return {std::max(rest, own.width() - words_->sizeHint().width()), own.height()};
+}
+
+void ToolBar::reserve(int pixels) {
+    if (std::exchange(reserved_, pixels) != pixels) updateGeometry();
 }
 
 void ToolBar::setScanOpen(bool on) {

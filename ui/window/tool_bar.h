@@ -31,8 +31,10 @@ public:
     /// Text about selected and hidden cells.
     void showSelected(const QString& words);
     [[nodiscard]] QString shown() const;
-    /// As wide as the window: only the badge right of it takes room.
+    /// The width of the window without what is reserved: buttons without room go into the menu at the end.
     [[nodiscard]] QSize sizeHint() const override;
+    /// Pixels for the badge right of it.
+    void reserve(int pixels);
     /// Off: the buttons of a scan are disabled, with their commands.
     void setScanOpen(bool on);
 
@@ -50,6 +52,7 @@ private:
     };
     std::vector<Button> buttons_;
     QList<QAction*> ofScan_;
+    int reserved_ = 0; // px of the window's width
     QLabel* words_;
     QAction* wordsPlace_;
     QString asked_, selected_;

@@ -228,7 +228,9 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     parts.emplace_back([&] { result.rim = voidRimCells(surface.inverse, surface.steps, limits, surface.withheld); });
     runParts(bands, parts);
     moveResponsesOffGaps(surface.inverse, result.jump, result.crease);
-    if (settings.roughScans) result.roughness = roughnessOf(folding, surface.steps, surface.spacingMm, result.crease);
+    if (settings.roughScans)
+        result.roughness =
+            roughnessOf(folding, surface.steps, result.crease, foldOfNoise(limits, surface.scales.rangeM, surface.spacingMm));
     if (result.roughness.rough) {
         result.unweighed = result.crease;
         weighFolds(result.roughness, result.crease);

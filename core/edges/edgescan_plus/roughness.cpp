@@ -3,6 +3,7 @@
 
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
+#include "core/edges/edgescan_plus/crease.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,16 +15,17 @@
 namespace edgescan::edges {
 namespace {
 
-constexpr float kFolds = 0.45F;                  // of the threshold: a cell that folds
+constexpr float kFolds = 0.35F;                  // of the threshold: a cell that folds
 constexpr float kNearlyEdge = 0.7F;              // of the threshold: a fold that may become an edge
-constexpr double kRoughScan = 0.47;              // median of the shares around such folds
-constexpr float kRoughFrom = 0.45F;              // share from which a fold must be stronger
+constexpr double kRoughScan = 0.46;              // median of the shares around such folds
+constexpr float kRoughFrom = 0.42F;              // share from which a fold must be stronger
 constexpr float kReachRad = 0.265F;              // 15 degrees to each side
 constexpr int kLeastReach = 10, kMostReach = 90; // cells
 constexpr int kEvery = 4;                        // lines of which one is looked at for the median
 constexpr int kBits = 64;
 constexpr int kGroupsOfWord = kBits / Roughness::kGroup;
-constexpr double kFineMm = 20; // points closer than that are looked at in squares of two by two cells
+constexpr double kNoiseExplains = 1.2; // fold of noise in units of C0, from which on folds may be noise
+constexpr double kNoiseFloor = 4.5;    // standard deviations that a fold must exceed, as in Step 5
 
 EDGESCAN_INLINE void markFolding(const float* alongBeams, const float* alongLines, const Support* support, int beams,
                                  std::uint8_t* __restrict folding, std::uint8_t* __restrict solid) {
@@ -56,24 +58,13 @@ int reachOf(float stepRad) {
     return std::clamp(static_cast<int>(std::lround(kReachRad / std::max(stepRad, 1e-4F))), kLeastReach, kMostReach);
 }
 
-// Per line and group of beams: the number of marks. With `square`, a mark counts for the whole square of two by two cells that it is in.
-Grid<std::uint8_t> groupCounts(const Grid<std::uint64_t>& marks, bool square) {
+// Per line and group of beams: the number of marks.
+Grid<std::uint8_t> groupCounts(const Grid<std::uint64_t>& marks) {
     Grid<std::uint8_t> counts(marks.lines, marks.beams * kGroupsOfWord);
-    for (int i = 0; i < marks.lines; ++i) {
-        const std::uint64_t* own = marks.line(i);
-        const std::uint64_t* other = marks.line(square ? std::min(i ^ 1, marks.lines - 1) : i);
-        for (int w = 0; w < marks.beams; ++w) {
-            std::uint64_t word = own[w];
-            if (square) {
-                constexpr std::uint64_t kEven = 0x5555555555555555U;
-                word |= other[w];
-                word = (word | word >> 1U) & kEven;
-                word |= word << 1U;
-            }
-            for (int g = 0; g < kGroupsOfWord; ++g)
-                counts.at(i, w * kGroupsOfWord + g) =
-                    static_cast<std::uint8_t>(std::popcount(word >> static_cast<unsigned>(g * Roughness::kGroup) & 0xFFFFU));
-        }
+    std::uint8_t* out = counts.cells.data();
+    for (const std::uint64_t word : marks.cells) {
+        for (int g = 0; g < kGroupsOfWord; ++g)
+            *out++ = static_cast<std::uint8_t>(std::popcount(word >> static_cast<unsigned>(g * Roughness::kGroup) & 0xFFFFU));
     }
     return counts;
 }
@@ -125,14 +116,22 @@ float Roughness::factorAt(int line, int beam) const {
     return times <= 1 ? 1.0F : square * square * square;
 }
 
-Roughness roughnessOf(const FoldingCells& cells, const AngularSteps& steps, double spacingMm, const Grid<float>& crease) {
+double foldOfNoise(const DepthLimits& limits, double rangeM, double spacingMm) {
+    if (!(rangeM > 0) || !(spacingMm > 0)) return 0;
+    constexpr double kDegPerRad = 57.29578;
+    const int cells = std::clamp(static_cast<int>(static_cast<double>(limits.windowMm) / spacingMm + 0.5), 3, 15) + 1;
+    const double slope = std::sqrt(12.0 / (cells * (static_cast<double>(cells) * cells - 1)));
+    const double deg = kNoiseFloor * static_cast<double>(kFoldOfWhite) * limits.foldNoise.at(rangeM) * slope / spacingMm * kDegPerRad;
+    return deg / static_cast<double>(limits.creaseDeg);
+}
+
+Roughness roughnessOf(const FoldingCells& cells, const AngularSteps& steps, const Grid<float>& crease, double ofNoise) {
     Roughness result;
     if (cells.folding.size() == 0) return result;
     result.share = total(cells.folding) / std::max(1.0, total(cells.solid));
-    const bool square = spacingMm < kFineMm;
     const int up = reachOf(middleOf(steps.line)), aside = (reachOf(middleOf(steps.beam)) + Roughness::kGroup / 2) / Roughness::kGroup;
-    const Grid<std::uint32_t> folding = sumsAround(groupCounts(cells.folding, square), up, aside);
-    const Grid<std::uint32_t> solid = sumsAround(groupCounts(cells.solid, square), up, aside);
+    const Grid<std::uint32_t> folding = sumsAround(groupCounts(cells.folding), up, aside);
+    const Grid<std::uint32_t> solid = sumsAround(groupCounts(cells.solid), up, aside);
     result.around = Grid<float>(folding.lines, folding.beams);
     for (std::size_t k = 0; k < folding.size(); ++k)
         result.around[k] = solid[k] > 0 ? static_cast<float>(folding[k]) / static_cast<float>(solid[k]) : 0.0F;
@@ -144,7 +143,7 @@ Roughness roughnessOf(const FoldingCells& cells, const AngularSteps& steps, doub
         }
     }
     result.aroundFolds = static_cast<double>(median(std::move(aroundFolds), 0.0F));
-    result.rough = result.aroundFolds > kRoughScan;
+    result.rough = ofNoise < kNoiseExplains && result.aroundFolds > kRoughScan;
     if (!result.rough) result.around = {};
     return result;
 }

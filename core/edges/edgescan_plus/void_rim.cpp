@@ -99,8 +99,11 @@ private:
         const Way way{inverse_, steps_, along, at, count};
         const std::size_t k = way.cell(n);
         if (inverse_.support[k] != Support::Measured || marked_[k] != 0) return;
-        const SurfaceEnd end = surfaceEnd(way, n, awayFromVoid, limits_);
-        marked_[k] = static_cast<std::uint8_t>(!end.known || !end.slants(way.angle(n)));
+        SurfaceEnd end = surfaceEnd(way, n, awayFromVoid, limits_);
+        // Where every step is as large as a jump, a surface looks like jumps: then the next cell gives the slant.
+        const int next = n + awayFromVoid;
+        if (!end.known && next >= 0 && next < count && !way.isVoid(next)) end.slope = way.u(n) - way.u(next);
+        marked_[k] = static_cast<std::uint8_t>(!end.slants(way.angle(n)));
     }
 
     const InverseRange& inverse_;

@@ -47,6 +47,7 @@ Settings defaultSettings(int version) {
 
 nlohmann::json settingsOfRecord(nlohmann::json settings, int version) {
     if (!settings.is_object()) return settings;
+    if (version == 0) version = settings.contains("rough-scans") ? kDefaultSet.version : 3;
     constexpr int kAllBefore4 = kClassRock | kClassBorder;
     if (version < 4 && settings.value("classes", nlohmann::json()) == "all")
         settings["classes"] = formatValue(*findParameter("classes"), kAllBefore4);

@@ -36,8 +36,8 @@ inline constexpr DefaultSet kDefaultSet{"default", 4};
 /// The default settings of a version. All versions before 4 give version 3, the first ones that are stored here.
 [[nodiscard]] Settings defaultSettings(int version);
 
-/// The settings that a record with this version of the default set holds, in the words of today: every key, and "all" as the classes of
-/// that time.
+/// All settings as a record or a session of this version of the default set wrote them, in the words of today: every key, and "all" as the
+/// classes of that time. Version 0: not stated, so the keys show whether they are older than version 4.
 [[nodiscard]] nlohmann::json settingsOfRecord(nlohmann::json settings, int version);
 
 /// Keys of the parameters that differ from the defaults and that the method of `settings` reads, in the table's order.

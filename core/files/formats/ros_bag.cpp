@@ -21,13 +21,21 @@ Result<Reading> scanOfTopic(const containers::RosBag& bag, const BagTopic& topic
     return Reading(std::move(*scan));
 }
 
+/// Fewer points are one line of a laser, and not a scan.
+bool isWholeScan(const Reading& reading) {
+    constexpr std::size_t kFewest = 2000;
+    const auto* table = std::get_if<PointTable>(&reading.content);
+    return table == nullptr || table->points.size() >= kFewest;
+}
+
 /// A laser that does not turn is not a scan: the first topic that gives one is taken.
 Result<Reading> scanIn(const containers::RosBag& bag, const Source& source) {
     const auto topics = topicsToTry(bag, source.options->topic, source.path.string());
     if (!topics) return topics.error();
     auto first = scanOfTopic(bag, topics->front(), source);
     for (std::size_t n = 1; n < topics->size() && !first && first.error().what != source.cancelled().what; ++n) {
-        if (auto other = scanOfTopic(bag, (*topics)[n], source)) return other;
+        auto other = scanOfTopic(bag, (*topics)[n], source);
+        if (other && isWholeScan(*other)) return other;
     }
     return first;
 }

@@ -138,6 +138,7 @@ Result<PointTable> cloudOfBag(const containers::RosBag& bag, const BagTopic& top
     auto table = tableOf(*message, source);
     if (!table) return table;
     table->remarks.insert(table->remarks.end(), bag.warnings.begin(), bag.warnings.end());
+    if (auto guess = guessText(bag, topic, source.options->topic)) table->remarks.push_back(std::move(*guess));
     if (of.assumed)
         table->remarks.emplace_back("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
     if (number > 1)

@@ -83,16 +83,7 @@ private:
     void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
 
     void sayWhatWasTaken() {
-        const std::vector<BagTopic> topics = bagTopics(bag_);
-        const auto scans = std::ranges::count_if(topics, [](const BagTopic& t) { return t.gives != TopicGives::Nothing; });
-        if (scans > 1 && source_.options->topic.empty()) {
-            std::string others;
-            for (const BagTopic& topic : topics) {
-                if (topic.gives != TopicGives::Nothing && topic.topic != topic_.topic)
-                    others += (others.empty() ? "" : ", ") + topicText(bag_, topic);
-            }
-            warn("GUESS: the topic " + topicText(bag_, topic_) + " was taken; --topic chooses another: " + others + ".");
-        }
+        if (auto guess = guessText(bag_, topic_, source_.options->topic)) warn(std::move(*guess));
         if (bag_.topics[topic_.topic].assumed)
             warn("The bag holds no definition of its messages: that of the ROS 2 release of 2022 was ASSUMED.");
         if (lines_.unreadable > 0)

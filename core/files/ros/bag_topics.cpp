@@ -59,6 +59,14 @@ std::string topicText(const containers::RosBag& bag, const BagTopic& topic) {
            (topic.hertz > 0 ? " at " + significantText(topic.hertz, 3) + " Hz" : "") + ")";
 }
 
+std::optional<std::string> guessText(const containers::RosBag& bag, const BagTopic& taken, const std::string& name) {
+    std::vector<BagTopic> others = bagTopics(bag);
+    std::erase_if(others, [&](const BagTopic& topic) { return topic.topic == taken.topic; });
+    const std::string scans = listed(bag, others);
+    if (!name.empty() || scans.empty()) return std::nullopt;
+    return "GUESS: the topic " + topicText(bag, taken) + " was taken; --topic chooses another: " + scans + ".";
+}
+
 Result<std::vector<BagTopic>> topicsToTry(const containers::RosBag& bag, const std::string& name, const std::string& where) {
     const std::vector<BagTopic> topics = bagTopics(bag);
     const std::string scans = listed(bag, topics);

@@ -5,6 +5,7 @@
 #include "core/containers/ros/bag.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,8 @@ struct BagTopic {
 /// The topic called `name`. Without a name all that give scans: those of lines first, and of these that with most bytes. Error: the bag has
 /// not this topic, or it has none that gives a scan; the hint lists those that do.
 Result<std::vector<BagTopic>> topicsToTry(const containers::RosBag& bag, const std::string& name, const std::string& where);
+
+/// A sentence that this topic is a guess and which others give scans; empty: a name was given, or there is only this one.
+[[nodiscard]] std::optional<std::string> guessText(const containers::RosBag& bag, const BagTopic& taken, const std::string& name);
 
 } // namespace edgescan::files

@@ -92,7 +92,18 @@ std::vector<RowJump> jumpsAlong(std::span<const double> rangesM, int widestGap, 
     };
     std::vector<RowJump> shortest;
     std::ranges::copy_if(jumps, std::back_inserter(shortest), [&](const RowJump& jump) { return !containsAnother(jump); });
-    return shortest;
+    // A single cell between two jumps of one direction is a mixed pixel: both are one jump.
+    std::vector<RowJump> joined;
+    for (const RowJump& jump : shortest) {
+        const bool goesOn = !joined.empty() && joined.back().to == jump.from && joined.back().stepM * jump.stepM > 0.0;
+        if (goesOn && jump.to - joined.back().from <= kMixedCells + 1) {
+            joined.back().to = jump.to;
+            joined.back().stepM += jump.stepM;
+        } else {
+            joined.push_back(jump);
+        }
+    }
+    return joined;
 }
 
 CellsAround cellsAround(const Scan& scan, int line, int beam, int lineStep, int beamStep) {

@@ -132,7 +132,7 @@ SessionCamera cameraFrom(JsonFields fields) {
 Result<edges::Settings> usableSettings(JsonFields& fields, const std::string& where) {
     const nlohmann::json& object = fields.value("settings");
     if (!object.is_object()) return Error{"\"settings\" must be an object", where, "open another session"};
-    const Result<edges::Settings> settings = edges::settingsFromJson(object, edges::cannySettings(), where);
+    const Result<edges::Settings> settings = edges::settingsFromJson(edges::settingsOfRecord(object, 0), edges::cannySettings(), where);
     if (!settings) return settings;
     if (const auto good = edges::checkSettings(*settings); !good) return good.error();
     return settings;

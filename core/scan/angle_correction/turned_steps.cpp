@@ -2,6 +2,7 @@
 #include "core/scan/angle_correction/turned_steps.h"
 
 #include "core/scan/angle_correction/slip_votes.h"
+#include "core/scan/angle_correction/sureness.h"
 
 #include <algorithm>
 #include <array>
@@ -11,14 +12,16 @@
 namespace edgescan {
 namespace {
 
-constexpr int kSteps = 12;         // at each end, in which a stepper may turn
-constexpr int kFrom = 6;           // lines from the end of the sweep: from here on ...
-constexpr int kReference = 18;     // ... so many steps give the slopes of the surfaces
-constexpr float kBack = -0.5F;     // index steps: surely the other way
-constexpr float kSlow = 0.5F;      // index steps: not yet at its speed
-constexpr float kProved = 0.5F;    // share of the deviations from slopes as usual that a turn must explain
-constexpr std::size_t kOneOf = 10; // beams, of which at least one must have a vote
-constexpr int kSampled = 512;      // beams that are looked at, two neighbours at a time: one even, one odd
+constexpr int kSteps = 12;           // at each end, in which a stepper may turn
+constexpr int kFrom = 6;             // lines from the end of the sweep: from here on ...
+constexpr int kReference = 18;       // ... so many steps give the slopes of the surfaces
+constexpr float kBack = -0.5F;       // index steps: surely the other way
+constexpr float kMostSpread = 0.8F;  // of the votes of a step
+constexpr float kSdOfMedian = 1.86F; // times the median distance from it, over the root of the number
+constexpr float kSlow = 0.5F;        // index steps: not yet at its speed
+constexpr float kProved = 0.4F;      // share of the deviations from slopes as usual that a turn must explain
+constexpr std::size_t kOneOf = 10;   // beams, of which at least one must have a vote
+constexpr int kSampled = 512;        // beams that are looked at, two neighbours at a time: one even, one odd
 
 // One end of a sweep: place 0 is its first or its last line.
 struct SweepEnd {
@@ -58,7 +61,10 @@ std::vector<SlipVote> votesOn(const SweepEnd& end, int step, const std::vector<f
 
 // Whether the votes agree that the stepper went back.
 bool isBack(std::vector<SlipVote> votes, float steps) {
-    if (steps > kBack || spreadAround(steps, votes) > kLargestSpread) return false;
+    const float spread = spreadAround(steps, votes);
+    // Ranges rounded to centimetres spread the votes of one step; their median is sure all the same.
+    const float sd = kSdOfMedian * spread / std::sqrt(static_cast<float>(votes.size()));
+    if (steps > kBack || spread > kMostSpread || steps > -static_cast<float>(kSignificantSds) * sd) return false;
     for (SlipVote& vote : votes) vote.steps -= 1; // the deviation from a step as usual
     return explainedShare(votes, steps - 1) >= kProved;
 }

@@ -195,12 +195,14 @@ Result<std::string> sourceOf(const std::filesystem::path& file) {
 
 Result<std::shared_ptr<const Placement>> openPlacement(const std::filesystem::path& pose, const std::filesystem::path& calibration,
                                                        const Scan& scan, std::span<const double> lineTimesS) {
+    auto robot = calibration.empty() ? Result<Calibration>(Calibration{}) : openCalibration(calibration);
+    if (!robot) return robot.error();
     const auto poses = openPoses(pose);
     if (!poses) return poses.error();
-    if (calibration.empty() && !poses->calibration)
-        return Error{"a pose needs the robot's calibration", pose.string(), "give --calibration ROBOT.json too"};
-    const auto robot = calibration.empty() ? Result<Calibration>(*poses->calibration) : openCalibration(calibration);
-    if (!robot) return robot.error();
+    if (calibration.empty()) {
+        if (!poses->calibration) return Error{"a pose needs the robot's calibration", pose.string(), "give --calibration ROBOT.json too"};
+        robot = *poses->calibration;
+    }
     const auto poseSource = sourceOf(pose);
     const auto robotSource = calibration.empty() ? Result<std::string>(std::string()) : sourceOf(calibration);
     if (!poseSource || !robotSource) return poseSource ? robotSource.error() : poseSource.error();

@@ -19,10 +19,10 @@ QRgb inkAt(const QColor& colour, std::size_t band, int line, int beam) {
 } // namespace
 
 const EdgeColours& bandColours(bool colourBlind) {
-    static const EdgeColours usual{QColor(0, 255, 0), QColor(200, 255, 90), QColor(240, 228, 66), QColor(255, 215, 160),
-                                   QColor(255, 204, 212)};
-    static const EdgeColours withoutRedAndGreen{QColor(240, 228, 66), QColor(250, 242, 170), QColor(255, 255, 255), QColor(215, 235, 255),
-                                                QColor(170, 226, 255)};
+    static const EdgeColours usual{QColor(0, 255, 0),     QColor(200, 255, 90),  QColor(240, 228, 66),
+                                   QColor(255, 215, 160), QColor(255, 204, 212), QColor(255, 204, 212)};
+    static const EdgeColours withoutRedAndGreen{QColor(240, 228, 66),  QColor(250, 242, 170), QColor(255, 255, 255),
+                                                QColor(215, 235, 255), QColor(170, 226, 255), QColor(170, 226, 255)};
     return colourBlind ? withoutRedAndGreen : usual;
 }
 

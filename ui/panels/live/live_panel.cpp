@@ -7,6 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/panels/live/sweep_form.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -117,7 +118,8 @@ void LivePanel::askAddress() {
 
 void LivePanel::setConnected(bool connected) {
     connected_ = connected;
-    connect_->clearFocus();
+    // What is hidden would pass the focus on, and the next Space would press another button.
+    if (QWidget* focused = QApplication::focusWidget(); focused != nullptr && isAncestorOf(focused)) focused->clearFocus();
     connect_->setText(connected ? tr("Stop") : tr("Connect"));
     for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);

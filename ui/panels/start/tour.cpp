@@ -27,7 +27,7 @@ TourStep tourStep(int step) {
                 Tour::tr("View from the scanner")};
     case 2:
         return {Tour::tr("Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, "
-                         "the edges are sure."),
+                         "the edges depend little on it."),
                 Tour::tr("Show the edges panel")};
     case 3:
         return {Tour::tr("Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects "

@@ -1,6 +1,7 @@
 // Draws the cube of directions and reads clicks on its faces.
 #include "ui/views/cloud/view_cube.h"
 
+#include "ui/base/gestures.h"
 #include "ui/views/cloud/cloud_view.h"
 
 #include <QEvent>
@@ -126,7 +127,7 @@ void ViewCube::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(letters);
     for (const Seen& each : seen_) {
         const int light = static_cast<int>(56 + 60 * each.towardsEye);
-        painter.setPen(QPen(QColor(0x85, 0x8b, 0x92), 1.0));
+        painter.setPen(QPen(QColor(0x63, 0x68, 0x6e), 1.0)); // as the rim of a plate
         painter.setBrush(under_ == each.face ? QColor(0x1f, 0x4f, 0x80) : QColor(light, light, light));
         painter.drawPolygon(each.corners);
         if (each.towardsEye < 0.4) continue; // too narrow for letters
@@ -138,7 +139,7 @@ void ViewCube::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void ViewCube::mouseMoveEvent(QMouseEvent* event) {
-    const auto now = at(event->localPos());
+    const auto now = at(ui::place(*event));
     if (now == under_) return;
     under_ = now;
     update();
@@ -148,7 +149,7 @@ void ViewCube::mouseMoveEvent(QMouseEvent* event) {
 void ViewCube::mousePressEvent(QMouseEvent* event) { event->accept(); }
 
 void ViewCube::mouseReleaseEvent(QMouseEvent* event) {
-    if (const auto face = at(event->localPos())) (cloud_->*cubeFaces()[static_cast<std::size_t>(*face)].look)();
+    if (const auto face = at(ui::place(*event))) (cloud_->*cubeFaces()[static_cast<std::size_t>(*face)].look)();
 }
 
 void ViewCube::leaveEvent(QEvent* /*event*/) {

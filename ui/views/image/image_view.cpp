@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace edgescan::ui {
 namespace {
@@ -207,7 +208,9 @@ void ImageView::drawPyramid(QPainter& painter, Pyramid& pyramid) const {
     if (pyramid.empty()) return;
     const QSizeF cell = viewPort_->cellSize(size()) * devicePixelRatioF();
     const double scale = std::min(cell.width(), cell.height());
-    const QImage& image = pyramid.level(pyramidLevel(scale));
+    // The nearest level for shares: drawn much smaller, a line of one cell would lose its light.
+    const double forLevel = pyramid.shrink() == Shrink::Share ? scale * std::numbers::sqrt2 / 2.0 : scale;
+    const QImage& image = pyramid.level(pyramidLevel(forLevel));
     const QSizeF full = pyramid.image()->size();
     // For odd sizes the last pixel of a level covers fewer cells; therefore cells per pixel is a power of two, not the quotient of the
     // sizes.

@@ -69,7 +69,7 @@ double ViewPort::fittingZoom(QSizeF cells, QSizeF view) const {
 
 double ViewPort::zoomIn(QSizeF viewSize) const {
     const QSize smallest = smallestView();
-    if (smallest.isEmpty() || viewSize == QSizeF(smallest)) return zoom_;
+    if (smallest.isEmpty() || viewSize.isEmpty() || viewSize == QSizeF(smallest)) return zoom_;
     return std::min(zoom_ * fittingZoom(imageSize_, viewSize) / fittingZoom(imageSize_, smallest), std::max(zoom_, kMaxZoom));
 }
 

@@ -152,6 +152,8 @@ TEST(Presets, ARecordOfAnEarlierSetKeepsItsMeaning) {
     EXPECT_EQ(settingsOfRecord(old, 3)["classes"], "jump,convex,concave,border,silhouette");
     EXPECT_EQ(settingsOfRecord(old, kDefaultSet.version)["classes"], "all");
     EXPECT_EQ(settingsOfRecord(nlohmann::json::object(), 2), settingsToJson(defaultSettings(3)));
+    EXPECT_EQ(settingsOfRecord(nlohmann::json::object(), 0), settingsToJson(defaultSettings(3)));
+    EXPECT_EQ(settingsOfRecord(settingsToJson(Settings{}), 0), settingsToJson(Settings{}));
     EXPECT_EQ(settingsOfRecord(nlohmann::json::object(), kDefaultSet.version), settingsToJson(Settings{}));
 }
 

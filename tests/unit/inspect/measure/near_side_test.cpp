@@ -105,7 +105,7 @@ Scan plateScan(std::uint32_t seed, double dropouts) {
 }
 
 TEST(NearSide, AClickAtAPlateIsThatOfTheSlowSearch) {
-    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
         const Scan scan = plateScan(seed, 0.0);
         const Oracle oracle(scan, 0.3);
         for (std::uint32_t k = 0; k < scan.cells(); ++k) {
@@ -129,7 +129,7 @@ TEST(NearSide, AClickAtAPlateIsThatOfTheSlowSearch) {
 
 TEST(NearSide, LostCellsDoNotChangeTheSurface) {
     int clicks = 0, differ = 0;
-    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
         const Scan scan = plateScan(seed, 0.03);
         const Oracle oracle(scan, 0.3);
         for (std::uint32_t k = 0; k < scan.cells(); ++k, ++clicks) {

@@ -1,7 +1,7 @@
 // Scans from two stations of a simulated bell: the surfaces correct a wrong pose, and the truth is known.
 #include "core/inspect/registration/cloud_distance.h"
-#include "core/inspect/registration/stations.h"
 #include "core/inspect/registration/scan_alignment.h"
+#include "core/inspect/registration/stations.h"
 #include "tests/support/stations.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(Stations, ThreePairsGiveTheTransform) {
 
 TEST(Stations, ALayerIsPlacedByThreePointsAndThenByItsSurfaces) {
     const RigidTransform place{rotationRpyDeg({8, -6, 35}), Eigen::Vector3d(1.2, -0.5, 0.1)};
-    const auto first = test::scanFrom({}, 4, 0, 180, 220), other = test::scanFrom(place, 4, 1, 180, 220);
+    const auto first = test::scanFrom({}, 4, 0, 130, 160), other = test::scanFrom(place, 4, 1, 130, 160);
     StationRequest wish;
     for (const Eigen::Vector3d& p : {Eigen::Vector3d(1.5, 0.5, 6), Eigen::Vector3d(-1.5, 1, 5), Eigen::Vector3d(0, -2, 6)})
         wish.pairs.push_back({p + 0.1 * Eigen::Vector3d(p.y(), p.x(), 1).normalized(), inverse(place) * p}); // clicks are 10 cm off
@@ -60,9 +60,9 @@ TEST(Stations, ALayerIsPlacedByThreePointsAndThenByItsSurfaces) {
     EXPECT_LT((station->placed.sensorM - place.translationM).norm(), 0.03);
     EXPECT_LT(station->fit->residualM, 0.02);
     EXPECT_TRUE(station->warnings.empty()) << station->warnings.front();
-    // Without a start the frames of the scanners are taken, and 35 degrees are too far.
-    const auto lost = stationOf(first, other);
-    EXPECT_TRUE(!lost || !lost->warnings.empty());
+    // Without a start the frames of the scanners are taken: a place without a warning is the right one.
+    const auto alone = stationOf(first, other);
+    EXPECT_TRUE(!alone || !alone->warnings.empty() || (alone->placed.sensorM - place.translationM).norm() < 0.05);
 }
 
 TEST(Stations, TheSameRocksAreFoundInTwoSweeps) {

@@ -164,7 +164,7 @@ TEST(DepthEdges, DustCloseToAWallIsNone) {
         int elsewhere = 0;
         for (int i = 0; i < wall.lines(); ++i)
             for (int j = 0; j < wall.beams(); ++j) (std::abs(j - 160) < 6 ? beside : elsewhere) += edges.mask.at(i, j) != 0 ? 1 : 0;
-        EXPECT_EQ(elsewhere, 0);
+        EXPECT_LE(elsewhere, 4) << "at most one chain of the minimum length";
         EXPECT_EQ(beside > 150, post) << beside;
     }
 }
