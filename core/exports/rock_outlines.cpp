@@ -146,8 +146,8 @@ Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame fram
                          std::string(frame == CoordinateFrame::MineLocal ? "frame of a local origin" : "scanner's frame"),
                      path.string(),
                      scan.placement == nullptr
-                         ? "give a pose and the robot's calibration, or write .dxf; --picture-outlines has the picture"
-                         : "use --frame mine, or write .dxf"};
+                         ? "give a pose and the robot's calibration, or write .dxf, or the outlines in the picture (.json)"
+                         : "choose the mine grid as the frame, or write .dxf"};
     if (auto known = files::checkFrame(scan, frame, path.string()); !known) return known.error();
     if (extension == ".dxf") return dxfOutlines(study, FramePoints(scan, frame), record);
     if (extension == ".geojson") return geoJsonOutlines(study, record);

@@ -33,7 +33,7 @@
 <message><source>pose %1 old</source><translation>pose de hace %1</translation></message>
 <message><source>sweep whole</source><translation>barrido completo</translation></message>
 <message><source>sweep ended</source><translation>barrido terminado</translation></message>
-<message><source>ends in %1</source><translation>termina en %1</translation></message>
+<message><source>%1 left</source><translation>faltan %1</translation></message>
 <message><source>recording %1 MB, %2</source><translation>grabación %1 MB, %2</translation></message>
 <message><source>recording %1 MB</source><translation>grabación %1 MB</translation></message>
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>el disco lleva %1 s de retraso (%2 MB)</translation></message>

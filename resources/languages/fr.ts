@@ -33,7 +33,7 @@
 <message><source>pose %1 old</source><translation>pose vieille de %1</translation></message>
 <message><source>sweep whole</source><translation>balayage entier</translation></message>
 <message><source>sweep ended</source><translation>balayage terminé</translation></message>
-<message><source>ends in %1</source><translation>fin dans %1</translation></message>
+<message><source>%1 left</source><translation>encore %1</translation></message>
 <message><source>recording %1 MB, %2</source><translation>enregistrement %1 Mo, %2</translation></message>
 <message><source>recording %1 MB</source><translation>enregistrement %1 Mo</translation></message>
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>le disque a %1 s de retard (%2 Mo)</translation></message>

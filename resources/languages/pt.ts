@@ -33,7 +33,7 @@
 <message><source>pose %1 old</source><translation>pose de há %1</translation></message>
 <message><source>sweep whole</source><translation>varredura completa</translation></message>
 <message><source>sweep ended</source><translation>varredura terminada</translation></message>
-<message><source>ends in %1</source><translation>termina em %1</translation></message>
+<message><source>%1 left</source><translation>faltam %1</translation></message>
 <message><source>recording %1 MB, %2</source><translation>gravação %1 MB, %2</translation></message>
 <message><source>recording %1 MB</source><translation>gravação %1 MB</translation></message>
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>o disco está %1 s atrasado (%2 MB)</translation></message>

@@ -10,12 +10,15 @@
 #include "ui/panels/dialogs/calibration_card.h"
 #include "ui/panels/dialogs/contact_card.h"
 #include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/count_curve.h"
 #include "ui/panels/tuning/status_line.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -315,6 +318,59 @@ private slots:
             QVERIFY(on.open(scans[++number % 2]));
             QVERIFY2(eventually([&] { return scan.expired(); }), work.name);
         }
+    }
+
+    void thePictureBeforeIsCalledOldAndStageAndCancelAreShown() {
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.showWith(real_));
+        const QString title = window.windowTitle(), origin = on.viewer.origin.text();
+        qputenv("XDG_CACHE_HOME", QByteArray::fromStdString((folder_ / "no-cache").string())); // the demo must be simulated
+        QStringList wrong;
+        int replaced = 0;
+        connect(&on.viewer.engine, &Engine::replacingChanged, this, [&](bool replacing) {
+            if (!replacing) return;
+            ++replaced;
+            if (!on.viewer.origin.text().startsWith("OLD PICTURE")) wrong << on.viewer.origin.text();
+            if (window.windowTitle() == title) wrong << window.windowTitle();
+            const auto* stage = on.viewer.statusLine.findChild<QLabel*>("work-stage");
+            const auto* cancel = on.viewer.statusLine.findChild<QPushButton*>("cancel-work");
+            if (!stage->isVisible() || stage->text().isEmpty() || !cancel->isVisible()) wrong << "no stage or no Cancel";
+        });
+        on.viewer.files.openDemo();
+        QVERIFY(eventually([&] { return replaced > 0; }));
+        QTest::mouseClick(on.viewer.statusLine.findChild<QPushButton*>("cancel-work"), Qt::LeftButton);
+        QVERIFY(eventually([&] { return !on.viewer.engine.working(); }));
+        QCOMPARE(window.windowTitle(), title);
+        QCOMPARE(on.viewer.origin.text(), origin);
+        QVERIFY(!on.viewer.statusLine.findChild<QPushButton*>("cancel-work")->isVisible());
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join('\n')));
+    }
+
+    // Cancelled after it was read, while its first picture is made: nothing of the new scan is used.
+    void aScanWithoutAPictureYetCanBeCancelled() {
+        WindowFixture on;
+        QVERIFY(on.showWith(real_));
+        const auto before = on.viewer.engine.picture();
+        QSignalSpy opened(&on.viewer.engine, &Engine::opened);
+        bool cancelled = false;
+        connect(&on.viewer.engine, &Engine::workProgressed, this, [&](const QString& stage, double) {
+            if (stage != "finding edges" || cancelled) return;
+            cancelled = true;
+            on.viewer.engine.cancel();
+        });
+        const std::string other = (folder_ / "other-scan.json").string();
+        QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3, 0.05), other)));
+        on.viewer.files.open({QString::fromStdString(other)});
+        QVERIFY(eventually([&] { return cancelled; }));
+        QVERIFY(!on.viewer.engine.opening() && !on.viewer.engine.behind());
+        QCOMPARE(on.viewer.engine.picture(), before);
+        QCOMPARE(opened.count(), 0);
+        QCOMPARE(on.viewer.files.path(), QString::fromStdString(real_));
+        edges::Settings settings = on.viewer.engine.settings();
+        settings.lower *= 1.5;
+        QVERIFY(on.use(settings));
+        QVERIFY2(on.picture().detection->scan == before->detection->scan, "sliders work on the scan that stayed");
     }
 
     void openingCanBeCancelledAndTheNewestWins() {

@@ -1,11 +1,14 @@
 // The window in other languages: every text has a translation, and only texts change.
+#include "core/base/whole_file.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
+#include "core/files/live_feed/live_health.h"
 #include "core/rocks/selection/rock_settings.h"
 #include "core/scan/grid/reading_options.h"
 #include "tests/support/folders.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/core_words.h"
 #include "ui/base/language/catalogue.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
@@ -27,6 +30,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <filesystem>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -297,6 +301,77 @@ private slots:
             Catalogue catalogue;
             QVERIFY(!catalogue.read(path));
         }
+    }
+
+    // Whatever a live scanner is: every word of the strip has a translation that is used.
+    void theStripSpeaksTheLanguageOfTheWindow() {
+        files::LiveStatus status;
+        status.connection.sentence = "10.0.0.5:2112: no scan for 3.0 s.";
+        status.lines = 312;
+        status.linesPerSecond = 25;
+        status.sweep.expected = 1000;
+        status.sweep.cells[static_cast<std::size_t>(CellState::Valid)] = 958;
+        QSet<QString> same;
+        int seen = 0;
+        for (const char* language : {"fr", "es", "pt"}) {
+            QVERIFY(useLanguage(language, kTexts));
+            for (const auto phase : {scanner::ConnectionPhase::Connecting, scanner::ConnectionPhase::Live, scanner::ConnectionPhase::Lost,
+                                     scanner::ConnectionPhase::Stopped}) {
+                for (const double age : {0.0, 5.0, 300.0}) {
+                    for (const int part : {0, 1, 2, 3, 4, 5}) {
+                        files::LiveStatus now = status;
+                        now.connection.phase = phase;
+                        now.secondsSinceLine = age;
+                        now.sweep.lines = part == 1 ? 1000 : 312;
+                        now.sweep.received = part == 2 ? 309 : now.sweep.lines;
+                        if (part == 2) now.sweep.lost = {5, 9, 10};
+                        now.sweep.growing = part != 1;
+                        now.sweep.device.contaminationWarning = part == 3;
+                        now.sweep.deviceEver.contaminationError = part == 4;
+                        now.sweep.device.error = part == 3;
+                        now.sweep.deviceEver.error = part == 4;
+                        if (part == 5) now.sweep.assumed = "How a motor turned the scanner was not said. ASSUMED: the axis (spin).";
+                        if (part == 4) now.recording = files::RecordingState{};
+                        const files::LiveHealth health = files::healthOf(now);
+                        for (const std::string& each :
+                             {health.badge, health.lines, health.lost, health.noReturn, health.remark, health.contamination,
+                              health.deviceState, health.pose, health.end, health.recording}) {
+                            if (each.empty()) continue;
+                            ++seen;
+                            if (coreWords(each) == QString::fromStdString(each)) same << QString(language) + ": " + each.c_str();
+                        }
+                    }
+                }
+            }
+            QVERIFY(coreSentence(status.connection.sentence) != QString::fromStdString(status.connection.sentence));
+        }
+        QVERIFY(seen > 500);
+        QVERIFY2(same.isEmpty(), qPrintable(QStringList(same.values()).join('\n')));
+        useLanguage("en");
+        QCOMPARE(coreWords("LOST 12 s"), QString("LOST 12 s"));
+    }
+
+    // Errors, warnings and remarks of the core name flags for the command line; in the window they name places of the window.
+    void noNoteOfTheWindowNamesAFlag() {
+        static const QRegularExpression text("\"(?:[^\"\\\\\n]|\\\\.)*\"");
+        int flags = 0;
+        QStringList left;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(test::sourceFolder()) / "core")) {
+            if (entry.path().extension() != ".cpp") continue;
+            const auto source = readWholeFile(entry.path());
+            QVERIFY(bool(source));
+            for (auto all = text.globalMatch(QString::fromUtf8(textOf(*source).data(), static_cast<int>(source->size()))); all.hasNext();) {
+                const QString found = all.next().captured();
+                if (!found.contains(QRegularExpression("--[a-z]"))) continue;
+                ++flags;
+                if (coreSentence(found).contains(QRegularExpression("--[a-z]"))) left << found + " -> " + coreSentence(found);
+            }
+        }
+        QVERIFY(flags > 40);
+        QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
+        QCOMPARE(coreSentence(QString("combed: --straighten (Scan > Straighten Beams) puts them side by side.")),
+                 QString("combed: Scan > Straighten Beams puts them side by side."));
+        QVERIFY(coreSentence(QString("give --unit m")).contains("How the Scan Is Read"));
     }
 };
 

@@ -46,7 +46,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "pose %1 old"),
     QT_TRANSLATE_NOOP("QObject", "sweep whole"),
     QT_TRANSLATE_NOOP("QObject", "sweep ended"),
-    QT_TRANSLATE_NOOP("QObject", "ends in %1"),
+    QT_TRANSLATE_NOOP("QObject", "%1 left"),
     QT_TRANSLATE_NOOP("QObject", "recording %1 MB, %2"),
     QT_TRANSLATE_NOOP("QObject", "recording %1 MB"),
     QT_TRANSLATE_NOOP("QObject", "the disk is %1 s behind (%2 MB)"),

@@ -20,6 +20,11 @@ int widthOf(QLayoutItem& item, int line) {
     return std::min(line, grows(item) ? std::max(kLeastOfGrowing, item.minimumSize().width()) : item.sizeHint().width());
 }
 
+int heightOf(QLayoutItem& item, int width) {
+    const int height = item.hasHeightForWidth() ? item.heightForWidth(width) : item.sizeHint().height();
+    return std::max(height, item.minimumSize().height());
+}
+
 } // namespace
 
 FlowLayout::FlowLayout(QWidget* parent) : QLayout(parent) { setSpacing(8); }
@@ -49,10 +54,19 @@ std::vector<FlowLayout::Line> FlowLayout::lines(int width) const {
         if (!fits) lines.emplace_back();
         Line& line = lines.back();
         line.width += (line.items.empty() ? 0 : spacing()) + needed;
-        line.height = std::max({line.height, item->sizeHint().height(), item->minimumSize().height()});
         line.items.push_back(item);
     }
+    for (Line& line : lines) {
+        for (QLayoutItem* item : line.items) line.height = std::max(line.height, heightOf(*item, widthIn(line, *item, width)));
+    }
     return lines;
+}
+
+/// With its part of what is left of the line.
+int FlowLayout::widthIn(const Line& line, QLayoutItem& item, int width) {
+    if (!grows(item)) return widthOf(item, width);
+    const auto growing = std::ranges::count_if(line.items, [](QLayoutItem* each) { return grows(*each); });
+    return widthOf(item, width) + (width - line.width) / static_cast<int>(growing);
 }
 
 int FlowLayout::heightForWidth(int width) const {
@@ -85,12 +99,10 @@ void FlowLayout::setGeometry(const QRect& rect) {
     const QRect inner = rect.marginsRemoved(contentsMargins());
     int y = inner.top();
     for (const Line& line : lines(inner.width())) {
-        const auto growing = std::ranges::count_if(line.items, [](QLayoutItem* item) { return grows(*item); });
-        const int more = growing == 0 ? 0 : (inner.width() - line.width) / static_cast<int>(growing);
         int x = inner.left();
         for (QLayoutItem* item : line.items) {
-            const int wide = widthOf(*item, inner.width()) + (grows(*item) ? more : 0);
-            const int high = std::min(line.height, std::max(item->sizeHint().height(), item->minimumSize().height()));
+            const int wide = widthIn(line, *item, inner.width());
+            const int high = heightOf(*item, wide);
             item->setGeometry(QRect(x, y + (line.height - high) / 2, wide, high));
             x += wide + spacing();
         }

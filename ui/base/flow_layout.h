@@ -30,6 +30,7 @@ private:
         int width = 0, height = 0;
     };
     [[nodiscard]] std::vector<Line> lines(int width) const;
+    [[nodiscard]] static int widthIn(const Line& line, QLayoutItem& item, int width);
 
     std::vector<QLayoutItem*> items_;
 };

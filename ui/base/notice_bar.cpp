@@ -3,6 +3,7 @@
 
 #include "ui/base/core_words.h"
 #include "ui/base/elided_label.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
@@ -10,7 +11,6 @@
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHideEvent>
 #include <QLabel>
 #include <QToolButton>
@@ -23,6 +23,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kMostEarlier = 9;
+constexpr int kLeastText = 280; // px
 
 } // namespace
 
@@ -31,12 +32,14 @@ NoticeBar::NoticeBar(QWidget* parent)
       more_(new QToolButton) {
     setObjectName("notice-bar");
     action_->setObjectName("notice-action");
-    auto* line = new QHBoxLayout(this);
+    auto* line = new FlowLayout(this); // in a narrow window the buttons are below the text
     line->setContentsMargins(10, 4, 6, 4);
     QFont bold = sign_->font();
     bold.setBold(true);
     sign_->setFont(bold);
     text_->setWordWrap(true);
+    text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path must not widen the window
+    text_->setMinimumWidth(kLeastText);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     text_->setTextFormat(Qt::PlainText);
     auto* copy = copy_ = new QToolButton;
@@ -48,21 +51,21 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(action_, &QToolButton::clicked, this, [this] {
         if (onAction_) onAction_();
     });
-    line->addWidget(sign_, 0, Qt::AlignTop);
-    line->addWidget(line_, 1);
-    line->addWidget(text_, 1);
+    line->addWidget(sign_);
+    line->addWidget(line_);
+    line->addWidget(text_);
     unfold_->setObjectName("notice-unfold");
     unfold_->setCheckable(true);
     connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
-    line->addWidget(unfold_, 0, Qt::AlignTop);
+    line->addWidget(unfold_);
     more_->setObjectName("notice-earlier");
     more_->setToolTip(tr("Notes that came before this one and were not closed"));
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
-    line->addWidget(more_, 0, Qt::AlignTop);
-    line->addWidget(action_, 0, Qt::AlignTop);
-    line->addWidget(copy, 0, Qt::AlignTop);
-    line->addWidget(close, 0, Qt::AlignTop);
+    line->addWidget(more_);
+    line->addWidget(action_);
+    line->addWidget(copy);
+    line->addWidget(close);
     hide();
     followColours(*this, [this](const Theme&) { paintKind(); });
 }

@@ -41,6 +41,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
       menu_(new QMenu(&window)), keypad_(new Keypad(&window)) {
+    badge_->setShrinks();
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
     back_->setObjectName("cab-back");

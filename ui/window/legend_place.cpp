@@ -3,6 +3,7 @@
 
 #include "ui/base/view_plate.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
 
@@ -32,9 +33,16 @@ bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
 
 void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
     const auto look = [&cloud, &views] {
+        const auto fitLegends = [&](int height) {
+            for (EdgeLegend* legend : cloud.findChildren<EdgeLegend*>(QString(), Qt::FindDirectChildrenOnly)) legend->fitInto(height);
+            cloud.layout()->activate();
+        };
+        fitLegends(cloud.height());
         const auto cell = views.pinned();
         const auto at = cell ? cloud.pixelOf(static_cast<std::uint32_t>(*cell)) : std::nullopt;
         const QRect label = at ? QRect(at->toPoint() - QPoint(kRing, kLabelHigh), QSize(kLabelWide, 2 * kLabelHigh)) : QRect();
+        // Where neither side is free, the legend is one row.
+        if (!label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true)) fitLegends(0);
         const bool right = !label.isEmpty() && isCovered(cloud, label, false) && !isCovered(cloud, label, true);
         QLayout* over = cloud.layout();
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;

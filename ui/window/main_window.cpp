@@ -64,6 +64,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kRememberAfterMs = 300;
+constexpr QSize kLeastCloud(240, 120);
 
 /// The bar of the badge, right of the tools, which give way: it is visible at every width.
 QToolBar* badgeBar(QWidget& badge) {
@@ -198,6 +199,7 @@ void MainWindow::followPlaces() {
 
 // Over a free part of the cloud; more legends go above it.
 void MainWindow::layOutLegend() {
+    viewer_.cloud.setMinimumSize(kLeastCloud); // not that of the legends: they shrink with it
     auto* over = new QVBoxLayout(&viewer_.cloud);
     over->setContentsMargins(8, 8, 8, 8);
     over->addStretch(1);

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #ifdef EDGESCAN_SQLITE
 #include <sqlite3.h>
@@ -71,6 +72,9 @@ private:
     Result<Done> topics() {
         const std::map<std::string, std::string> definitions = definitionsIn(database_);
         const Statement rows = prepared(database_, "SELECT id, name, type, serialization_format FROM topics");
+        const bool damaged = sqlite3_errcode(database_) == SQLITE_CORRUPT || sqlite3_errcode(database_) == SQLITE_NOTADB;
+        if (!rows && damaged)
+            return Error{"this SQLite database is cut off or damaged: its tables cannot be read", where_, "copy it again"};
         if (!rows) return Error{"this SQLite database is not a ROS bag: it has no table of topics", where_, "choose another file"};
         while (sqlite3_step(rows.get()) == SQLITE_ROW) {
             if (textIn(rows.get(), 3) != "cdr") continue;
@@ -129,13 +133,20 @@ private:
 
 namespace {
 
-/// Bytes behind the pages that the header counts, without padding; 0 where it does not count them.
-std::size_t bytesBehind(ByteView bytes) {
-    constexpr std::size_t kHeader = 100, kPageSize = 16, kPages = 28;
-    if (bytes.size() < kHeader) return 0;
+constexpr std::size_t kHeader = 100, kPageSize = 16, kPages = 28; // of the file; places of numbers in it
+
+/// Bytes of a page and their number, as the header counts them; 0 where it does not.
+std::pair<std::size_t, std::size_t> pagesOf(ByteView bytes) {
+    if (bytes.size() < kHeader) return {0, 0};
     const auto at = [&](std::size_t n) { return std::size_t{bytes[n]}; };
     const std::size_t page = at(kPageSize) == 0 && at(kPageSize + 1) == 1 ? 65536 : at(kPageSize) << 8U | at(kPageSize + 1);
-    const std::size_t size = page * (at(kPages) << 24U | at(kPages + 1) << 16U | at(kPages + 2) << 8U | at(kPages + 3));
+    return {page, at(kPages) << 24U | at(kPages + 1) << 16U | at(kPages + 2) << 8U | at(kPages + 3)};
+}
+
+/// Bytes behind the pages that the header counts, without padding.
+std::size_t bytesBehind(ByteView bytes) {
+    const auto [page, pages] = pagesOf(bytes);
+    const std::size_t size = page * pages;
     if (size == 0 || size >= bytes.size()) return 0;
     const ByteView behind = bytes.subspan(size);
     return std::ranges::any_of(behind, [](std::uint8_t byte) { return byte != 0; }) ? behind.size() : 0;
@@ -144,13 +155,18 @@ std::size_t bytesBehind(ByteView bytes) {
 } // namespace
 
 Result<RosBag> readRosDatabase(ByteView bytes, const std::string& where) {
-    // A file in WAL mode cannot be read from memory; without its journal it reads as any other file.
+    // A file in WAL mode cannot be read from memory; without its journal it reads as any other file. Of a file that was cut off SQLite
+    // reads what is there if the header counts no more pages.
     constexpr std::size_t kVersions = 18; // of the file format for writing and reading: 2 is WAL
+    const auto [page, pages] = pagesOf(bytes);
+    const bool isCut = page > 0 && pages > bytes.size() / page;
     Bytes plain;
-    if (bytes.size() > kVersions + 1 && (bytes[kVersions] == 2 || bytes[kVersions + 1] == 2)) {
+    if (bytes.size() >= kHeader && (bytes[kVersions] == 2 || bytes[kVersions + 1] == 2 || isCut)) {
         if (auto enough = checkMemory(bytes.size(), where); !enough) return enough.error();
         plain.assign(bytes.begin(), bytes.end());
         plain[kVersions] = plain[kVersions + 1] = 1;
+        if (isCut) plain.resize(std::max(kHeader, bytes.size() / page * page));
+        for (std::size_t n = 0; isCut && n < 4; ++n) plain[kPages + n] = static_cast<std::uint8_t>(bytes.size() / page >> (24 - 8 * n));
         bytes = plain;
     }
     sqlite3* opened = nullptr;

@@ -68,7 +68,7 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
 std::string linesOf(const scanner::SweepProgress& sweep, Liveness liveness) {
     if (liveness != Liveness::Live || !sweep.growing || sweep.received != sweep.lines) return sweep.text();
     const std::string doubt = sweep.irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "";
-    return std::to_string(sweep.lines) + (sweep.expected > 0 ? "/" + std::to_string(sweep.expected) : "") + " lines" + doubt;
+    return std::to_string(sweep.lines) + "/" + std::to_string(sweep.expected > 0 ? sweep.expected : sweep.lines) + " lines" + doubt;
 }
 
 void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {

@@ -70,9 +70,10 @@ std::optional<std::string> guessText(const containers::RosBag& bag, const BagTop
 Result<std::vector<BagTopic>> topicsToTry(const containers::RosBag& bag, const std::string& name, const std::string& where) {
     const std::vector<BagTopic> topics = bagTopics(bag);
     const std::string scans = listed(bag, topics);
+    const std::string leftOut = bag.warnings.empty() ? "" : "; " + bag.warnings.front().substr(0, bag.warnings.front().rfind('.'));
     if (scans.empty())
-        return Error{"no topic of this " + bag.kind + " is a laser's" + (topics.empty() ? "" : ": " + listed(bag, topics, false)), where,
-                     "choose another bag"};
+        return Error{"no topic of this " + bag.kind + " is a laser's" + (topics.empty() ? "" : ": " + listed(bag, topics, false)) + leftOut,
+                     where, "choose another bag"};
     std::vector<BagTopic> found;
     for (const BagTopic& topic : topics) {
         const bool wanted = name.empty() ? topic.gives != TopicGives::Nothing : bag.topics[topic.topic].name == name;

@@ -72,7 +72,7 @@ NumbersSide::NumbersSide(QWidget* parent)
       sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)), coordinates_(new QGridLayout),
       rows_(new QGridLayout), main_(new Stepper(QString())), foot_(new QGridLayout) {
     hint_->setText(tr("Touch a rock in the cloud: its distance and its size are shown here."));
-    for (QLabel* each : {hint_, tolerance_, rock_, sizeRemark_, pose_}) each->setWordWrap(true);
+    for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, pose_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
     auto* head = new QHBoxLayout;

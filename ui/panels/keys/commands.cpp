@@ -13,6 +13,9 @@
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QWidget>
+
+#include <algorithm>
 
 namespace edgescan::ui {
 namespace {
@@ -88,6 +91,17 @@ KeysOfFocus::KeysOfFocus(QObject* parent) : QObject(parent) {
     typing_.setInterval(kTypedForMs);
 }
 
+/// The key of a command that asks for something and cannot be used now.
+bool KeysOfFocus::asksInVain(const QKeyEvent& key) const {
+    if ((key.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0) return false;
+    const auto* window = qobject_cast<const QWidget*>(parent());
+    if (window == nullptr) return false;
+    const QKeySequence pressed(key.key() | static_cast<int>(key.modifiers()));
+    return std::ranges::any_of(window->actions(), [&](const QAction* action) {
+        return !action->isEnabled() && action->text().endsWith(QStringLiteral("…")) && action->shortcuts().contains(pressed);
+    });
+}
+
 bool KeysOfFocus::isTypedForADialog(const QKeyEvent& key) {
     if (!typing_.isActive()) return false;
     const bool plain = (key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0;
@@ -111,6 +125,7 @@ bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
     const auto& pressed = static_cast<const QKeyEvent&>(*event);
     const int key = pressed.key();
     if (key == Qt::Key_Escape) typing_.stop();
+    if (asksInVain(pressed)) typing_.start();
     if (isTypedForADialog(pressed)) {
         event->accept();
         return true;

@@ -61,6 +61,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    [[nodiscard]] bool asksInVain(const QKeyEvent& key) const;
     [[nodiscard]] bool isTypedForADialog(const QKeyEvent& key);
 
     QTimer typing_; // active = keys without a modifier are not commands

@@ -15,6 +15,7 @@ HealthStrip::HealthStrip(QWidget* parent)
     : QWidget(parent), badge_(new StateBadge), lines_(new QLabel), bar_(new SweepBar), lost_(new QLabel), noReturn_(new QLabel),
       remark_(new StateBadge), window_(new StateBadge), device_(new StateBadge), pose_(new QLabel), end_(new QLabel),
       recording_(new StateBadge), sentence_(new ElidedLabel) {
+    for (StateBadge* each : {badge_, remark_, window_, device_, recording_}) each->setShrinks();
     badge_->setObjectName("live-badge");
     lines_->setObjectName("live-lines");
     lost_->setObjectName("live-lost");
@@ -39,6 +40,7 @@ HealthStrip::HealthStrip(QWidget* parent)
 
 void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     shown_ = health;
+    picture_ = picture;
     const auto showText = [](QLabel* label, const std::string& text) {
         const QString words = coreWords(text);
         if (label->text() != words) label->setText(words);
@@ -59,21 +61,26 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     bar_->showRows(health.row, health.rows, health.lostRows);
     showText(lost_, health.lost);
     lost_->setToolTip(tr("Lines whose telegrams never came; hatched in the images"));
-    showText(noReturn_, health.noReturn);
+    showText(noReturn_, brief_ ? std::string() : health.noReturn);
     badge(remark_, signOf(health.telegrams), health.remark);
     QStringList remarks;
     for (const std::string& sentence : health.remarks) remarks << coreSentence(sentence);
     remark_->setToolTip(remarks.join('\n'));
-    badge(window_, signOf(health.window), health.contamination);
+    badge(window_, signOf(health.window), brief_ && health.window == files::Condition::Good ? std::string() : health.contamination);
     // A device without faults has no badge.
     badge(device_, signOf(health.device), health.device == files::Condition::Good ? std::string() : health.deviceState);
-    showText(pose_, health.lines.empty() ? std::string() : health.pose);
+    showText(pose_, health.lines.empty() || brief_ ? std::string() : health.pose);
     showText(end_, health.end);
     badge(recording_, signOf(health.recorded), health.recording);
     const QString sentence = coreSentence(health.sentence);
     if (sentence_->text() != sentence) sentence_->setText(sentence);
     sentence_->setVisible(health.liveness != files::Liveness::Live && !sentence.isEmpty());
     sentence_->setToolTip(sentence);
+}
+
+void HealthStrip::setBrief(bool on) {
+    brief_ = on;
+    showHealth(files::LiveHealth(shown_), picture_);
 }
 
 } // namespace edgescan::ui

@@ -22,12 +22,16 @@ public:
     /// The relation of the picture on the screen to the scanner.
     enum class Picture { Follows, Held, Other };
     void showHealth(const files::LiveHealth& health, Picture picture = Picture::Follows);
+    /// Less that is as it should be, for cab mode.
+    void setBrief(bool on);
     [[nodiscard]] const files::LiveHealth& shown() const { return shown_; }
     [[nodiscard]] StateBadge& badge() { return *badge_; }
     [[nodiscard]] const SweepBar& bar() const { return *bar_; }
 
 private:
     files::LiveHealth shown_;
+    Picture picture_ = Picture::Follows;
+    bool brief_ = false;
     StateBadge* badge_;
     QLabel* lines_;
     SweepBar* bar_;

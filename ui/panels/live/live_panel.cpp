@@ -138,6 +138,7 @@ void LivePanel::forgetScanner() {
 
 void LivePanel::setBrief(bool on) {
     brief_ = on;
+    strip_->setBrief(on);
     showFields();
 }
 
@@ -145,7 +146,8 @@ void LivePanel::setBrief(bool on) {
 void LivePanel::showFields() {
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_);
     for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(brief_ && connected_);
-    for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setHidden(!connected_);
+    for (QWidget* each : std::initializer_list<QWidget*>{record_, follow_}) each->setHidden(!connected_);
+    keep_->setHidden(brief_ || !connected_); // it is in the menu
 }
 
 void LivePanel::setRecording(bool recording) {

@@ -84,7 +84,8 @@ void ScannerLink::disconnectScanner() {
         const scanner::SweepState sweep = feed->sweep();
         return [this, closed, sweep, shows, stream, recorded] {
             if (!recorded.isEmpty() || !closed) reportRecorded(closed, recorded);
-            if (shows && stream == stream_ && sweep.scan) post(sweep, false);
+            // a file that is being opened meanwhile is wanted more
+            if (shows && stream == stream_ && sweep.scan && !engine_.opening()) post(sweep, false);
         };
     });
     // A picture that was held while its sweep grew stays, but nothing grows any more.

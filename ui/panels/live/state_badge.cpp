@@ -65,8 +65,10 @@ StateBadge::StateBadge(QWidget* parent) : QWidget(parent) {
     QFont bold = font();
     bold.setBold(true);
     setFont(bold);
-    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
 }
+
+void StateBadge::setShrinks() { setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred); }
 
 void StateBadge::showState(Sign sign, const QString& text) {
     if (sign == sign_ && text == text_) return;

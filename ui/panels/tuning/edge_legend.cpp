@@ -11,6 +11,8 @@
 #include <QLocale>
 #include <QPixmap>
 
+#include <utility>
+
 namespace edgescan::ui {
 namespace {
 
@@ -105,14 +107,22 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 void EdgeLegend::showRows() {
     constexpr std::size_t kOfRocks = 3; // jump, convex, concave
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const bool shown = offered_[n] && (!brief_ || n < kOfRocks);
+        const bool shown = offered_[n] && !low_ && (!brief_ || n < kOfRocks);
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
-    byClass_->setVisible(known_ && !brief_);
+    byClass_->setVisible(known_ && !brief_ && !low_);
 }
 
 void EdgeLegend::showCovered(bool on) {
     covered_->setVisible(on);
+    adjustSize();
+}
+
+void EdgeLegend::fitInto(int height) {
+    constexpr int kLow = 260, kLowForGloves = 380; // px
+    const bool low = height < (brief_ ? kLowForGloves : kLow);
+    if (std::exchange(low_, low) == low) return;
+    showRows();
     adjustSize();
 }
 

@@ -27,6 +27,8 @@ public:
     void showCovered(bool on);
     /// Shows only the switch of edges and the classes of rocks.
     void setBrief(bool on);
+    /// Px of the view under it: in a low one only the row of all edges is shown.
+    void fitInto(int height);
     [[nodiscard]] QCheckBox* edges() const { return edges_; }
     [[nodiscard]] QCheckBox* byClass() const { return byClass_; }
     [[nodiscard]] QLabel* filled() const { return filled_; } ///< number of filled cells; hidden if filling is off
@@ -56,7 +58,7 @@ private:
     EdgeColours colours_ = kUsualColours;
     std::array<bool, kEdgeClasses> offered_{}; // the classes of the method
     bool known_ = false;                       // the counts of the classes are known
-    bool brief_ = false;
+    bool brief_ = false, low_ = false;
     QLabel* covered_ = nullptr;
     bool showing_ = false;
 };

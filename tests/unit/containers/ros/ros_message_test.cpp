@@ -140,3 +140,21 @@ TEST(RosBag, CutAndDamagedBagsGiveWhatIsWhole) {
         EXPECT_LE(read->messages.size(), damaged.size());
     }
 }
+
+#ifdef EDGESCAN_TESTS_SQLITE
+TEST(RosBag, CutDatabasesGiveWhatIsWhole) {
+    RosMessages all;
+    all.topics.push_back({"/numbers", "std_msgs/UInt32", "uint32 data"});
+    for (std::uint32_t n = 0; n < 300; ++n) all.message(0, n, RosWriter(Wire::CdrLittle).put(n).bytes());
+    const Bytes whole = databaseOf(all);
+    const auto read = readRosDatabase(whole, "test");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->messages.size(), 300U);
+    EXPECT_TRUE(read->warnings.empty());
+    const auto cut = readRosDatabase(ByteView(whole).first(whole.size() * 2 / 3), "test");
+    ASSERT_TRUE(cut) << cut.error().sentence();
+    EXPECT_GT(cut->messages.size(), 100U);
+    ASSERT_EQ(cut->warnings.size(), 1U);
+    EXPECT_NE(cut->warnings[0].find("cut off or damaged"), std::string::npos);
+}
+#endif

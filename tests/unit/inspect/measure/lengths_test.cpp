@@ -87,6 +87,20 @@ TEST(Lengths, AreThoseOfTheirPoints) {
     EXPECT_FALSE(measureCells(scan, kUsualNoise, MeasureKind::Angle, std::vector{cells[0], cells[0], cells[1]}));
 }
 
+TEST(Lengths, AnEndBehindTheSurfaceUnderTheLineIsWarnedAbout) {
+    const Scan large = plateScan(0.40);
+    const auto ends = endsOfPlate(large);
+    const auto onPlate = measureCells(large, kUsualNoise, MeasureKind::Distance, ends);
+    EXPECT_EQ(onPlate->behindM, 0.0);
+    EXPECT_EQ(onPlate->inFrontM, 0.0);
+    EXPECT_EQ(measureBasis(*onPlate).find("behind"), std::string::npos);
+    // The second end is five cells beyond the plate, on the wall 0.3 m behind it.
+    const auto beyond = measureCells(large, kUsualNoise, MeasureKind::Distance, std::vector{ends[0], ends[1] + 5});
+    EXPECT_NEAR(beyond->behindM, 0.3, 0.01);
+    EXPECT_NE(measureBasis(*beyond).find("▲ an end is 0.30 m behind the surface under the line"), std::string::npos)
+        << measureBasis(*beyond);
+}
+
 // The tolerance compared with many readings of points distributed as the model assumes.
 TEST(Lengths, TolerancesAreTwiceTheSpreadOfChance) {
     const Scan scan = test::boxesScan(120, 160, 9);

@@ -19,6 +19,8 @@ Notebook someNotebook() {
     notebook.targets.push_back({7, "", 599, false, "", {}});
     notebook.measures.push_back({MeasureKind::Spans, {1, 2, 3, 599}});
     notebook.measures.push_back({MeasureKind::Angle, {5, 6, 7}});
+    notebook.measures.push_back({MeasureKind::Distance, {31, 40}, {32, 40}});
+    notebook.targets.back().clicked = 598;
     return notebook;
 }
 
