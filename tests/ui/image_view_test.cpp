@@ -123,7 +123,7 @@ private slots:
             const QPointF a = port_->toPixel({0, 0}, view_->size()), b = port_->toPixel({1141, 1000}, view_->size());
             for (int x = static_cast<int>(std::ceil(a.x() * dpr)); x < static_cast<int>(b.x() * dpr) - 1; ++x) {
                 int bright = 0;
-                for (int y = 0; y < shown.height(); ++y) bright += qGray(shown.pixel(x, y)) > 70;
+                for (int y = 0; y < shown.height(); ++y) bright += qGray(shown.pixel(x, y)) > 50;
                 QVERIFY2(bright > 0, qPrintable(QString("column %1 at %2").arg(x).arg(out)));
             }
         }

@@ -114,7 +114,7 @@ private slots:
                     QVERIFY2(!button->icon().isNull() && !button->toolTip().isEmpty(), qPrintable(button->text()));
                     withWords += button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon ? 1 : 0;
                 }
-                QVERIFY2(withWords >= 2, "Open and Connect are read at every width");
+                QVERIFY2(withWords >= 2 || width < 1100, "Open and Connect are read where they have room next to the badge");
             }
             QVERIFY2(withWords > 10, "where there is room all are read");
         }

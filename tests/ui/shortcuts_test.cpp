@@ -180,7 +180,8 @@ private slots:
             return opened.isEmpty() ? on.viewer.notice.text() : opened.join(' ');
         };
         const QString edges = pageOpened(on.slider("sensitivity")), image = pageOpened(&on.viewer.gray);
-        ShortcutEditor editor({}, &on.window);
+        ShortcutEditor editor(
+            {}, [] {}, &on.window);
         editor.show();
         QVERIFY(QTest::qWaitForWindowExposed(&editor));
         const QString keys = pageOpened(editor.findChild<QLineEdit*>());
@@ -196,8 +197,7 @@ private slots:
             const QString page = manualPageOf(each);
             if (page == "index") continue;
             ++known;
-            QVERIFY2(QFile::exists(QString::fromStdString((test::sourceFolder() / "docs").string()) + "/" + page + ".md"),
-                     qPrintable(page));
+            QVERIFY2(QFile::exists(QString::fromStdString(test::sourceFolder()) + "/docs/" + page + ".md"), qPrintable(page));
         }
         QVERIFY(known > 20);
         for (const char* name : {"dock-edges", "dock-rocks", "dock-rock-table", "dock-targets", "live-panel"})

@@ -4,7 +4,6 @@
 #include "ui/base/pane.h"
 #include "ui/base/window_room.h"
 #include "ui/engine/worker_bridge/preferences.h"
-#include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
@@ -53,8 +52,6 @@ QSize usualWindow(const QRect& screen) {
 void MainWindow::arrange() {
     if (!isVisible() || cab_->on()) return;
     const int wide = width();
-    // In a narrow window the tools have priority: the badge cuts its text off (…), and its tool tip has all of it.
-    viewer_.origin.setMinimumWidth(wide >= kNarrow ? viewer_.origin.sizeHint().width() : 0);
     const int besideCloud = static_cast<int>(wide * (1.0 - kCloudShare)) - splitter_->handleWidth();
     const int leastImages = std::max(kLeastImages, pictures_->minimumSizeHint().width());
     docks_->fit(besideCloud);
