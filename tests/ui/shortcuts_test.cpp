@@ -10,6 +10,7 @@
 
 #include <QAction>
 #include <QDesktopServices>
+#include <QDialog>
 #include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QListWidget>
@@ -182,7 +183,7 @@ private slots:
         const QString edges = pageOpened(on.slider("sensitivity")), image = pageOpened(&on.viewer.gray);
         ShortcutEditor editor(
             {}, [] {}, &on.window);
-        editor.show();
+        static_cast<QDialog&>(editor).show();
         QVERIFY(QTest::qWaitForWindowExposed(&editor));
         const QString keys = pageOpened(editor.findChild<QLineEdit*>());
         QDesktopServices::unsetUrlHandler("file");
