@@ -91,18 +91,20 @@ void ToolBar::addGap() { insertSeparator(wordsPlace_); }
 /// Shows the text of all buttons, or only of those that always have text where there is any room for it.
 void ToolBar::fit() {
     constexpr int kAround = 16; // px: frame and handle
-    const auto needed = [this](ToolBar::Word least) {
+    const auto needed = [this](auto hasWord) {
         const int gap = style()->pixelMetric(QStyle::PM_ToolBarSeparatorExtent, nullptr, this) + 2;
         int sum = kAround + gap * static_cast<int>(std::ranges::count_if(actions(), &QAction::isSeparator));
         for (const Button& each : buttons_) {
-            const bool words = least == Word::IfSpace || each.shown == Word::Always;
-            each.button->setToolButtonStyle(words ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+            each.button->setToolButtonStyle(hasWord(each) ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
             sum += each.button->sizeHint().width() + 2;
         }
         return sum;
     };
-    if (needed(Word::IfSpace) + kForAsked <= width() || needed(Word::Always) <= width()) return;
-    for (const Button& each : buttons_) each.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    const auto allWords = [](const Button&) { return true; };
+    const auto noWord = [](const Button&) { return false; };
+    setMinimumWidth(needed(noWord)); // the badge next to it gives way before a button does
+    if (needed(allWords) + kForAsked <= width()) return;
+    if (needed([](const Button& each) { return each.shown == Word::Always; }) > width()) needed(noWord);
 }
 
 QSize ToolBar::sizeHint() const {

@@ -42,6 +42,7 @@ PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidge
     setObjectName("place-dialog");
     setWindowTitle(tr("Pose and Mounting"));
     tabs_->setObjectName("place-tabs");
+    tabs_->setUsesScrollButtons(false); // both fit
     tabs_->addTab(posePage(), tr("Pose"));
     tabs_->addTab(mountingPage(), tr("Mounting"));
     state_->setObjectName("place-state");
