@@ -96,7 +96,8 @@ void Live::connectScanner() {
     connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) { notice_.showSaved(path); });
 }
 
-void Live::connectTo(const QString& host, int port, const scanner::SweepSettings& sweep) {
+void Live::connectTo(const QString& host, int port, const scanner::SweepSettings& sweep, const std::string& topic,
+                     const std::string& joint) {
     panel_.setAddress(host, port);
     panel_.setSweep(sweep);
     panel_.show();
@@ -106,8 +107,12 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     timeline_.clear();
     files_.leave();
     scanner::ConnectionSettings scanner;
-    scanner.host = host.toStdString();
+    const QString bridge = "ws://";
+    scanner.bridge = host.startsWith(bridge);
+    scanner.host = (scanner.bridge ? host.mid(bridge.size()) : host).toStdString();
     scanner.port = static_cast<std::uint16_t>(port);
+    scanner.topic = topic;
+    scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);
 }
 
