@@ -45,7 +45,7 @@ void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const Comm
         ui::showStart(window, preferences);
     }
     if (const auto& scanner = understood.scanner) {
-        const std::string host = (scanner->bridge ? "ws://" : "") + scanner->host;
+        const std::string host = scanner->bridge ? "ws://" + scanner::addressText(scanner->host, scanner->port) : scanner->host;
         const ReadingOptions options = cli::readingOptions(wanted.read);
         window.viewer().live.connectTo(QString::fromStdString(host), scanner->port, understood.sweep, options.topic, options.joint);
     }

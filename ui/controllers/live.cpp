@@ -17,11 +17,14 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QUrl>
 
 #include <nlohmann/json.hpp>
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kBridgePort = 8765; // of foxglove_bridge
 
 scanner::SweepSettings rememberedSweep(const Preferences& preferences) {
     const auto json = parseJson(preferences.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
@@ -107,10 +110,10 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     timeline_.clear();
     files_.leave();
     scanner::ConnectionSettings scanner;
-    const QString bridge = "ws://";
-    scanner.bridge = host.startsWith(bridge);
-    scanner.host = (scanner.bridge ? host.mid(bridge.size()) : host).toStdString();
-    scanner.port = static_cast<std::uint16_t>(port);
+    const QUrl bridge(host);
+    scanner.bridge = bridge.scheme() == "ws";
+    scanner.host = (scanner.bridge ? bridge.host() : host).toStdString();
+    scanner.port = static_cast<std::uint16_t>(scanner.bridge ? bridge.port(kBridgePort) : port);
     scanner.topic = topic;
     scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);

@@ -15,17 +15,17 @@ constexpr std::int64_t kFindsNs = 20 * kSecond;   // lines and angles in which t
 constexpr std::int64_t kTriesNs = kSecond / 4;    // between two searches
 constexpr std::int64_t kRestartNs = 10 * kSecond; // a clock that is set back by more was restarted
 constexpr std::size_t kMostWaiting = 8192, kMostAngles = 4096, kPeriods = 8, kMoves = 64;
-constexpr double kStillShare = 0.05; // of the median step from line to line
-constexpr double kLost = 0.7;        // periods behind its time: a line before it is lost
-constexpr double kOfNew = 0.2;       // share of a new line in the usual time
-constexpr double kMostLostLines = 30000;
+constexpr double kRestShare = 0.05; // of the median step from line to line
+constexpr double kLost = 0.7;       // periods behind its time: a line before it is lost
+constexpr double kOfNewLine = 0.2;  // share of a new line in the usual time
+constexpr double kLongestGap = 30000;
 
-double medianOf(std::vector<double> numbers) {
-    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-    std::ranges::nth_element(numbers, middle);
+double middleOf(const std::deque<double>& numbers) {
+    std::vector<double> sorted(numbers.begin(), numbers.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
     return *middle;
 }
-double medianOf(const std::deque<double>& numbers) { return medianOf(std::vector<double>(numbers.begin(), numbers.end())); }
 
 void keepLast(std::deque<double>& numbers, double newest, std::size_t most) {
     numbers.push_back(newest);
@@ -178,8 +178,8 @@ int LiveLaser::push(scanner::SweepAssembler& to) {
 /// A line at rest repeats the one before it.
 bool LiveLaser::rests(double deg) {
     const double moved = lastDeg_ ? std::abs(deg - *lastDeg_) : 0.0;
-    const double usual = movesDeg_.empty() ? 0.0 : medianOf(movesDeg_);
-    const bool resting = lastDeg_ && moved <= kStillShare * usual;
+    const double usual = movesDeg_.empty() ? 0.0 : middleOf(movesDeg_);
+    const bool resting = lastDeg_ && moved <= kRestShare * usual;
     if (moved > 0 && !resting) keepLast(movesDeg_, moved, kMoves);
     if (!resting) lastDeg_ = deg;
     return resting;
@@ -189,7 +189,7 @@ void LiveLaser::pushLine(LaserLine line, scanner::SweepAssembler& to) {
     placeBeams(line, motion_ && !motion_->axisAssumed ? motion_->beamShiftDeg : forwardShiftDeg(middleOf(line)));
     const auto ns = static_cast<double>(line.stampNs);
     if (!lastNs_) {
-        periodS_ = medianOf(periodsS_);
+        periodS_ = middleOf(periodsS_);
         idealNs_ = ns;
         if (!firstNs_) {
             scanner::SweepSettings settings = sweepOfLaser(asked_, line);
@@ -205,9 +205,9 @@ void LiveLaser::pushLine(LaserLine line, scanner::SweepAssembler& to) {
     } else {
         const double periodNs = periodS_ * kSecond;
         const double behind = (ns - idealNs_) / periodNs - 1.0;
-        const double missing = std::clamp(std::floor(behind + 1.0 - kLost), 0.0, kMostLostLines);
+        const double missing = std::clamp(std::floor(behind + 1.0 - kLost), 0.0, kLongestGap);
         idealNs_ += (1.0 + missing) * periodNs;
-        idealNs_ += kOfNew * (ns - idealNs_);
+        idealNs_ += kOfNewLine * (ns - idealNs_);
         number_ += 1 + static_cast<std::uint64_t>(missing);
     }
     lastNs_ = line.stampNs;
