@@ -24,7 +24,7 @@ Scan turnedScan(Axis axis) {
     Scan scan = countingScan(kLines, kBeams);
     auto& polar = std::get<PolarGeometry>(scan.geometry);
     polar.axis = axis;
-    const double first = axis == Axis::Spin ? 75.0 : -7.0; // a spin is about a beam near the middle of the fan
+    const double first = 75.0; // a spin is about a beam near the middle of the fan, a sweep about one across it
     for (int j = 0; j < kBeams; ++j) polar.beamDeg[static_cast<std::size_t>(j)] = first + 0.5 * j;
     for (int i = 0; i < kLines; ++i) polar.lineDeg[static_cast<std::size_t>(i)] = -3.0 + 0.3 * i;
     return scan;
