@@ -27,7 +27,7 @@ public:
     /// Lines that were left out, and why the last one was.
     [[nodiscard]] std::int64_t leftOut() const { return leftOut_; }
     [[nodiscard]] const std::string& whyLeftOut() const { return why_; }
-    /// Why no line was pushed so far; empty: lines are pushed, or none came.
+    /// Why no line was pushed so far; empty: a line was pushed, or did not come yet.
     [[nodiscard]] std::string waitsFor() const;
 
 private:

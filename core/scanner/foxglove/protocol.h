@@ -35,7 +35,7 @@ struct BridgeText {
     std::vector<std::uint32_t> gone;    ///< unadvertise: ids
     std::string problem;                ///< status: a warning or an error
 };
-/// Channels without id or topic are left out. Error: it is no JSON object with an "op".
+/// Channels without id or topic are left out. Error: not a JSON object with an "op".
 Result<BridgeText> bridgeText(std::string_view json, const std::string& where);
 
 /// A message of a topic.
