@@ -141,14 +141,17 @@ private slots:
             if (at) break;
         }
         QVERIFY(at.has_value());
-        const std::uint32_t cell = *cloud.cellAt(*at);
+        const std::uint32_t cell = window_->viewer().views.meant(*cloud.cellAt(*at)).cell;
         QVERIFY(chooseInMenu(cloud, *at, "Why"));
         QTRY_VERIFY(window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->isVisible());
         QTRY_VERIFY(window_->viewer().explanation.card()->text().startsWith(QString("line %1, beam %2:").arg(cell / 160).arg(cell % 160)));
         QVERIFY(!window_->viewer().views.pinned()); // asking for an explanation sets no target
         QVERIFY(chooseInMenu(cloud, *at, "Pin"));
         QCOMPARE(*window_->viewer().views.pinned(), static_cast<std::size_t>(cell));
-        QVERIFY(chooseInMenu(cloud, *at, "Let go"));
+        // The dock of the targets has opened: the cell is at another pixel.
+        const auto now = cloud.pixelOf(cell);
+        QVERIFY(now && cloud.cellAt(*now));
+        QVERIFY(chooseInMenu(cloud, now->toPoint(), "Let go"));
         QVERIFY(!window_->viewer().views.pinned());
         ImageView& gray = window_->viewer().views.gray();
         const CameraPose before = cloud.camera();
