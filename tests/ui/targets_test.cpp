@@ -375,6 +375,7 @@ private slots:
         QVERIFY(known(on));
         QCOMPARE(static_cast<int>(on.viewer.targets.notebook().measures.size()), 2);
         QVERIFY(gray.marks().measures[1].label.contains("°"));
+        on.viewer.notice.hide();
         QTest::keyClick(&on.window, Qt::Key_Escape);
         QVERIFY(!on.viewer.measures.kind() && on.viewer.views.tool() == Tool::Pin);
         // A slider does not change them; undo removes them.
