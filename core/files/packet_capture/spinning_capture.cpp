@@ -74,15 +74,15 @@ std::optional<Result<Scan>> velodyneIn(const UdpDatagrams& udp, const PacketFile
 std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const PacketFile& file, const Source& source) {
     const auto [sender, others] = busiest(udp, scanner::looksLikeOs);
     if (!sender) return std::nullopt;
-    std::filesystem::path beside = source.path;
-    beside.replace_extension(".json");
+    std::filesystem::path metadata = source.path;
+    metadata.replace_extension(".json");
     std::error_code unknown;
-    if (source.inMemory || !std::filesystem::exists(beside, unknown))
+    if (source.inMemory || !std::filesystem::exists(metadata, unknown))
         return source.refused("the packets of an Ouster do not say the angles of its beams",
-                              "save the sensor's metadata as " + beside.filename().string() + " next to the capture");
-    const auto text = readInput(beside);
+                              "save the sensor's metadata as " + metadata.filename().string() + " next to the capture");
+    const auto text = readInput(metadata);
     if (!text) return text.error();
-    const auto sensor = scanner::osSensor({reinterpret_cast<const char*>(text->data()), text->size()}, beside.string());
+    const auto sensor = scanner::osSensor({reinterpret_cast<const char*>(text->data()), text->size()}, metadata.string());
     if (!sensor) return sensor.error();
     std::vector<scanner::SpinningColumn> columns;
     for (const UdpDatagram& datagram : udp.datagrams) {
@@ -91,12 +91,12 @@ std::optional<Result<Scan>> ousterIn(const UdpDatagrams& udp, const PacketFile& 
             std::ranges::move(*found, std::back_inserter(columns));
     }
     if (columns.empty())
-        return source.refused("no packet of the capture fits the sensor of " + beside.filename().string(),
+        return source.refused("no packet of the capture fits the sensor of " + metadata.filename().string(),
                               "save the metadata of the sensor that was captured");
     auto scan = chosenTurn(columns, scanner::osBeams(*sensor), source);
     if (!scan) return scan;
     scan->warnings.emplace_back(
-        "The beams of an Ouster begin some centimetres beside its axis, and the ranges are as measured: points are that far off.");
+        "The beams of an Ouster begin some centimetres away from its axis, and the ranges are as measured: points are that far off.");
     sayLosses(*scan, udp, file, others);
     return scan;
 }

@@ -44,7 +44,7 @@ VLP_ELEVATION = [-15, 1, -13, 3, -11, 5, -9, 7, -7, 9, -5, 11, -3, 13, -1, 15]  
 
 def vlp16(folder, name, dual):
     """Turns by 0.4 degrees in a block of 110.592 microseconds."""
-    blocks, per_packet = 1350, 6 if dual else 12
+    blocks, per_packet = 1344, 6 if dual else 12
     packets, rows = [], []
     for packet in range(blocks // per_packet):
         data = b""
