@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kRowHeight = 24;
 constexpr int kWide = 560;     // px: from here on the size curve is at the side of the table
+constexpr int kHigh = 460;     // px: from here on it has room below the table
 constexpr int kSpanColumn = 1; // column of the length a, the initial order
 
 } // namespace
@@ -94,12 +95,13 @@ RockTable::RockTable(QWidget* parent)
     showCount();
 }
 
-/// In a narrow panel the parts are one below the other, and the columns have the width of their content.
+/// In a narrow panel the parts are one below the other, the columns have the width of their content, and in a low one the rows come first.
 void RockTable::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool wide = width() >= kWide;
     bar_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     sides_->setOrientation(wide ? Qt::Horizontal : Qt::Vertical);
+    curve_->setVisible(wide || height() >= kHigh);
     table_->horizontalHeader()->setSectionResizeMode(wide ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
 }
 
