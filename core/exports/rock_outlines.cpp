@@ -147,7 +147,7 @@ Result<std::string> outlineBytes(const rocks::Study& study, CoordinateFrame fram
                      path.string(),
                      scan.placement == nullptr
                          ? "give a pose and the robot's calibration, or write .dxf, or the outlines in the picture (.json)"
-                         : "choose the mine grid as the frame, or write .dxf"};
+                         : "choose the mine grid as the frame (--frame mine), or write .dxf"};
     if (auto known = files::checkFrame(scan, frame, path.string()); !known) return known.error();
     if (extension == ".dxf") return dxfOutlines(study, FramePoints(scan, frame), record);
     if (extension == ".geojson") return geoJsonOutlines(study, record);

@@ -34,7 +34,7 @@ TEST(LabRepeatability, TellsWhatIsRepeatedAndHowTheScansCameTogether) {
     EXPECT_NE(runLab(both).err.find("no place in the mine"), std::string::npos);
     EXPECT_EQ(runLab(both + " --truth " + folder.path().string()).code, 2);
     EXPECT_EQ(runLab("repeatability " + path("a.json") + " --refine").code, 2);
-    EXPECT_NE(runLab(both + " --poses " + path("a.pose") + " " + path("a.json")).err.find("no pose of 3DTK"), std::string::npos);
+    EXPECT_NE(runLab(both + " --poses " + path("a.pose") + " " + path("a.json")).err.find("not a pose of 3DTK"), std::string::npos);
 }
 
 } // namespace

@@ -37,6 +37,12 @@ class Info(_Info, total=False):
     note: str
 
 
+class Roughness(TypedDict):
+    rough: bool
+    folding_share: float
+    around_folds: float
+
+
 class _Detected(TypedDict):
     input: str
     sha256: str
@@ -51,6 +57,8 @@ class _Detected(TypedDict):
     classes: Optional[Dict[str, int]]
     noise_mm_at_5_m: Optional[float]
     noise: Optional[Dict[str, Any]]
+    roughness: Optional[Roughness]
+    proposed_preset: Optional[str]
     jump_mm: Optional[float]
     edge_mask_sha256: str
     frame: str
@@ -83,6 +91,7 @@ class Why(_Class):
     method: str
     edge: bool
     gradient: Optional[Dict[str, Any]]
+    rough_around: Optional[Dict[str, float]]
     measured: Optional[Dict[str, Any]]
     response_class: Optional[str]
     round_gap: bool

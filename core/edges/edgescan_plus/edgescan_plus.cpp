@@ -7,7 +7,6 @@
 #include "core/edges/edgescan_plus/gap_detour.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
 #include "core/edges/edgescan_plus/surface_lines.h"
-#include "core/edges/edgescan_plus/void_rim.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/grid/marked_cells.h"
 #include "core/scan/grid/spikes.h"
