@@ -228,8 +228,8 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     runParts(bands, parts);
     moveResponsesOffGaps(surface.inverse, result.jump, result.crease);
     if (settings.roughScans)
-        result.roughness =
-            roughnessOf(folding, surface.steps, result.crease, foldOfNoise(limits, surface.scales.rangeM, surface.spacingMm));
+        result.roughness = roughnessOf(folding, surface.inverse.u, surface.steps, result.crease,
+                                       foldOfNoise(limits, surface.scales.rangeM, surface.spacingMm));
     if (result.roughness.rough) {
         result.unweighed = result.crease;
         weighFolds(result.roughness, result.crease);
