@@ -25,7 +25,7 @@ constexpr std::size_t kKeptBytes = std::size_t{8} << 20U;
 
 struct Record {
     std::string address, out;
-    std::string axis;
+    std::string axis, topic, joint;
     int lines = 0;
     double seconds = 0.0;
     bool progress = false;
@@ -124,6 +124,9 @@ int run(const Record& record) {
     scanner::ConnectionSettings scanner;
     scanner.host = address->host;
     scanner.port = address->port;
+    scanner.bridge = address->bridge;
+    scanner.topic = record.topic;
+    scanner.joint = record.joint;
     Mounting mounting = record.mounting;
     if (!record.axis.empty()) mounting.axis = record.axis == "spin" ? Axis::Spin : Axis::Sweep;
     const Result<scanner::SweepSettings> sweep = sweepOf(mounting);
@@ -175,7 +178,8 @@ int run(const Record& record) {
 void addRecord(CLI::App& app, int& code) {
     auto record = std::make_shared<Record>();
     CLI::App& command = *app.add_subcommand("record", "A live scanner to disk; nothing but reads and a subscription is sent to it");
-    command.add_option("HOST", record->address, "Scanner as HOST or HOST:PORT")->required();
+    command.add_option("HOST", record->address, "Scanner as HOST or HOST:PORT; a robot's Foxglove bridge as ws://HOST or ws://HOST:PORT")
+        ->required();
     command.add_option("-o,--output", record->out, "New recording (.mcap)")->required();
     addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly so many lines; 0 = until Ctrl+C");
     addNumber(command, "--seconds", record->seconds, kSeconds, "End after so many seconds; 0 = run on");
@@ -189,6 +193,10 @@ void addRecord(CLI::App& app, int& code) {
         .group(group);
     command.add_option("--calibration", mounting.calibration, "Calibration file of the robot: says axis and step")->group(group);
     addMountingFlags(command, mounting, group);
+    const char* bridge = "Robot's bridge";
+    command.add_option("--topic", record->topic, "Topic of scan lines; without it the first one by name")->group(bridge);
+    command.add_option("--joint", record->joint, "Joint that turns the laser; without it transforms, then the joint that turns furthest")
+        ->group(bridge);
     command.add_flag("--progress", record->progress, "Report the progress on stderr also where that is not a terminal");
     command.callback([record, &code] { code = run(*record); });
 }

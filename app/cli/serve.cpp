@@ -1,9 +1,10 @@
-// edgescan-cli serve: an emulated LMS511 that sends a scan's lines over TCP.
+// edgescan-cli serve: an emulated LMS511, or an emulated bridge of a robot, that sends a scan's lines.
 #include "app/cli/commands.h"
 #include "app/shared/interrupt.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
+#include "core/scanner/emulator/bridge.h"
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
 
@@ -21,6 +22,7 @@ struct Serve {
     std::string file;
     bool loop = false;
     bool remission = false;
+    bool bridge = false;
     std::string dialect = "both";
     double seconds = 0.0;
     scanner::EmulatedScannerSettings settings;
@@ -42,21 +44,31 @@ std::string recordFlags(const Scan& scan) {
 
 struct Served {
     std::unique_ptr<scanner::EmulatedScanner> scanner;
+    std::unique_ptr<scanner::EmulatedBridge> bridge;
     std::string recordFlags;
+
+    [[nodiscard]] std::uint16_t port() const { return bridge ? bridge->port() : scanner->port(); }
 };
 Result<Served> start(const Serve& serve) {
     const Result<Scan> scan = openAndWarn(serve.file, serve.read);
     if (!scan) return scan.error();
+    scanner::EmulatedScannerSettings settings = serve.settings;
+    settings.atEnd = serve.loop ? scanner::AtEnd::Again : scanner::AtEnd::Stop;
+    if (serve.bridge) {
+        auto sweep = scanner::bridgeSweepOf(*scan);
+        if (!sweep) return sweep.error();
+        auto bridge = scanner::serveBridge(std::move(*sweep), settings);
+        if (!bridge) return bridge.error();
+        return Served{nullptr, std::move(*bridge), {}};
+    }
     scanner::TelegramStyle style;
     style.remission = serve.remission;
     Result<std::vector<scanner::ScanTelegram>> telegrams = scanner::telegramsOf(*scan, style);
     if (!telegrams) return telegrams.error();
-    scanner::EmulatedScannerSettings settings = serve.settings;
-    settings.atEnd = serve.loop ? scanner::AtEnd::Again : scanner::AtEnd::Stop;
     if (serve.dialect != "both") settings.only = serve.dialect == "a" ? scanner::Dialect::A : scanner::Dialect::B;
     auto scanner = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
     if (!scanner) return scanner.error();
-    return Served{std::move(*scanner), recordFlags(*scan)};
+    return Served{std::move(*scanner), nullptr, recordFlags(*scan)};
 }
 
 int run(const Serve& serve) {
@@ -68,7 +80,7 @@ int run(const Serve& serve) {
     catchInterrupt();
     nlohmann::ordered_json flags = nullptr;
     if (!served->recordFlags.empty()) flags = served->recordFlags;
-    printResult(document("serve", {{"host", serve.settings.address}, {"port", served->scanner->port()}, {"record_flags", flags}}), false);
+    printResult(document("serve", {{"host", serve.settings.address}, {"port", served->port()}, {"record_flags", flags}}), false);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(serve.seconds);
     while (!interrupted() && (serve.seconds <= 0 || std::chrono::steady_clock::now() < end)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -81,9 +93,10 @@ int run(const Serve& serve) {
 void addServe(CLI::App& app, int& code) {
     auto serve = std::make_shared<Serve>();
     scanner::EmulatedScannerSettings& s = serve->settings;
-    CLI::App& command =
-        *app.add_subcommand("serve", "An emulated LMS511 that sends a scan's lines over TCP; prints host and port, runs until Ctrl+C");
+    CLI::App& command = *app.add_subcommand(
+        "serve", "An emulated LMS511 or robot's bridge that sends a scan's lines over TCP; prints host and port, runs until Ctrl+C");
     command.add_option("FILE", serve->file, "Scan to send")->required();
+    command.add_flag("--bridge", serve->bridge, "Not a scanner but the Foxglove bridge of a robot with ROS 2 that turns a laser");
     addNumber(command, "--port", s.port, {0, 65535}, "TCP port; 0 = any that is free");
     command.add_option("--address", s.address, "Address to listen on")->capture_default_str();
     addNumber(command, "--rate", s.linesPerSecond, {0, 1e6}, "Lines per second; 0 = as fast as the client reads");
