@@ -22,6 +22,7 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <random>
@@ -87,6 +88,28 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     for (std::string line; std::getline(lines, line); ++count) last = json::parse(line);
     EXPECT_EQ(count, 91); // one per line, and the result
     EXPECT_EQ(last["result"]["edge_mask_sha256"], expected);
+}
+
+// A robot's bridge: its recording is a bag that opens, and plays, with the edges of the file.
+TEST_F(Live, ABridgeThatIsRecordedAndReplayedHasTheEdgesOfTheFile) {
+    const std::string recording = (folder / "robot.mcap").string();
+    {
+        const Served served(scan + " --bridge --rate 300");
+        const auto record = runCli("record ws://" + served.address() + " -o " + recording + " --lines 90 --seconds 120");
+        ASSERT_EQ(record.code, 0) << record.err;
+        EXPECT_EQ(json::parse(record.out)["lines"], 90);
+    }
+    const std::string expected = hashOf(scan);
+    EXPECT_EQ(hashOf(recording), expected);
+    const auto replay = runCli("replay " + recording);
+    ASSERT_EQ(replay.code, 0) << replay.err;
+    EXPECT_EQ(std::ranges::count(replay.out, '\n'), 91); // one per line, and the result
+    const std::string last = replay.out.substr(replay.out.rfind('\n', replay.out.size() - 2) + 1);
+    EXPECT_EQ(json::parse(last)["result"]["edge_mask_sha256"], expected);
+    EXPECT_EQ(runCli("record wss://127.0.0.1 -o " + (folder / "y.mcap").string()).code, 2);
+    const auto none = runCli("record ws://127.0.0.1:9 -o " + (folder / "y.mcap").string() + " --seconds 1");
+    EXPECT_EQ(none.code, 1);
+    EXPECT_NE(none.err.find("foxglove_bridge"), std::string::npos) << none.err;
 }
 
 // A recording with the flags that `serve` prints; the mirror has the same angle as the motor.

@@ -6,7 +6,7 @@
 #include "core/files/ros/laser_lines.h"
 #include "core/files/ros/laser_motion.h"
 #include "core/scan/grid/acquisition.h"
-#include "core/scanner/sweep_assembly/sweep_assembler.h"
+#include "core/scanner/sweep_assembly/played_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,11 +162,14 @@ private:
             }
         };
         const std::int64_t first = lines_.lines.front().stampNs;
-        for (LaserLine& line : lines_.lines) {
+        for (std::size_t n = 0; n < lines_.lines.size(); ++n) {
+            LaserLine& line = lines_.lines[n];
             const auto done = static_cast<double>(line.stampNs - first);
             if (!source_.goOn("assembling lines", done / std::max(1.0, static_cast<double>(lines_.lines.back().stampNs - first))))
                 return source_.cancelled();
             assembler.push(std::move(line.line), line.stampNs);
+            const std::int64_t nextNs = n + 1 < lines_.lines.size() ? lines_.lines[n + 1].stampNs : 0;
+            if (source_.played) source_.played({static_cast<int>(n), line.stampNs, nextNs, assembler.progress()});
             collect();
         }
         assembler.finish();
