@@ -17,7 +17,8 @@ namespace {
 constexpr double kStillShare = 0.05; // of the median step from line to line
 constexpr double kWorthSayingDeg = 0.5, kWorthSayingM = 0.002;
 
-Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& where) {
+Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& laser, const std::string& where,
+                           std::vector<std::string>& warnings) {
     FrameTree tree;
     for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
         if (bag.topics[topic].type != "tf2_msgs/TFMessage" && bag.topics[topic].type != "tf/tfMessage") continue;
@@ -29,6 +30,7 @@ Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& whe
                 tree.add(*message);
         }
     }
+    addPoses(tree, bag, laser, warnings);
     tree.finish();
     return tree;
 }
@@ -61,13 +63,15 @@ public:
         auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_);
         if (!lines) return lines.error();
         lines_ = std::move(*lines);
-        auto tree = framesOf(bag_, where_);
+        std::vector<std::string> said;
+        auto tree = framesOf(bag_, lines_.frame, where_, said);
         if (!tree) return tree.error();
         auto motion = motionOf(bag_, *tree, lines_, source_);
         if (!motion) return motion.error();
         motion_ = std::move(*motion);
         tree_ = std::move(*tree);
         warnings_ = bag_.warnings;
+        warnings_.insert(warnings_.end(), said.begin(), said.end());
         warnings_.insert(warnings_.end(), tree_.warnings().begin(), tree_.warnings().end());
         sayWhatWasTaken();
         giveAngles();
