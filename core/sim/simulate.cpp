@@ -266,7 +266,7 @@ bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation&
     const AssemblyErrors& assembly = sweep.settings.assembly;
     const std::array<BeamDirections, 2> aim{BeamDirections(sweep.aim[0], assembly, sweep.settings.station),
                                             BeamDirections(sweep.aim[1], assembly, sweep.settings.station)};
-    const RayCaster caster(sweep.scene, sweep.footprint, aim[0].leverM());
+    const RayCaster caster(sweep.scene, sweep.footprint, aim[0].centreM(), aim[0].leverM());
     if (!forAllLines(sweep.settings, progress, [&](int line) { castLine(sweep, caster, aim, line, out); })) return false;
     if (out.truth) {
         const SeamSources sources{sweep.scene, caster, {&aim[0].tables(), &aim[1].tables()}, !sweep.settings.surface.empty()};
