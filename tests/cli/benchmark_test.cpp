@@ -25,7 +25,7 @@ struct LabBenchmark : public ::testing::Test {
 };
 
 TEST_F(LabBenchmark, WhyAnswersForACellAndItsThresholdHolds) {
-    const std::string cell = "why " + scanPath + " --line 20 --beam 30 --preset log";
+    const std::string cell = "why " + scanPath + " --cell 20,30 --preset log";
     const auto run = runCli(cell);
     ASSERT_EQ(run.code, 0) << run.err;
     const json report = json::parse(run.out);
@@ -39,10 +39,10 @@ TEST_F(LabBenchmark, WhyAnswersForACellAndItsThresholdHolds) {
 }
 
 TEST_F(LabBenchmark, WhyRefusesCellsThatDoNotExist) {
-    const auto run = runCli("why " + scanPath + " --line 60 --beam 0");
+    const auto run = runCli("why " + scanPath + " --cell 60,0");
     EXPECT_EQ(run.code, 1);
     EXPECT_NE(run.err.find("lines run from 0 to 59"), std::string::npos) << run.err;
-    EXPECT_EQ(runCli("why " + scanPath + " --line 3").code, 2);
+    EXPECT_NE(runCli("why " + scanPath + " --cell 3").err.find("LINE,BEAM"), std::string::npos);
 }
 
 TEST_F(LabBenchmark, ALowerThresholdCanBeADepth) {
