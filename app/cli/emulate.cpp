@@ -1,9 +1,10 @@
-// edgescan-cli emulate: an emulated LMS511 that sends a scan's lines over TCP.
+// edgescan-cli emulate: an emulated LMS511, or an emulated bridge of a robot, that sends a scan's lines.
 #include "app/cli/commands.h"
 #include "app/shared/interrupt.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/base/number_text.h"
+#include "core/scanner/emulator/bridge.h"
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
 
@@ -22,6 +23,7 @@ struct Emulate {
     std::string json = "-";
     bool loop = false;
     bool remission = false;
+    bool bridge = false;
     std::string dialect = "both";
     double seconds = 0.0;
     scanner::EmulatedScannerSettings settings;
@@ -43,21 +45,31 @@ std::string recordFlags(const Scan& scan) {
 
 struct Emulated {
     std::unique_ptr<scanner::EmulatedScanner> scanner;
+    std::unique_ptr<scanner::EmulatedBridge> bridge;
     std::string recordFlags;
+
+    [[nodiscard]] std::uint16_t port() const { return bridge ? bridge->port() : scanner->port(); }
 };
 Result<Emulated> start(const Emulate& emulate) {
     const Result<Scan> scan = openAndWarn(emulate.file, emulate.read);
     if (!scan) return scan.error();
+    scanner::EmulatedScannerSettings settings = emulate.settings;
+    settings.atEnd = emulate.loop ? scanner::AtEnd::Again : scanner::AtEnd::Stop;
+    if (emulate.bridge) {
+        auto sweep = scanner::bridgeSweepOf(*scan);
+        if (!sweep) return sweep.error();
+        auto bridge = scanner::serveBridge(std::move(*sweep), settings);
+        if (!bridge) return bridge.error();
+        return Emulated{nullptr, std::move(*bridge), {}};
+    }
     scanner::TelegramStyle style;
     style.remission = emulate.remission;
     Result<std::vector<scanner::ScanTelegram>> telegrams = scanner::telegramsOf(*scan, style);
     if (!telegrams) return telegrams.error();
-    scanner::EmulatedScannerSettings settings = emulate.settings;
-    settings.atEnd = emulate.loop ? scanner::AtEnd::Again : scanner::AtEnd::Stop;
     if (emulate.dialect != "both") settings.only = emulate.dialect == "a" ? scanner::Dialect::A : scanner::Dialect::B;
     auto scanner = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
     if (!scanner) return scanner.error();
-    return Emulated{std::move(*scanner), recordFlags(*scan)};
+    return Emulated{std::move(*scanner), nullptr, recordFlags(*scan)};
 }
 
 int run(const Emulate& emulate) {
@@ -69,8 +81,7 @@ int run(const Emulate& emulate) {
     catchInterrupt();
     nlohmann::ordered_json flags = nullptr;
     if (!emulated->recordFlags.empty()) flags = emulated->recordFlags;
-    const auto about =
-        document("emulate", {{"host", emulate.settings.address}, {"port", emulated->scanner->port()}, {"record_flags", flags}});
+    const auto about = document("emulate", {{"host", emulate.settings.address}, {"port", emulated->port()}, {"record_flags", flags}});
     if (const Result<Done> written = writeDocument(emulate.json, about, false); !written) {
         printError(written.error());
         return kRefused;
@@ -88,9 +99,12 @@ void addEmulate(CLI::App& app, int& code) {
     auto emulate = std::make_shared<Emulate>();
     scanner::EmulatedScannerSettings& s = emulate->settings;
     CLI::App& command = *app.add_subcommand(
-        "emulate", "Emulates an LMS511 that sends a scan's lines over TCP; prints host and port as JSON, runs until Ctrl+C");
+        "emulate",
+        "Emulates an LMS511 or a robot's bridge that sends a scan's lines over TCP; prints host and port as JSON, runs until Ctrl+C");
     command.add_option("SCAN", emulate->file, "Scan to send")->required();
     addJsonFlag(command, emulate->json, "Host, port and the flags of record that give this scan again").capture_default_str();
+    command.add_flag("--bridge", emulate->bridge,
+                     "Emulate the Foxglove bridge of a robot with ROS 2 that turns a laser, instead of a scanner");
     addNumber(command, "--port", s.port, {0, 65535}, "TCP port; 0 = any that is free");
     command.add_option("--address", s.address, "Address to listen on")->type_name("HOST")->capture_default_str();
     addNumber(command, "--rate", s.linesPerSecond, {0, 1e6}, "Lines per second; 0 = as fast as the client reads");

@@ -26,7 +26,7 @@ constexpr std::size_t kKeptBytes = std::size_t{8} << 20U;
 struct Record {
     std::string address, out;
     std::string json = "-";
-    std::string axis;
+    std::string axis, topic, joint;
     int lines = 0;
     double seconds = 0.0;
     bool progress = false;
@@ -125,6 +125,9 @@ int run(const Record& record) {
     scanner::ConnectionSettings scanner;
     scanner.host = address->host;
     scanner.port = address->port;
+    scanner.bridge = address->bridge;
+    scanner.topic = record.topic;
+    scanner.joint = record.joint;
     Mounting mounting = record.mounting;
     if (!record.axis.empty()) mounting.axis = record.axis == "spin" ? Axis::Spin : Axis::Sweep;
     const Result<scanner::SweepSettings> sweep = sweepOf(mounting);
@@ -177,8 +180,9 @@ int run(const Record& record) {
 
 void addRecord(CLI::App& app, int& code) {
     auto record = std::make_shared<Record>();
-    CLI::App& command = *app.add_subcommand("record", "Records a live scanner; it only reads from the scanner and subscribes to its scans");
-    command.add_option("HOST", record->address, "Scanner as HOST or HOST:PORT")->required();
+    CLI::App& command = *app.add_subcommand("record", "Records a live scanner or a robot's bridge; it only reads and subscribes");
+    command.add_option("HOST", record->address, "Scanner as HOST or HOST:PORT; a robot's Foxglove bridge as ws://HOST or ws://HOST:PORT")
+        ->required();
     command.add_option("-o,--output", record->out, "New recording (.mcap)")->type_name("FILE")->required();
     addJsonFlag(command, record->json, "Account of the recording, when it has ended").capture_default_str();
     addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly this number of lines; 0 = until Ctrl+C");
@@ -195,6 +199,11 @@ void addRecord(CLI::App& app, int& code) {
         ->type_name("FILE")
         ->group(group);
     addMountingFlags(command, mounting, group);
+    const char* bridge = "Robot's bridge";
+    command.add_option("--topic", record->topic, "Topic of scan lines; without it the first one by name")->type_name("NAME")->group(bridge);
+    command.add_option("--joint", record->joint, "Joint that turns the laser; without it transforms, then the joint that turns furthest")
+        ->type_name("NAME")
+        ->group(bridge);
     command.add_flag("--progress", record->progress, "Show the progress on stderr, also where that is not a terminal");
     command.callback([record, &code] { code = run(*record); });
 }

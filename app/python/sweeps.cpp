@@ -113,6 +113,7 @@ public:
         scanner::ConnectionSettings scanner;
         scanner.host = typed.host;
         scanner.port = typed.port;
+        scanner.bridge = typed.bridge;
         feed_ = std::make_unique<files::LiveFeed>(scanner, sweep, [this] {
             {
                 const std::lock_guard lock(mutex_);

@@ -3,10 +3,28 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 
 namespace edgescan::cli {
 
+namespace {
+
+constexpr std::string_view kBridge = "ws://";
+constexpr std::uint16_t kBridgePort = 8765; // of foxglove_bridge
+
+} // namespace
+
 Result<HostPort> hostPort(const std::string& typed) {
+    if (typed.starts_with("wss://")) return Error{"bridges with encryption are not supported", typed, "write ws://HOST or ws://HOST:PORT"};
+    if (typed.starts_with(kBridge)) {
+        std::string rest = typed.substr(kBridge.size());
+        if (rest.ends_with('/')) rest.pop_back();
+        auto bridge = hostPort(rest);
+        if (!bridge) return Error{bridge.error().what, typed, "write ws://HOST or ws://HOST:PORT"};
+        bridge->bridge = true;
+        if (bridge->port == HostPort{}.port && !rest.ends_with(":" + std::to_string(HostPort{}.port))) bridge->port = kBridgePort;
+        return bridge;
+    }
     HostPort result;
     std::string port;
     const std::size_t bracket = typed.find(']');

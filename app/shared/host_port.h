@@ -1,4 +1,5 @@
-// HOST[:PORT] of the command line: a name, an IPv4 address, or an IPv6 address (in brackets if a port follows).
+// HOST[:PORT] of the command line: a name, an IPv4 address, or an IPv6 address (in brackets if a port follows); ws:// in front of a robot's
+// bridge.
 #pragma once
 
 #include "core/base/result.h"
@@ -10,7 +11,8 @@ namespace edgescan::cli {
 
 struct HostPort {
     std::string host;
-    std::uint16_t port = 2112; ///< SICK's second CoLa port, the default of sick_scan_xd
+    std::uint16_t port = 2112; ///< SICK's second CoLa port, the default of sick_scan_xd; 8765 of a bridge
+    bool bridge = false;       ///< ws://HOST
 };
 
 /// Error: the host is missing or the port is invalid.

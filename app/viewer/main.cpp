@@ -44,8 +44,11 @@ void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const Comm
         window.sessions().offerToContinue();
         ui::showStart(window, preferences);
     }
-    if (const auto& scanner = understood.scanner)
-        window.viewer().live.connectTo(QString::fromStdString(scanner->host), scanner->port, understood.sweep);
+    if (const auto& scanner = understood.scanner) {
+        const std::string host = scanner->bridge ? "ws://" + scanner::addressText(scanner->host, scanner->port) : scanner->host;
+        const ReadingOptions options = cli::readingOptions(wanted.read);
+        window.viewer().live.connectTo(QString::fromStdString(host), scanner->port, understood.sweep, options.topic, options.joint);
+    }
 }
 
 int runViewer(const CommandLine& wanted, const ParsedCommandLine& understood) {

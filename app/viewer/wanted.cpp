@@ -58,8 +58,10 @@ void addFlags(CLI::App& app, CommandLine& wanted) {
     app.set_version_flag("--version", cli::versionText());
     app.add_option("FILE", wanted.files, "Scans; the first is shown, Page Down goes to the next");
     app.add_flag("--demo", wanted.demo, "Open the demo draw-bell");
-    app.add_option("--live", wanted.live, "Connect to a live scanner; the viewer only reads from it and subscribes to its scans")
-        ->type_name("HOST[:PORT]");
+    app.add_option("--live", wanted.live,
+                   "Connect to a live scanner, HOST or HOST:PORT, or to a robot's Foxglove bridge, ws://HOST or ws://HOST:PORT; the viewer "
+                   "only reads and subscribes")
+        ->type_name("ADDRESS");
     cli::addMountingFlags(app, wanted.mounting, "Live sweep (with --line-start, --line-step, --axis and --calibration)");
     app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write the settings of the window");
     std::vector<std::string> languages;

@@ -115,6 +115,8 @@
 <message><source>Step &amp;down</source><translation>&amp;Disminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
 <message><source>Float</source><translation>Separar</translation></message>
+<message><source>Scroll Left</source><translation>Desplazar a la izquierda</translation></message>
+<message><source>Scroll Right</source><translation>Desplazar a la derecha</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>

@@ -115,6 +115,8 @@
 <message><source>Step &amp;down</source><translation>&amp;Diminuer</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
 <message><source>Float</source><translation>Détacher</translation></message>
+<message><source>Scroll Left</source><translation>Défiler à gauche</translation></message>
+<message><source>Scroll Right</source><translation>Défiler à droite</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>

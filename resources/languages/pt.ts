@@ -115,6 +115,8 @@
 <message><source>Step &amp;down</source><translation>&amp;Diminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
 <message><source>Float</source><translation>Destacar</translation></message>
+<message><source>Scroll Left</source><translation>Rolar para a esquerda</translation></message>
+<message><source>Scroll Right</source><translation>Rolar para a direita</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>

@@ -229,6 +229,21 @@ inline std::string smallJournal() {
            row("a.json", "2026-11-21T09:00:00.000Z") + row("c.las", "2026-11-21T09:00:01.000Z").substr(0, 40);
 }
 
+/// Messages of a robot's bridge: lines and transforms, a list of topics, a message of one of them.
+inline void addBridgeSeeds(std::vector<SeedFile>& seeds, const Scan& scan) {
+    std::string messages = "\2";
+    for (const RosMessages::Message& message : rosMessagesOf(scan, {.wire = Wire::CdrLittle}).messages) {
+        const std::size_t length = message.bytes.size();
+        messages += {static_cast<char>(length % 256), static_cast<char>(length / 256), static_cast<char>(message.topic)};
+        messages.append(message.bytes.begin(), message.bytes.end());
+    }
+    seeds.push_back({"bridge", "", messages});
+    seeds.push_back({"bridge", "",
+                     std::string(1, '\0') + R"({"op":"advertise","channels":[{"id":3,"topic":"/scan","encoding":"cdr",)" +
+                         R"("schemaName":"sensor_msgs/msg/LaserScan","schema":"float32[] ranges"}]})"});
+    seeds.push_back({"bridge", "", std::string("\1\1\3\0\0\0\0\0\0\0\0\0\0\0payload", 21)});
+}
+
 /// The same, and seeds of files that are not scans: telegrams, recordings (without their magic bytes), poses, calibrations, and the files
 /// that the programs write for themselves.
 inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
@@ -263,6 +278,7 @@ inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
         const std::string length{static_cast<char>(definition.size() % 256), static_cast<char>(definition.size() / 256)};
         seeds.push_back({"ros_message", "", (cdr ? '\1' : '\0') + length + definition + text(messages.messages.back().bytes)});
     }
+    addBridgeSeeds(seeds, scan);
     seeds.push_back({"notebook", "", smallNotebook()});
     seeds.push_back({"journal", "", smallJournal()});
     return seeds;

@@ -184,7 +184,8 @@ private slots:
         ShortcutEditor editor(
             {}, [] {}, &on.window);
         static_cast<QDialog&>(editor).show();
-        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        editor.activateWindow(); // not every desktop does it
+        QVERIFY(QTest::qWaitForWindowActive(&editor, kPatienceMs));
         const QString keys = pageOpened(editor.findChild<QLineEdit*>());
         QDesktopServices::unsetUrlHandler("file");
         QVERIFY2(edges.contains("guide/tune"), qPrintable(edges));

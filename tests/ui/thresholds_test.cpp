@@ -29,11 +29,11 @@ class ThresholdsTest : public QObject {
     MainWindow* window_ = nullptr;
 
     void use(const edges::Settings& settings) { QVERIFY(on_->use(settings)); }
-    // Clicks the cell and asks why, by the key.
+    // Clicks the very cell and asks why, by the key.
     void askWhy(std::uint32_t cell) {
         ImageView& view = window_->viewer().views.edges();
         const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
-        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::ShiftModifier, at.toPoint());
         QVERIFY(on_->activate());
         QTest::keyClick(window_, Qt::Key_W);
         QVERIFY(eventually([&] {

@@ -5,7 +5,9 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QDockWidget>
 #include <QLabel>
+#include <QMainWindow>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStringList>
@@ -31,6 +33,15 @@ namespace edgescan::ui {
     return {};
 }
 
+/// Qt puts a dock whose tab is not in front out of the window.
+[[nodiscard]] inline bool isBehindATab(const QWidget* widget) {
+    const QDockWidget* dock = nullptr;
+    for (; dock == nullptr && widget != nullptr; widget = widget->parentWidget()) dock = qobject_cast<const QDockWidget*>(widget);
+    const auto* window = dock == nullptr ? nullptr : qobject_cast<const QMainWindow*>(dock->parentWidget());
+    return window != nullptr && !window->tabifiedDockWidgets(const_cast<QDockWidget*>(dock)).isEmpty() &&
+           !window->rect().intersects(dock->geometry());
+}
+
 /// One sentence for each fault.
 [[nodiscard]] inline QStringList faultsIn(const QWidget& window) {
     QStringList faults;
@@ -42,7 +53,7 @@ namespace edgescan::ui {
                       .arg(widget.height());
     };
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
-        if (!widget->isVisible() || widget->window() != &window || wordsOf(*widget).isEmpty()) continue;
+        if (!widget->isVisible() || widget->window() != &window || wordsOf(*widget).isEmpty() || isBehindATab(widget)) continue;
         const QRect place(widget->mapTo(&window, QPoint()), widget->size());
         const QAbstractScrollArea* scroller = scrollerOf(widget);
         if (scroller != nullptr) {

@@ -74,6 +74,9 @@ Pane::Pane(const QString& title, QWidget* content, QWidget* parent)
     QFont bold = title_->font();
     bold.setBold(true);
     title_->setFont(bold);
+    // Not that of the remark, which fit() hides.
+    bar_->setMinimumWidth(title_->sizeHint().width() + alone_->sizeHint().width() + 3 * line->spacing() + line->contentsMargins().left() +
+                          line->contentsMargins().right());
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

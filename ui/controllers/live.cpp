@@ -17,11 +17,14 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QUrl>
 
 #include <nlohmann/json.hpp>
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kBridgePort = 8765; // of foxglove_bridge
 
 scanner::SweepSettings rememberedSweep(const Preferences& preferences) {
     const auto json = parseJson(preferences.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
@@ -96,7 +99,8 @@ void Live::connectScanner() {
     connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) { notice_.showSaved(path); });
 }
 
-void Live::connectTo(const QString& host, int port, const scanner::SweepSettings& sweep) {
+void Live::connectTo(const QString& host, int port, const scanner::SweepSettings& sweep, const std::string& topic,
+                     const std::string& joint) {
     panel_.setAddress(host, port);
     panel_.setSweep(sweep);
     panel_.show();
@@ -106,8 +110,12 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     timeline_.clear();
     files_.leave();
     scanner::ConnectionSettings scanner;
-    scanner.host = host.toStdString();
-    scanner.port = static_cast<std::uint16_t>(port);
+    const QUrl bridge(host);
+    scanner.bridge = bridge.scheme() == "ws";
+    scanner.host = (scanner.bridge ? bridge.host() : host).toStdString();
+    scanner.port = static_cast<std::uint16_t>(scanner.bridge ? bridge.port(kBridgePort) : port);
+    scanner.topic = topic;
+    scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);
 }
 

@@ -24,8 +24,10 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// Connects to a live scanner; EdgeScan sends only read requests and a subscription.
-    void connectTo(const QString& host, int port, const scanner::SweepSettings& sweep);
+    /// Connects to a live scanner; EdgeScan sends only read requests and a subscription. "ws://HOST" is a robot's bridge; `topic` and
+    /// `joint` are those of its laser, empty: the ones that are found.
+    void connectTo(const QString& host, int port, const scanner::SweepSettings& sweep, const std::string& topic = {},
+                   const std::string& joint = {});
     void record(bool on);
     void keepLastMinute();
     /// Sets the folder of new recordings.

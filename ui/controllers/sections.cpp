@@ -43,7 +43,7 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
         auto* rock = menu.findChild<QMenu*>(kRockMenu);
         if (rock == nullptr) return;
         rock->addAction(tr("Se&ction"), this, [this, cell] {
-            rocks_.select({rocks_.rockCellAt(cell).value_or(cell)});
+            rocks_.select({rocks_.rockCellAt(views_.meant(cell)).value_or(cell)});
             throughRock();
         });
     });

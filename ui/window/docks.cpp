@@ -175,6 +175,13 @@ void Docks::reset() {
     emit changed();
 }
 
+void Docks::wantOpen() {
+    for (Dock& dock : docks_) {
+        if (dock.widget->isHidden() || std::exchange(dock.wanted, true)) continue;
+        rail_.setWanted(dock.widget, true);
+    }
+}
+
 void Docks::setLocked(bool on) {
     locked_ = on;
     rail_.setLocked(on);

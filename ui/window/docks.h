@@ -27,6 +27,8 @@ public:
     void fit(int most);
     /// As fit() would open them without what the operator did, in their first order.
     void reset();
+    /// After a stored layout is back: what is open in it is wanted, though its content may arrive later.
+    void wantOpen();
     /// While locked all are hidden and nothing opens one.
     void setLocked(bool on);
     /// After fit(): gives the open docks at the right their usual width, except where the operator dragged them to another one. Returns px

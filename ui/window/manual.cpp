@@ -65,7 +65,7 @@ private:
         const auto* widget = qobject_cast<const QWidget*>(object);
         if (key->key() != Qt::Key_F1 || key->modifiers() != Qt::NoModifier || widget == nullptr) return false;
         if (widget->window() == &window_) return false; // a command of the window, whose key may have been changed
-        openManual(window_);
+        openManual(window_, widget);
         return true;
     }
 
@@ -94,9 +94,9 @@ QString manualFile(const QString& page) {
     return {};
 }
 
-void openManual(MainWindow& window) {
-    const QWidget* focus = QApplication::focusWidget();
-    QString page = manualPageOf(focus != nullptr ? focus : QApplication::activeWindow());
+void openManual(MainWindow& window, const QWidget* at) {
+    if (at == nullptr) at = QApplication::focusWidget();
+    QString page = manualPageOf(at != nullptr ? at : QApplication::activeWindow());
     if (page == "index" && window.cab().on()) page = QStringLiteral("guide/cab");
     const QString file = manualFile(page);
     if (!file.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(file))) return;

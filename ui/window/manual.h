@@ -17,8 +17,8 @@ class MainWindow;
 /// the window's language has them. Empty if there is no manual.
 [[nodiscard]] QString manualFile(const QString& page);
 
-/// Opens the page of the focused widget in the browser; without a manual a notice says where the texts are.
-void openManual(MainWindow& window);
+/// Opens the page of `at` in the browser, without it that of the focused widget; without a manual a notice says where the texts are.
+void openManual(MainWindow& window, const QWidget* at = nullptr);
 
 /// F1 opens the manual in every dialog of the program, too.
 void addManualKey(MainWindow& window);

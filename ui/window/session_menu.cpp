@@ -6,6 +6,7 @@
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/docks.h"
 #include "ui/window/main_window.h"
 #include "ui/window/pane_places.h"
 
@@ -76,6 +77,7 @@ void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
     };
     if (cab_->on() || layout.empty()) return;
     restoreState(bytes("docks"));
+    docks_->wantOpen();
     places_->use(QString::fromUtf8(bytes("large")));
     splitter_->restoreState(bytes("views"));
     images_->restoreState(bytes("pictures"));

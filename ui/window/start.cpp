@@ -30,9 +30,10 @@ constexpr int kSettleMs = 400; // time until docks have their positions
 class OverViews : public QObject {
 public:
     OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page), tour_(window.findChild<Tour*>("tour")) {
-        for (QObject* watched : {static_cast<QObject*>(&page), static_cast<QObject*>(&window),
-                                 static_cast<QObject*>(&window.viewer().notice), static_cast<QObject*>(window.centralWidget()),
-                                 static_cast<QObject*>(&window.viewer().live.panel()), static_cast<QObject*>(tour_)})
+        for (QObject* watched :
+             {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.viewer().notice),
+              static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.viewer().statusLine),
+              static_cast<QObject*>(&window.viewer().live.panel()), static_cast<QObject*>(tour_)})
             watched->installEventFilter(this);
         settle_.setSingleShot(true);
         settle_.setInterval(kSettleMs);

@@ -44,6 +44,11 @@ struct RosBag {
     RosBag& operator=(const RosBag&) = delete;
 };
 
+/// The topic that a channel of MCAP or of a bridge describes. Empty: its messages are not those of ROS. A definition in another language is
+/// replaced by the common one.
+[[nodiscard]] std::optional<RosTopic> rosTopic(const std::string& name, std::string_view encoding, std::string_view type,
+                                               std::string_view definitionEncoding, const std::string& definition);
+
 [[nodiscard]] bool looksLikeRosBag(ByteView bytes);
 [[nodiscard]] bool looksLikeSqlite(ByteView bytes);
 /// Whether a recording of MCAP has topics of ROS.

@@ -9,23 +9,25 @@
 namespace edgescan::containers {
 namespace {
 
-/// The topic that a channel describes; nothing: it is not one of ROS, or its definition is in another language.
 std::optional<RosTopic> topicOf(const McapContent& content, const McapChannel& channel) {
-    const bool cdr = channel.encoding == "cdr";
-    if (!cdr && channel.encoding != "ros1") return std::nullopt;
     const auto schema = content.schemas.find(channel.schema);
     if (schema == content.schemas.end()) return std::nullopt;
-    RosTopic topic{channel.topic, rosTypeName(schema->second.name), {}, cdr ? RosEncoding::Cdr : RosEncoding::Ros1, false};
-    if (schema->second.encoding == (cdr ? "ros2msg" : "ros1msg") && !schema->second.text.empty()) {
-        topic.definition = schema->second.text;
-    } else {
-        topic.definition = commonRosDefinition(topic.type);
-        topic.assumed = true;
-    }
-    return topic;
+    return rosTopic(channel.topic, channel.encoding, schema->second.name, schema->second.encoding, schema->second.text);
 }
 
 } // namespace
+
+std::optional<RosTopic> rosTopic(const std::string& name, std::string_view encoding, std::string_view type,
+                                 std::string_view definitionEncoding, const std::string& definition) {
+    const bool cdr = encoding == "cdr";
+    if (!cdr && encoding != "ros1") return std::nullopt;
+    RosTopic topic{name, rosTypeName(type), definition, cdr ? RosEncoding::Cdr : RosEncoding::Ros1, false};
+    const bool known = definitionEncoding.empty() || definitionEncoding == (cdr ? "ros2msg" : "ros1msg");
+    if (known && !definition.empty()) return topic;
+    topic.definition = commonRosDefinition(topic.type);
+    topic.assumed = true;
+    return topic;
+}
 
 bool hasRosTopics(const McapContent& content) {
     for (const auto& [id, channel] : content.channels) {

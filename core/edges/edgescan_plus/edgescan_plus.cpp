@@ -7,7 +7,6 @@
 #include "core/edges/edgescan_plus/gap_detour.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
 #include "core/edges/edgescan_plus/surface_lines.h"
-#include "core/edges/edgescan_plus/void_rim.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/grid/marked_cells.h"
 #include "core/scan/grid/spikes.h"
@@ -229,8 +228,8 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     runParts(bands, parts);
     moveResponsesOffGaps(surface.inverse, result.jump, result.crease);
     if (settings.roughScans)
-        result.roughness =
-            roughnessOf(folding, surface.steps, result.crease, foldOfNoise(limits, surface.scales.rangeM, surface.spacingMm));
+        result.roughness = roughnessOf(folding, surface.inverse.u, surface.steps, result.crease,
+                                       foldOfNoise(limits, surface.scales.rangeM, surface.spacingMm));
     if (result.roughness.rough) {
         result.unweighed = result.crease;
         weighFolds(result.roughness, result.crease);

@@ -4,6 +4,7 @@
 #include "core/edges/edgescan_plus/noise_memory.h"
 #include "core/edges/edgescan_plus/range_field.h"
 #include "core/edges/edgescan_plus/roughness.h"
+#include "core/edges/edgescan_plus/void_rim.h"
 #include "core/edges/settings/settings.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/gap_filling/gap_filling.h"
@@ -44,8 +45,8 @@ struct DepthSurface {
     RangeNoise noise;
     double spacingMm = 0;
     NoiseScales scales;
-    MemoryNoise memory;                  ///< the noise if errors of neighbours are correlated; empty if it is not needed
-    std::vector<std::uint32_t> withheld; ///< cells left out by a filter or lost, ascending: not open voids
+    MemoryNoise memory;            ///< the noise if errors of neighbours are correlated; empty if it is not needed
+    std::vector<CellRun> withheld; ///< cells left out by a filter or lost, ascending: not open voids
 };
 [[nodiscard]] DepthSurface depthSurface(const Scan& scan, bool straighten, int threads = 0, NoiseKind noise = NoiseKind::Measured);
 

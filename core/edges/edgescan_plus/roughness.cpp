@@ -26,6 +26,7 @@ constexpr int kBits = 64;
 constexpr int kGroupsOfWord = kBits / Roughness::kGroup;
 constexpr double kNoiseExplains = 1.2; // fold of noise in units of C0, from which on folds may be noise
 constexpr double kNoiseFloor = 4.5;    // standard deviations that a fold must exceed, as in Step 5
+constexpr float kWidestSpacingMm = 80; // of points: three of them, the shortest side of a fold, are as long as a small rock from here on
 
 EDGESCAN_INLINE void markFolding(const float* alongBeams, const float* alongLines, const Support* support, int beams,
                                  std::uint8_t* __restrict folding, std::uint8_t* __restrict solid) {
@@ -90,6 +91,26 @@ Grid<std::uint32_t> sumsAround(const Grid<std::uint8_t>& counts, int up, int asi
     return sums;
 }
 
+// Calls of(line, beam) for the folds that are, or are nearly, edges, on every fourth line.
+template <class Of>
+void forFolds(const Grid<float>& crease, Of of) {
+    for (int i = 0; i < crease.lines; i += kEvery) {
+        const float* fold = crease.line(i);
+        for (int j = 0; j < crease.beams; ++j) {
+            if (std::abs(fold[j]) > kNearlyEdge) of(i, j);
+        }
+    }
+}
+
+// The median distance of points at the folds: the side of the square that a cell covers across the beam.
+float spacingOfFoldsMm(const Grid<float>& u, const AngularSteps& steps, const Grid<float>& crease) {
+    std::vector<float> spacings;
+    forFolds(crease, [&](int i, int j) {
+        spacings.push_back(1000.0F * std::sqrt(steps.beam[static_cast<std::size_t>(j)] * steps.lineAt(i, j)) / u.at(i, j));
+    });
+    return median(std::move(spacings), 0.0F);
+}
+
 double total(const Grid<std::uint64_t>& marks) {
     std::size_t count = 0;
     for (const std::uint64_t word : marks.cells) count += static_cast<std::size_t>(std::popcount(word));
@@ -125,7 +146,8 @@ double foldOfNoise(const DepthLimits& limits, double rangeM, double spacingMm) {
     return deg / static_cast<double>(limits.creaseDeg);
 }
 
-Roughness roughnessOf(const FoldingCells& cells, const AngularSteps& steps, const Grid<float>& crease, double ofNoise) {
+Roughness roughnessOf(const FoldingCells& cells, const Grid<float>& u, const AngularSteps& steps, const Grid<float>& crease,
+                      double ofNoise) {
     Roughness result;
     if (cells.folding.size() == 0) return result;
     result.share = total(cells.folding) / std::max(1.0, total(cells.solid));
@@ -136,14 +158,9 @@ Roughness roughnessOf(const FoldingCells& cells, const AngularSteps& steps, cons
     for (std::size_t k = 0; k < folding.size(); ++k)
         result.around[k] = solid[k] > 0 ? static_cast<float>(folding[k]) / static_cast<float>(solid[k]) : 0.0F;
     std::vector<float> aroundFolds;
-    for (int i = 0; i < crease.lines; i += kEvery) {
-        const float* fold = crease.line(i);
-        for (int j = 0; j < crease.beams; ++j) {
-            if (std::abs(fold[j]) > kNearlyEdge) aroundFolds.push_back(result.aroundAt(i, j));
-        }
-    }
+    forFolds(crease, [&](int i, int j) { aroundFolds.push_back(result.aroundAt(i, j)); });
     result.aroundFolds = static_cast<double>(median(std::move(aroundFolds), 0.0F));
-    result.rough = ofNoise < kNoiseExplains && result.aroundFolds > kRoughScan;
+    result.rough = ofNoise < kNoiseExplains && result.aroundFolds > kRoughScan && spacingOfFoldsMm(u, steps, crease) < kWidestSpacingMm;
     if (!result.rough) result.around = {};
     return result;
 }

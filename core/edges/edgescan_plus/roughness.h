@@ -24,7 +24,7 @@ struct FoldingCells {
 struct Roughness {
     double share = 0;       ///< of all cells of the scan
     double aroundFolds = 0; ///< median around those cells whose fold is, or is nearly, an edge
-    bool rough = false;     ///< the scan is one of rough surfaces: aroundFolds is above 0.46, and noise does not explain it
+    bool rough = false;     ///< the scan is one of rough surfaces: aroundFolds is above 0.46, and neither noise nor coarseness explains it
     Grid<float> around;     ///< lines x groups of kGroup beams; empty unless the scan is rough
 
     static constexpr int kGroup = 16;
@@ -37,8 +37,10 @@ struct Roughness {
 /// The fold that noise alone may look like, divided by the smallest fold C0, at the range `rangeM` and the distance `spacingMm` of points.
 [[nodiscard]] double foldOfNoise(const DepthLimits& limits, double rangeM, double spacingMm);
 
-/// `crease`: S_C after suppression. `ofNoise`: foldOfNoise(); from 1.2 on no scan is rough, because folds may be noise.
-[[nodiscard]] Roughness roughnessOf(const FoldingCells& cells, const AngularSteps& steps, const Grid<float>& crease, double ofNoise);
+/// `crease`: S_C after suppression. `ofNoise`: foldOfNoise(); from 1.2 on no scan is rough, because folds may be noise. Nor is one rough
+/// where points at folds are 80 mm apart or more: a rock of a few cells folds everywhere.
+[[nodiscard]] Roughness roughnessOf(const FoldingCells& cells, const Grid<float>& u, const AngularSteps& steps, const Grid<float>& crease,
+                                    double ofNoise);
 
 /// Divides each fold by the factor of its cell, if the scan is rough.
 void weighFolds(const Roughness& roughness, Grid<float>& crease);

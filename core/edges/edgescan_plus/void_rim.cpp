@@ -30,13 +30,19 @@ EDGESCAN_INLINE void markWithheld(const CellState* state, int beams, std::uint8_
                                                 (state[j] == CellState::Lost));
 }
 
-std::vector<Run> runsOfVoids(const Grid<Support>& support, const std::vector<std::uint32_t>& withheld) {
+std::vector<Run> runsOfVoids(const Grid<Support>& support, const std::vector<CellRun>& withheld) {
     std::vector<Run> runs;
     std::vector<std::uint8_t> empty(static_cast<std::size_t>(support.beams) + 1, 0); // the last one stays 0 and ends every run
     auto next = withheld.begin();
     for (int i = 0; i < support.lines; ++i) {
         vectorised<markVoid>(support.line(i), support.beams, empty.data());
-        for (; next != withheld.end() && *next < support.index(i + 1, 0); ++next) empty[*next - support.index(i, 0)] = 0;
+        const std::size_t begin = support.index(i, 0), behind = support.index(i + 1, 0);
+        for (; next != withheld.end() && next->first < behind; ++next) {
+            const auto from = static_cast<std::ptrdiff_t>(std::max<std::size_t>(next->first, begin) - begin);
+            const auto to = static_cast<std::ptrdiff_t>(std::min<std::size_t>(next->last, behind) - begin);
+            std::fill(empty.begin() + from, empty.begin() + to, std::uint8_t{0});
+            if (next->last > behind) break; // it goes on in the next line
+        }
         for (std::size_t j = 0; j < empty.size();) {
             const auto* first = static_cast<const std::uint8_t*>(std::memchr(empty.data() + j, 1, empty.size() - j));
             if (first == nullptr) break;
@@ -114,19 +120,22 @@ private:
 
 } // namespace
 
-std::vector<std::uint32_t> withheldCells(const Scan& scan) {
-    std::vector<std::uint32_t> cells;
+std::vector<CellRun> withheldCells(const Scan& scan) {
+    std::vector<CellRun> runs;
     std::vector<std::uint8_t> withheld(static_cast<std::size_t>(scan.beams()));
     for (int i = 0; i < scan.lines(); ++i) {
         vectorised<markWithheld>(scan.state.line(i), scan.beams(), withheld.data());
-        forEachMarked(withheld,
-                      [&](std::size_t beam) { cells.push_back(static_cast<std::uint32_t>(scan.state.index(i, static_cast<int>(beam)))); });
+        forEachMarked(withheld, [&](std::size_t beam) {
+            const auto cell = static_cast<std::uint32_t>(scan.state.index(i, static_cast<int>(beam)));
+            if (runs.empty() || runs.back().last != cell) runs.push_back({cell, cell});
+            ++runs.back().last;
+        });
     }
-    return cells;
+    return runs;
 }
 
 std::vector<std::uint32_t> voidRimCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits,
-                                        const std::vector<std::uint32_t>& withheld) {
+                                        const std::vector<CellRun>& withheld) {
     const std::vector<Run> runs = runsOfVoids(inverse.support, withheld);
     const std::vector<std::uint32_t> sizes = sizesOfVoids(runs);
     Rim rim(inverse, steps, limits);

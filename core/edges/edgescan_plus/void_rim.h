@@ -9,13 +9,19 @@
 
 namespace edgescan::edges {
 
-/// The cells without a range that say nothing about the surface, ascending: a filter left them out, or their telegrams never arrived.
-[[nodiscard]] std::vector<std::uint32_t> withheldCells(const Scan& scan);
+/// Cells behind one another, also from the end of a line to the next one.
+struct CellRun {
+    std::uint32_t first = 0, last = 0; ///< `last` is behind the run
+};
+
+/// The cells without a range that say nothing about the surface, ascending: a filter left them out, or their telegrams never arrived. Runs,
+/// because a few telegrams with counters far apart claim millions of lost cells.
+[[nodiscard]] std::vector<CellRun> withheldCells(const Scan& scan);
 
 /// Measured cells next to a void of at least 30 connected cells (4 neighbours), ascending. A cell is left out where its surface slants by
 /// more than 70 degrees towards the void: there ranges fade out, and nothing ends. `withheld` cells do not belong to a void: missing data
 /// has no rim (docs/reference/rules.md, "S3").
 [[nodiscard]] std::vector<std::uint32_t> voidRimCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits,
-                                                      const std::vector<std::uint32_t>& withheld);
+                                                      const std::vector<CellRun>& withheld);
 
 } // namespace edgescan::edges

@@ -1,6 +1,8 @@
 // A scanner from its socket to a growing scan.
 #include "core/files/live_feed/live_feed.h"
 
+#include "core/files/live_feed/bridge_topics.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -9,21 +11,33 @@ namespace {
 
 constexpr std::size_t kLinesOfRate = 64;         // that the rate is taken from
 constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
+constexpr std::size_t kMostStanding = 64;
+constexpr auto kLive = scanner::ConnectionPhase::Live;
 
 } // namespace
 
 LiveFeed::LiveFeed(scanner::ConnectionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
                    const LiveLimits& limits)
-    : changed_(std::move(changed)), mostLines_(limits.lines), sweepSettings_(sweep), recent_(kKeptNs, limits.keptBytes), feed_(sweep) {
-    scanner::ConnectionEvents events;
-    events.stateChanged = [this](const scanner::ConnectionState& state) {
-        {
+    : changed_(std::move(changed)), mostLines_(limits.lines), sweepSettings_(sweep), recent_(kKeptNs, limits.keptBytes), feed_(sweep),
+      joint_(scanner.joint), laser_(sweep, joint_), connection_(connect(std::move(scanner))) {}
+
+std::unique_ptr<scanner::LiveConnection> LiveFeed::connect(scanner::ConnectionSettings settings) {
+    const auto stateChanged = [this](const scanner::ConnectionState& state) { changedTo(state); };
+    if (settings.bridge) {
+        scanner::BridgeEvents events;
+        events.stateChanged = stateChanged;
+        events.choose = [this, topic = settings.topic, where = scanner::addressText(settings.host, settings.port)](const auto& offered) {
+            auto choice = chooseTopics(offered, topic, where);
+            if (!choice) return choice;
             const std::lock_guard lock(mutex_);
-            state_ = state;
-            if (state.phase == scanner::ConnectionPhase::Lost) feed_.assembler().reconnected();
-        }
-        changed_();
-    };
+            if (linesTopic_.empty()) linesTopic_ = choice->lines->topic;
+            return choice;
+        };
+        events.received = [this](const auto& channel, const auto& data, const auto& time) { received(channel, data, time); };
+        return std::make_unique<scanner::BridgeConnection>(std::move(settings), std::move(events));
+    }
+    scanner::ConnectionEvents events;
+    events.stateChanged = stateChanged;
     events.identified = [this](const scanner::ScannerIdentity& identity) {
         {
             const std::lock_guard lock(mutex_);
@@ -33,7 +47,16 @@ LiveFeed::LiveFeed(scanner::ConnectionSettings scanner, const scanner::SweepSett
     };
     events.frameReceived = [this](const scanner::ColaFrame& frame) { received(frame); };
     events.frameSent = [this](const scanner::ColaFrame& frame) { record(sentMessage(frame, clock_)); };
-    connection_ = std::make_unique<scanner::ScannerConnection>(std::move(scanner), std::move(events));
+    return std::make_unique<scanner::ScannerConnection>(std::move(settings), std::move(events));
+}
+
+void LiveFeed::changedTo(const scanner::ConnectionState& state) {
+    {
+        const std::lock_guard lock(mutex_);
+        state_ = state;
+        if (state.phase == scanner::ConnectionPhase::Lost) feed_.assembler().reconnected();
+    }
+    changed_();
 }
 
 LiveFeed::~LiveFeed() { connection_->stop(); }
@@ -44,31 +67,50 @@ void LiveFeed::record(RecordingMessagePtr message) {
     if (recorder_) recorder_->post(std::move(message));
 }
 
-bool LiveFeed::comesAfterTheLast(const scanner::ColaFrame& frame) {
+bool LiveFeed::comesAfterTheLast(bool isLine) {
     const std::lock_guard lock(mutex_);
     if (mostLines_ == 0 || lines_ < mostLines_) return false;
-    if (scanner::isScanTelegram(frame.payload())) ++linesAfter_;
+    if (isLine) ++linesAfter_;
     return true;
 }
 
-void LiveFeed::received(const scanner::ColaFrame& frame) {
-    if (comesAfterTheLast(frame)) return;
-    const RecordingMessagePtr message = receivedMessage(frame, clock_);
-    record(message); // before anything looks into it
-    bool line = false;
+/// Records a message before anything looks into it, and takes the lines that it gives.
+template <class TakeLines>
+void LiveFeed::take(const RecordingMessagePtr& message, const scanner::HostTime& time, const TakeLines& takeLines) {
+    record(message);
+    int lines = 0;
     {
         const std::lock_guard lock(mutex_);
         const int before = feed_.assembler().sweepNumber();
-        line = feed_.frame(frame, clock_.ns(frame.received));
+        lines = takeLines();
         // At a reversal some of the new sweep came before; they are few, and the recording is cut into the same sweeps.
         if (feed_.assembler().sweepNumber() != before) sweepFirst_ = message;
-        if (line) {
-            ++lines_;
-            lineNs_.push_back(frame.received.monotonicNs);
-            if (lineNs_.size() > kLinesOfRate) lineNs_.pop_front();
-        }
+        lines_ += lines;
+        for (int line = 0; line < lines; ++line) lineNs_.push_back(time.monotonicNs);
+        while (lineNs_.size() > kLinesOfRate) lineNs_.pop_front();
     }
-    if (line) changed_();
+    if (lines > 0) changed_();
+}
+
+void LiveFeed::received(const scanner::ColaFrame& frame) {
+    if (comesAfterTheLast(scanner::isScanTelegram(frame.payload()))) return;
+    take(receivedMessage(frame, clock_), frame.received, [&] { return feed_.frame(frame, clock_.ns(frame.received)) ? 1 : 0; });
+}
+
+void LiveFeed::received(const scanner::BridgeChannelPtr& channel, const scanner::BridgeData& data, const scanner::HostTime& time) {
+    if (comesAfterTheLast(channel->topic == linesTopic_)) return;
+    const auto message = std::make_shared<const RecordingMessage>(
+        RecordingMessage{RecordingTopic::Bridge, clock_.ns(time), Bytes(data.payload.begin(), data.payload.end()), channel, data.bridgeNs});
+    take(message, time, [&] {
+        if (channel->topic.ends_with("tf_static") && standing_.size() < kMostStanding) standing_.push_back(message);
+        return takeBridge(*message);
+    });
+}
+
+int LiveFeed::takeBridge(const RecordingMessage& message) {
+    const scanner::BridgeChannel& of = *message.channel;
+    const auto topic = containers::rosTopic(of.topic, of.encoding, of.type, of.definitionEncoding, of.definition);
+    return topic ? laser_.take(*topic, message.payload, feed_.assembler()) : 0;
 }
 
 std::shared_ptr<const Scan> LiveFeed::snapshot() {
@@ -90,7 +132,13 @@ LiveStatus LiveFeed::status() const {
     status.sweep = feed_.assembler().progress();
     status.lines = lines_;
     status.linesAfter = linesAfter_;
-    status.undecodable = feed_.undecodable();
+    status.undecodable = feed_.undecodable() + laser_.leftOut();
+    if (const std::string wait = laser_.waitsFor(); !wait.empty() && lines_ == 0 && status.connection.phase == kLive) {
+        const Error unknown{"lines come, but their angle is not known: " + wait, linesTopic_,
+                            "give the joint that turns the laser (--joint), or the step from line to line (--line-step)"};
+        status.connection.sentence = unknown.sentence();
+        status.connection.problem = unknown;
+    }
     if (!lineNs_.empty()) {
         status.secondsSinceLine = static_cast<double>(scanner::hostNow().monotonicNs - lineNs_.back()) * 1e-9;
         const double seconds = static_cast<double>(lineNs_.back() - lineNs_.front()) * 1e-9;
@@ -127,7 +175,10 @@ std::vector<RecordingMessagePtr> LiveFeed::messagesOfSweep() const {
     const auto first = std::find(messages.begin(), messages.end(), sweepFirst_);
     // The first sweep, or one that began before what is remembered: all.
     if (first != messages.end()) messages.erase(messages.begin(), first);
-    return messages;
+    std::vector<RecordingMessagePtr> all = standing_;
+    std::erase_if(all, [&](const RecordingMessagePtr& message) { return std::ranges::find(messages, message) != messages.end(); });
+    all.insert(all.end(), messages.begin(), messages.end());
+    return all;
 }
 
 scanner::SweepSettings LiveFeed::sweepSettings() const {
@@ -143,8 +194,13 @@ std::optional<int> LiveFeed::useSweep(const scanner::SweepSettings& sweep) {
         sweepSettings_ = sweep;
         gone = feed_.assembler().progress().received;
         feed_ = scanner::SweepFeed(sweep);
-        for (const RecordingMessagePtr& message : messagesOfSweep())
-            static_cast<void>(feedMessage(feed_, {message->topic, message->hostNs, message->hostNs, message->payload}));
+        laser_ = LiveLaser(sweep, joint_);
+        for (const RecordingMessagePtr& message : messagesOfSweep()) {
+            if (message->topic == RecordingTopic::Bridge)
+                takeBridge(*message);
+            else
+                feedMessage(feed_, {message->topic, message->hostNs, message->hostNs, message->payload});
+        }
         gone = std::max(0, gone - feed_.assembler().progress().received);
     }
     changed_();
@@ -169,7 +225,14 @@ void LiveFeed::discardRecording() {
 }
 
 Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
-    return saveMessages(path, scanner::metadataOf(sweepSettings()), recent_.messages());
+    std::vector<RecordingMessagePtr> messages = recent_.messages();
+    {
+        const std::lock_guard lock(mutex_);
+        std::vector<RecordingMessagePtr> earlier = standing_;
+        std::erase_if(earlier, [&](const RecordingMessagePtr& message) { return std::ranges::find(messages, message) != messages.end(); });
+        messages.insert(messages.begin(), earlier.begin(), earlier.end());
+    }
+    return saveMessages(path, scanner::metadataOf(sweepSettings()), messages);
 }
 
 void LiveFeed::stop() {

@@ -3,6 +3,8 @@
 
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
+#include "core/files/ros/live_laser.h"
+#include "core/scanner/foxglove/bridge_connection.h"
 #include "core/scanner/sick_lms/scanner_connection.h"
 
 #include <deque>
@@ -71,8 +73,14 @@ public:
     void stop();
 
 private:
+    [[nodiscard]] std::unique_ptr<scanner::LiveConnection> connect(scanner::ConnectionSettings settings);
+    void changedTo(const scanner::ConnectionState& state);
     void received(const scanner::ColaFrame& frame);
-    [[nodiscard]] bool comesAfterTheLast(const scanner::ColaFrame& frame);
+    void received(const scanner::BridgeChannelPtr& channel, const scanner::BridgeData& data, const scanner::HostTime& time);
+    template <class TakeLines>
+    void take(const RecordingMessagePtr& message, const scanner::HostTime& time, const TakeLines& takeLines);
+    int takeBridge(const RecordingMessage& message); // with the lock
+    [[nodiscard]] bool comesAfterTheLast(bool isLine);
     void record(RecordingMessagePtr message);
     [[nodiscard]] std::vector<RecordingMessagePtr> messagesOfSweep() const; // with the lock
     [[nodiscard]] scanner::SweepSettings sweepSettings() const;
@@ -84,14 +92,18 @@ private:
     RecentMessages recent_;
     mutable std::mutex mutex_; // of all that follows, but not of the connection
     scanner::SweepFeed feed_;
+    const std::string joint_;
+    LiveLaser laser_;                           // of a bridge
+    std::vector<RecordingMessagePtr> standing_; // of a bridge: fixed transforms, which come only once
+    std::string linesTopic_;                    // of a bridge
     scanner::ConnectionState state_;
     std::optional<scanner::ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;
     bool starting_ = false;          // a recorder is being made
     RecordingMessagePtr sweepFirst_; // that began the sweep under way; null: the first one
     std::int64_t lines_ = 0, linesAfter_ = 0;
-    std::deque<std::int64_t> lineNs_;                        // of the last lines, monotonic
-    std::unique_ptr<scanner::ScannerConnection> connection_; // last: its thread uses all of the above
+    std::deque<std::int64_t> lineNs_;                     // of the last lines, monotonic
+    std::unique_ptr<scanner::LiveConnection> connection_; // last: its thread uses all of the above
 };
 
 } // namespace edgescan::files

@@ -170,6 +170,7 @@ RecordingEncoder::RecordingEncoder(const scanner::SweepMetadata& metadata, conta
 
 /// The line's own time by the host's clock; for everything else the time of receipt.
 std::int64_t RecordingEncoder::publishNs(const RecordingMessage& message) {
+    if (message.topic == RecordingTopic::Bridge && message.bridgeNs > 0) return message.bridgeNs;
     if (message.topic != RecordingTopic::ColaRx) return message.hostNs;
     const auto times = deviceTimes(message.payload);
     if (!times) return message.hostNs;
@@ -187,11 +188,29 @@ std::int64_t RecordingEncoder::publishNs(const RecordingMessage& message) {
     return clock_.hostNs(*deviceUs_);
 }
 
+/// The channel of a message; a topic of a bridge gets schema and channel with its first message, so that the file is a ROS 2 bag, too.
+std::uint16_t RecordingEncoder::channelOf(const RecordingMessage& message) {
+    constexpr std::uint16_t kFirstOfBridge = 101;
+    if (message.topic != RecordingTopic::Bridge || !message.channel) return channelIdOf(message.topic);
+    const scanner::BridgeChannel& of = *message.channel;
+    const auto same = [&](const scanner::BridgeChannelPtr& other) {
+        return other == message.channel || (other->topic == of.topic && other->type == of.type && other->definition == of.definition &&
+                                            other->encoding == of.encoding && other->definitionEncoding == of.definitionEncoding);
+    };
+    const auto found = std::ranges::find_if(bridge_, same);
+    const auto id = static_cast<std::uint16_t>(kFirstOfBridge + (found - bridge_.begin()));
+    if (found != bridge_.end()) return id;
+    bridge_.push_back(message.channel);
+    encoder_.schema({id, of.type, of.definitionEncoding, of.definition});
+    encoder_.channel({id, id, of.topic, of.encoding, {}});
+    return id;
+}
+
 void RecordingEncoder::message(const RecordingMessage& message) {
     const auto logNs = static_cast<std::uint64_t>(std::max<std::int64_t>(0, message.hostNs));
     const auto published = static_cast<std::uint64_t>(std::max<std::int64_t>(0, publishNs(message)));
-    std::uint32_t& sequence = sequence_[static_cast<std::size_t>(message.topic)];
-    encoder_.message({channelIdOf(message.topic), sequence++, logNs, published, message.payload});
+    const std::uint16_t channel = channelOf(message);
+    encoder_.message({channel, sequence_[channel]++, logNs, published, message.payload});
 }
 
 } // namespace edgescan::files

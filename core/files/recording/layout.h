@@ -2,17 +2,21 @@
 #pragma once
 
 #include "core/containers/mcap/writer.h"
+#include "core/scanner/foxglove/protocol.h"
 #include "core/scanner/sweep_assembly/counters.h"
 #include "core/scanner/sweep_assembly/stepper_track.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace edgescan::files {
 
-enum class RecordingTopic : std::uint8_t { ColaRx, ColaTx, Stepper, Inclinometer, Talin, Line };
-inline constexpr int kRecordingTopics = 6;
+/// Bridge: a topic of a robot's bridge, with a channel of its own.
+enum class RecordingTopic : std::uint8_t { ColaRx, ColaTx, Stepper, Inclinometer, Talin, Line, Bridge };
+inline constexpr int kRecordingTopics = 6; ///< without Bridge
 
 /// "/lidar/cola_rx", "/stepper" ...
 [[nodiscard]] std::optional<RecordingTopic> topicNamed(std::string_view name);
@@ -20,8 +24,10 @@ inline constexpr int kRecordingTopics = 6;
 /// One message, made once, never changed.
 struct RecordingMessage {
     RecordingTopic topic = RecordingTopic::ColaRx;
-    std::int64_t hostNs = 0; ///< first byte received, sent, or read; ns since 1970 UTC
-    Bytes payload;           ///< the exact frame, or JSON
+    std::int64_t hostNs = 0;             ///< first byte received, sent, or read; ns since 1970 UTC
+    Bytes payload;                       ///< the exact frame, or JSON, or a message of a robot as it came
+    scanner::BridgeChannelPtr channel{}; ///< of Bridge
+    std::int64_t bridgeNs = 0;           ///< of Bridge: when the bridge received it
 };
 using RecordingMessagePtr = std::shared_ptr<const RecordingMessage>;
 
@@ -44,9 +50,11 @@ public:
 
 private:
     [[nodiscard]] std::int64_t publishNs(const RecordingMessage& message);
+    [[nodiscard]] std::uint16_t channelOf(const RecordingMessage& message);
 
     containers::McapEncoder encoder_;
-    std::array<std::uint32_t, kRecordingTopics> sequence_{};
+    std::vector<scanner::BridgeChannelPtr> bridge_;   ///< channels of a bridge that have been written
+    std::map<std::uint16_t, std::uint32_t> sequence_; // by channel
     scanner::DeviceClock clock_;
     std::optional<std::int64_t> deviceUs_; // of the last line, unwrapped
 };

@@ -33,11 +33,6 @@ Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& whe
     return tree;
 }
 
-double middleOf(const LaserLines& lines) {
-    const scanner::BeamGrid& beams = lines.lines.front().line.beams;
-    return beams.startDeg + beams.stepDeg * (beams.beams - 1) / 2;
-}
-
 /// How the laser was turned; empty: only the step from line to line is known.
 Result<std::optional<LaserMotion>> motionOf(const containers::RosBag& bag, const FrameTree& tree, const LaserLines& lines,
                                             const Source& source) {
@@ -45,7 +40,7 @@ Result<std::optional<LaserMotion>> motionOf(const containers::RosBag& bag, const
     const std::int64_t from = lines.lines.front().stampNs, to = lines.lines.back().stampNs;
     const std::string& joint = source.options->joint;
     if (joint.empty()) {
-        auto byFrames = motionByFrames(tree, lines.frame, middleOf(lines), from, to, where);
+        auto byFrames = motionByFrames(tree, lines.frame, middleOf(lines.lines.front()), from, to, where);
         if (byFrames) return std::optional(std::move(*byFrames));
         auto byJoint = motionByJoint(bag, joint, from, to, where);
         if (byJoint) return std::optional(std::move(*byJoint));
@@ -105,14 +100,8 @@ private:
     /// Lines get their angles. Lines before the first and after the last angle, and lines of a laser at rest, are left out.
     void giveAngles() {
         std::vector<LaserLine>& all = lines_.lines;
-        for (LaserLine& line : all) {
-            scanner::SweepLine& to = line.line;
-            if (line.beamS == 0) continue;
-            to.facts.secondsPerTurn = line.beamS * 360.0 / to.beams.stepDeg;
-            skewed_ = true;
-        }
-        const double shift = motion_ && !motion_->axisAssumed ? motion_->beamShiftDeg : forwardShiftDeg(middleOf(lines_));
-        for (LaserLine& line : all) line.line.beams.startDeg -= shift;
+        const double shift = motion_ && !motion_->axisAssumed ? motion_->beamShiftDeg : forwardShiftDeg(middleOf(all.front()));
+        for (LaserLine& line : all) placeBeams(line, shift);
         if (!motion_) return;
         std::size_t outside = 0;
         std::vector<double> steps;
@@ -153,11 +142,7 @@ private:
         settings.axisAssumed = !options.axis && !motion_;
         settings.degPerLine = options.lineStepDeg;
         if (options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
-        settings.continuous = skewed_;
-        settings.outputInterval = 1;
-        const scanner::BeamGrid& beams = lines_.lines.front().line.beams;
-        settings.indexDeg = lines_.reversed ? beams.startDeg + beams.stepDeg * (beams.beams - 1) : beams.startDeg;
-        return settings;
+        return sweepOfLaser(settings, lines_.lines.front());
     }
 
     Result<Scan> chosen() {
@@ -217,7 +202,6 @@ private:
     FrameTree tree_;
     std::optional<LaserMotion> motion_;
     std::vector<std::string> warnings_;
-    bool skewed_ = false;
 };
 
 } // namespace

@@ -30,23 +30,39 @@ std::string frameNameOf(std::string_view name) {
     return std::string(name);
 }
 
-void FrameTree::add(const containers::RosValue& tfMessage) {
+std::vector<NamedPose> posesIn(const containers::RosValue& tfMessage, std::size_t& unusable) {
+    std::vector<NamedPose> poses;
     const containers::RosValue* transforms = tfMessage.at("transforms");
-    if (transforms == nullptr) return;
-    for (const containers::RosValue& transform : transforms->inside) {
-        const std::string child = frameNameOf(transform.text("child_frame_id")), parent = frameNameOf(transform.text("header.frame_id"));
+    for (std::size_t n = 0; transforms != nullptr && n < transforms->inside.size(); ++n) {
+        const containers::RosValue& transform = transforms->inside[n];
+        NamedPose found{frameNameOf(transform.text("child_frame_id")), frameNameOf(transform.text("header.frame_id")), {}};
         const auto pose = poseIn(transform);
-        if (!pose || child.empty() || parent.empty() || child == parent) {
-            ++unusable_;
+        if (!pose || found.child.empty() || found.parent.empty() || found.child == found.parent) {
+            ++unusable;
             continue;
         }
-        FrameLink& link = links_[child];
-        if (link.parent.empty()) link.parent = parent;
-        if (link.parent != parent) {
+        found.pose = *pose;
+        poses.push_back(std::move(found));
+    }
+    return poses;
+}
+
+void FrameTree::add(const containers::RosValue& tfMessage) {
+    for (const NamedPose& found : posesIn(tfMessage, unusable_)) {
+        FrameLink& link = links_[found.child];
+        if (link.parent.empty()) link.parent = found.parent;
+        if (link.parent == found.parent)
+            link.poses.push_back(found.pose);
+        else
             ++moved_;
-            continue;
-        }
-        link.poses.push_back(*pose);
+    }
+}
+
+void FrameTree::forgetBefore(std::int64_t ns) {
+    for (auto& [child, link] : links_) {
+        if (link.poses.size() < 2) continue;
+        const auto old = [&](const TimedPose& pose) { return pose.ns < ns; };
+        link.poses.erase(std::remove_if(link.poses.begin(), std::prev(link.poses.end()), old), std::prev(link.poses.end()));
     }
 }
 

@@ -28,10 +28,20 @@ struct FrameLink {
     std::vector<TimedPose> poses; ///< by time; one if the link is static
 };
 
+/// The transforms in a message that can be used, with child and parent as frameNameOf().
+struct NamedPose {
+    std::string child, parent;
+    TimedPose pose;
+};
+/// `unusable` counts those with a rotation of length 0, without names or with numbers that are not finite.
+[[nodiscard]] std::vector<NamedPose> posesIn(const containers::RosValue& tfMessage, std::size_t& unusable);
+
 class FrameTree {
 public:
-    /// The transforms of one message. Those with a rotation of length 0 or numbers that are not finite are counted and left out.
+    /// The transforms of one message. Those that cannot be used are counted and left out.
     void add(const containers::RosValue& tfMessage);
+    /// Leaves out poses before `ns`, but not the last one of each link.
+    void forgetBefore(std::int64_t ns);
     /// Sorts the poses. Call it after the last message; warnings about loops and other parents follow from it.
     void finish();
 

@@ -51,39 +51,6 @@ void takeRanges(scanner::SweepLine& line, const std::vector<double>& rangesM, do
     }
 }
 
-/// The line in a message; its counters are set later. Empty: there are no beams, or their angles are not numbers.
-std::optional<LaserLine> lineOf(const RosValue& message, scanner::Echo echo) {
-    const auto number = [&](const char* name, double otherwise) {
-        const double value = message.number(name).value_or(otherwise);
-        return std::isfinite(value) ? value : otherwise;
-    };
-    const auto stamp = containers::stampNs(message, "header.stamp");
-    const double step = number("angle_increment", 0);
-    std::vector<double> rangesM = echoesOf(message, "ranges", echo);
-    if (!stamp || rangesM.empty() || step == 0 || rangesM.size() > kMostBeams) return std::nullopt;
-    LaserLine found;
-    found.stampNs = *stamp;
-    found.beamS = number("time_increment", 0);
-    scanner::SweepLine& line = found.line;
-    const auto count = static_cast<int>(rangesM.size());
-    line.beams = {scanner::snappedDeg(degrees(number("angle_min", 0))), scanner::snappedDeg(degrees(step)), count};
-    const double most = number("range_max", std::numeric_limits<double>::max());
-    takeRanges(line, rangesM, number("range_min", 0), most > 0 ? most : std::numeric_limits<double>::max());
-    const std::vector<double> strengths = echoesOf(message, "intensities", echo);
-    if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
-    if (step < 0) {
-        found.beamS = -found.beamS;
-        line.beams.startDeg += line.beams.stepDeg * (count - 1);
-        line.beams.stepDeg = -line.beams.stepDeg;
-        std::ranges::reverse(line.ranges.rangeMm);
-        std::ranges::reverse(line.ranges.state);
-        std::ranges::reverse(line.intensity);
-    }
-    if (const double turn = number("scan_time", 0); turn > 0) line.facts.secondsPerTurn = turn;
-    line.echoes = "ranges";
-    return found;
-}
-
 double secondsBetween(const LaserLine& a, const LaserLine& b) { return static_cast<double>(b.stampNs - a.stampNs) / kNsPerS; }
 
 double medianOf(std::vector<double> numbers) {
@@ -161,6 +128,58 @@ void count(LaserLines& all) {
 
 } // namespace
 
+std::optional<LaserLine> laserLine(const RosValue& message, scanner::Echo echo) {
+    const auto number = [&](const char* name, double otherwise) {
+        const double value = message.number(name).value_or(otherwise);
+        return std::isfinite(value) ? value : otherwise;
+    };
+    const auto stamp = containers::stampNs(message, "header.stamp");
+    const double step = number("angle_increment", 0);
+    std::vector<double> rangesM = echoesOf(message, "ranges", echo);
+    if (!stamp || rangesM.empty() || step == 0 || rangesM.size() > kMostBeams) return std::nullopt;
+    LaserLine found;
+    found.stampNs = *stamp;
+    found.beamS = number("time_increment", 0);
+    scanner::SweepLine& line = found.line;
+    const auto count = static_cast<int>(rangesM.size());
+    line.beams = {scanner::snappedDeg(degrees(number("angle_min", 0))), scanner::snappedDeg(degrees(step)), count};
+    const double most = number("range_max", std::numeric_limits<double>::max());
+    takeRanges(line, rangesM, number("range_min", 0), most > 0 ? most : std::numeric_limits<double>::max());
+    const std::vector<double> strengths = echoesOf(message, "intensities", echo);
+    if (strengths.size() == rangesM.size()) line.intensity.assign(strengths.begin(), strengths.end());
+    found.reversed = step < 0;
+    if (found.reversed) {
+        found.beamS = -found.beamS;
+        line.beams.startDeg += line.beams.stepDeg * (count - 1);
+        line.beams.stepDeg = -line.beams.stepDeg;
+        std::ranges::reverse(line.ranges.rangeMm);
+        std::ranges::reverse(line.ranges.state);
+        std::ranges::reverse(line.intensity);
+    }
+    if (const double turn = number("scan_time", 0); turn > 0) line.facts.secondsPerTurn = turn;
+    line.echoes = "ranges";
+    return found;
+}
+
+double middleOf(const LaserLine& line) {
+    const scanner::BeamGrid& beams = line.line.beams;
+    return beams.startDeg + beams.stepDeg * (beams.beams - 1) / 2;
+}
+
+void placeBeams(LaserLine& line, double shiftDeg) {
+    scanner::SweepLine& to = line.line;
+    to.beams.startDeg -= shiftDeg;
+    if (line.beamS != 0) to.facts.secondsPerTurn = line.beamS * 360.0 / to.beams.stepDeg;
+}
+
+scanner::SweepSettings sweepOfLaser(scanner::SweepSettings asked, const LaserLine& line) {
+    const scanner::BeamGrid& beams = line.line.beams;
+    asked.continuous = line.beamS != 0;
+    asked.outputInterval = 1;
+    asked.indexDeg = line.reversed ? beams.startDeg + beams.stepDeg * (beams.beams - 1) : beams.startDeg;
+    return asked;
+}
+
 Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic, scanner::Echo echo, const std::string& where) {
     const containers::RosTopic& of = bag.topics[topic];
     const auto definition = containers::rosDefinition(of.type, of.definition, where);
@@ -176,13 +195,12 @@ Result<LaserLines> laserLines(const containers::RosBag& bag, std::uint32_t topic
             unreadable(message.error().what);
             continue;
         }
-        auto line = lineOf(*message, echo);
+        auto line = laserLine(*message, echo);
         if (!line) {
             unreadable("it has no beams, no stamp or no step between beams");
             continue;
         }
         if (all.frame.empty()) all.frame = frameNameOf(message->text("header.frame_id"));
-        all.reversed = all.reversed || message->number("angle_increment").value_or(0) < 0;
         if (!all.lines.empty() && line->stampNs < all.lines.back().stampNs) ++all.disordered;
         all.lines.push_back(std::move(*line));
     }

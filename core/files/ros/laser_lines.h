@@ -6,6 +6,7 @@
 #include "core/scanner/scan_line/scan_line.h"
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace edgescan::files {
 struct LaserLine {
     std::int64_t stampNs = 0; ///< of its first beam in time
     double beamS = 0;         ///< from beam to the next in the line, negative where they were reversed; 0: the message does not say
+    bool reversed = false;    ///< the beams run clockwise; they were put into ascending order
     scanner::SweepLine line;
 };
 
@@ -22,12 +24,20 @@ struct LaserLine {
 struct LaserLines {
     std::string frame; ///< of the fan, as frameNameOf()
     std::vector<LaserLine> lines;
-    bool reversed = false;      ///< the beams run clockwise; they were put into ascending order
     double periodS = 0.04;      ///< from line to line, the median
     std::size_t disordered = 0; ///< messages that came before one with an earlier stamp
     std::size_t unreadable = 0; ///< messages that do not fit their definition, or hold no beams
     std::string whyUnreadable;
 };
+
+/// The line in a message; its counters are set by others. Empty: there are no beams, no stamp, or no step between beams.
+[[nodiscard]] std::optional<LaserLine> laserLine(const containers::RosValue& message, scanner::Echo echo);
+/// Of the fan, degrees.
+[[nodiscard]] double middleOf(const LaserLine& line);
+/// Its beams in the scan's own frame (LaserMotion::beamShiftDeg), and the time from beam to beam, if the message says it.
+void placeBeams(LaserLine& line, double shiftDeg);
+/// What lines of such beams need of the assembly, besides the axis.
+[[nodiscard]] scanner::SweepSettings sweepOfLaser(scanner::SweepSettings asked, const LaserLine& line);
 
 /// Angles become degrees, metres millimetres: whole ones where the message's number is the nearest to one. inf, NaN, 0 and what is outside
 /// range_min..range_max is a missing return. The counters of a line count the periods since the line before, so that a gap is lost lines.

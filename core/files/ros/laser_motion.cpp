@@ -72,7 +72,7 @@ bool turnsScanner(const std::string& joint) {
     return std::ranges::any_of(kWords, [&](std::string_view word) { return joint.find(word) != std::string::npos; });
 }
 
-std::string namesOf(const std::map<std::string, std::vector<TimedAngle>>& joints) {
+std::string namesOf(const JointAngles& joints) {
     constexpr std::size_t kMost = 500;
     std::string names;
     for (const auto& [name, angles] : joints) {
@@ -110,6 +110,7 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
             continue;
         }
         LaserMotion motion;
+        motion.mover = at;
         motion.source = "the transform of the frame " + at + " in " + link->parent;
         double wobble = 0, last = 0;
         const double startDeg = angleOfJoint(poses.front().rotation, axis);
@@ -149,9 +150,27 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
                  "give the joint that turns it (--joint), or the step from line to line (--line-step) and the axis (--axis)"};
 }
 
+double laterAngleDeg(const LaserMotion& motion, const TimedPose& pose) {
+    const Eigen::Quaterniond first(motion.base.rotation);
+    const double raw = twistDeg(first.conjugate() * pose.rotation, motion.mount.axis).first - motion.mount.zeroDeg;
+    const double deg = motion.mount.direction * raw;
+    return deg + 360 * std::round((motion.angles.back().deg - deg) / 360);
+}
+
+void addJoints(JointAngles& joints, const containers::RosValue& message) {
+    constexpr std::size_t kMostJoints = 1000;
+    const auto ns = containers::stampNs(message, "header.stamp");
+    const std::vector<double> positions = message.numbers("position");
+    const containers::RosValue* names = message.at("name");
+    for (std::size_t n = 0; ns && names != nullptr && n < std::min({positions.size(), names->inside.size(), kMostJoints}); ++n) {
+        const ByteView name = names->inside[n].bytes;
+        if (std::isfinite(positions[n])) joints[std::string(name.begin(), name.end())].push_back({*ns, degrees(positions[n])});
+    }
+}
+
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
                                   const std::string& where) {
-    std::map<std::string, std::vector<TimedAngle>> joints;
+    JointAngles joints;
     for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
         if (bag.topics[topic].type != "sensor_msgs/JointState") continue;
         const auto definition = containers::rosDefinition(bag.topics[topic].type, bag.topics[topic].definition, where);
@@ -160,15 +179,13 @@ Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::stri
             if (stored.topic != topic) continue;
             const auto message = containers::rosMessage(*definition, bag.topics[topic].encoding, stored.bytes, where);
             const auto ns = message ? containers::stampNs(*message, "header.stamp") : std::nullopt;
-            if (!ns || *ns < fromNs - 1'000'000'000 || *ns > toNs + 1'000'000'000) continue;
-            const std::vector<double> positions = message->numbers("position");
-            const containers::RosValue* names = message->at("name");
-            for (std::size_t n = 0; names != nullptr && n < std::min(positions.size(), names->inside.size()); ++n) {
-                const ByteView name = names->inside[n].bytes;
-                if (std::isfinite(positions[n])) joints[std::string(name.begin(), name.end())].push_back({*ns, degrees(positions[n])});
-            }
+            if (ns && *ns >= fromNs - 1'000'000'000 && *ns <= toNs + 1'000'000'000) addJoints(joints, *message);
         }
     }
+    return motionOfJoints(std::move(joints), joint, where);
+}
+
+Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint, const std::string& where) {
     std::string best = joint;
     double most = 0;
     bool named = false;
@@ -184,11 +201,12 @@ Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::stri
         best = name;
     }
     if (!joints.contains(best))
-        return Error{joint.empty() ? "no joint of the bag turned while the laser measured" : "the bag has no joint called " + joint, where,
+        return Error{joint.empty() ? "no joint turned while the laser measured" : "there is no joint called " + joint, where,
                      joints.empty() ? "give the step from line to line (--line-step), or choose another topic"
                                     : "choose one of " + namesOf(joints)};
     LaserMotion motion;
     motion.axisAssumed = true;
+    motion.mover = best;
     motion.source = "the joint " + best;
     motion.angles = std::move(joints[best]);
     return motion;

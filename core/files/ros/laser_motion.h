@@ -6,6 +6,7 @@
 #include "core/scan/grid/placement.h"
 #include "core/scan/grid/scan.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct LaserMotion {
     std::vector<TimedAngle> angles; ///< by time
     double outOfPlaneDeg = 0;       ///< between the axis and the plane of the fan
     double offAxisM = 0;            ///< distance of the laser's origin from the axis
+    std::string mover;              ///< the frame that turns, or the joint
     std::string source;             ///< "the transform of the frame laser in base", "the joint tilt"
     StepperMount mount;             ///< how the scan's own frame is mounted on the frame that turns
     std::string baseFrame;          ///< frame in which that one turns; empty: not known
@@ -47,6 +49,16 @@ struct AngleAt {
 /// of the fan, else a sweep. Error: none turned, or about an axis across the fan, or about several.
 Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& frame, double fanMiddleDeg, std::int64_t fromNs,
                                    std::int64_t toNs, const std::string& where);
+
+/// The angle of a later pose of the frame that turns, on from the last one of `motion`.
+[[nodiscard]] double laterAngleDeg(const LaserMotion& motion, const TimedPose& pose);
+
+/// The angles of the joints in messages of sensor_msgs/JointState, by name.
+using JointAngles = std::map<std::string, std::vector<TimedAngle>>;
+void addJoints(JointAngles& joints, const containers::RosValue& message);
+
+/// The angles of a joint; the axis is not known by it. As motionByJoint().
+Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint, const std::string& where);
 
 /// The angles of a joint of sensor_msgs/JointState; the axis is not known by it. Without a name: of the joint that turned furthest,
 /// and of one whose name is a scanner's rather than of others.

@@ -32,7 +32,7 @@ ScannerConnection::ScannerConnection(ConnectionSettings settings, ConnectionEven
       link_(hooksOf(events_, scans_)), thread_([this] { run(); }) {}
 
 ScannerConnection::~ScannerConnection() {
-    stop();
+    ScannerConnection::stop();
     if (thread_.joinable()) thread_.join();
 }
 

@@ -40,6 +40,8 @@ struct ConnectionSettings {
     std::uint16_t port = 2112;
     std::optional<Dialect> dialect; ///< empty: detect it
     ScannerTimeouts timeouts;
+    bool bridge = false;      ///< a robot's Foxglove bridge answers there, and not a scanner
+    std::string topic, joint; ///< of a bridge; empty: the one that is found
 };
 
 /// All functions are called on the connection's thread and delay receiving while they run. They are not called after stop() has returned.
@@ -57,19 +59,29 @@ struct ConnectionStatistics {
     std::uint64_t reconnects = 0; ///< connections made again after a loss
 };
 
-class ScannerConnection {
+/// What a live scan needs of a connection, whatever answers there.
+class LiveConnection {
+public:
+    virtual ~LiveConnection() = default;
+    /// Ends every wait at once and returns when no more events come.
+    virtual void stop() = 0;
+    [[nodiscard]] virtual ConnectionState state() const = 0;
+    [[nodiscard]] virtual ConnectionStatistics statistics() const = 0;
+};
+
+class ScannerConnection : public LiveConnection {
 public:
     /// Starts at once.
     ScannerConnection(ConnectionSettings settings, ConnectionEvents events);
-    ~ScannerConnection();
+    ~ScannerConnection() override;
     ScannerConnection(const ScannerConnection&) = delete;
     ScannerConnection& operator=(const ScannerConnection&) = delete;
 
     /// Ends every wait at once and returns when the thread has ended. Inside an event it only requests the end.
-    void stop();
+    void stop() override;
 
-    [[nodiscard]] ConnectionState state() const;
-    [[nodiscard]] ConnectionStatistics statistics() const;
+    [[nodiscard]] ConnectionState state() const override;
+    [[nodiscard]] ConnectionStatistics statistics() const override;
 
 private:
     using Clock = ColaLink::Clock;

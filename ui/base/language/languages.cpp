@@ -8,6 +8,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -75,6 +76,8 @@ bool useLanguage(const QString& code, const QString& folder) {
     auto ofQt = std::make_unique<QTranslator>();
     if (ofQt->load("qtbase_" + now.code, folderOfQt()) && QCoreApplication::installTranslator(ofQt.get()))
         now.translators.push_back(std::move(ofQt));
+    // Texts of Qt that its own translations lack.
+    [[maybe_unused]] constexpr std::array kOfQt{QT_TRANSLATE_NOOP("QTabBar", "Scroll Left"), QT_TRANSLATE_NOOP("QTabBar", "Scroll Right")};
     auto own = std::make_unique<Catalogue>();
     const bool read = own->read(folder + "/" + now.code + ".ts") && QCoreApplication::installTranslator(own.get());
     if (read)

@@ -70,9 +70,6 @@ void Rocks::connectViews() {
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
         connect(view, &ImageView::hovered, this, [this, view](int line, int beam) { point(views_.cellAt(line, beam), view); });
         connect(view, &ImageView::hoverLeft, this, [this, view] { point(std::nullopt, view); });
-        connect(view, &ImageView::clicked, this, [this](int line, int beam) {
-            if (const auto cell = views_.cellAt(line, beam)) click(*cell);
-        });
         connect(view, &ImageView::cleared, this, [this] { select({}); });
     }
     connect(&views_, &LinkedViews::cellMenuOpens, this, &Rocks::addToMenu);
@@ -80,7 +77,7 @@ void Rocks::connectViews() {
     CloudView& cloud = views_.cloud();
     connect(&cloud, &CloudView::hovered, this, [this, &cloud](qint64 cell) { point(static_cast<std::size_t>(cell), &cloud); });
     connect(&cloud, &CloudView::hoverLeft, this, [this, &cloud] { point(std::nullopt, &cloud); });
-    connect(&cloud, &CloudView::clicked, this, [this](qint64 cell) { click(static_cast<std::size_t>(cell)); });
+    connect(&views_, &LinkedViews::clicked, this, &Rocks::click);
 }
 
 void Rocks::setShown(bool on) {
@@ -249,10 +246,10 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
     views_.cloud().setTip(tip);
 }
 
-void Rocks::click(std::size_t cell) {
+void Rocks::click(const inspect::MeantCell& click) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
-    if (tool_ == RockTool::Split) return splitAt(cell);
-    cell = rockCellAt(cell).value_or(cell);
+    if (tool_ == RockTool::Split) return splitAt(click.clicked);
+    const std::size_t cell = rockCellAt(click).value_or(click.clicked);
     if (!severalWanted()) return select({cell});
     std::vector<std::size_t> cells = selected_;
     const auto sameRock = [&](std::size_t other) {
@@ -266,9 +263,9 @@ void Rocks::click(std::size_t cell) {
     select(std::move(cells));
 }
 
-std::optional<std::size_t> Rocks::rockCellAt(std::size_t clicked) const {
-    if (!picture_ || !views_.shown()) return std::nullopt;
-    for (const std::size_t cell : {static_cast<std::size_t>(views_.meant(clicked).cell), clicked}) {
+std::optional<std::size_t> Rocks::rockCellAt(const inspect::MeantCell& click) const {
+    if (!picture_) return std::nullopt;
+    for (const std::size_t cell : {click.cell, click.clicked}) {
         if (cell < picture_->labels.size() && picture_->labelAt(cell) != 0) return cell;
     }
     return std::nullopt;
@@ -276,7 +273,7 @@ std::optional<std::size_t> Rocks::rockCellAt(std::size_t clicked) const {
 
 /// Other controllers add what they do with a rock: they find the menu by its name.
 void Rocks::addToMenu(QMenu& menu, std::size_t cell) {
-    const auto at = rockCellAt(cell);
+    const auto at = rockCellAt(views_.meant(cell));
     if (!at || behind()) return;
     cell = *at;
     const std::uint32_t label = picture_->labelAt(cell);

@@ -1,6 +1,7 @@
 // The rocks of the shown picture: their faces in all views, pointing and clicking, table, card, the operator's edits.
 #pragma once
 
+#include "core/inspect/measure/near_side.h"
 #include "core/rocks/selection/strokes.h"
 #include "ui/controllers/rocks/rock_sidecar.h"
 #include "ui/engine/linked_views/cell_drag.h"
@@ -76,7 +77,7 @@ public:
     /// Selects rocks by cells: labels change with every setting, so a rock is identified by one of its cells. The card shows the last one.
     void select(std::vector<std::size_t> cells);
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
-    [[nodiscard]] std::optional<std::size_t> rockCellAt(std::size_t clicked) const;
+    [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::MeantCell& click) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }
     void jumpTo(std::uint32_t label);
 
@@ -119,7 +120,7 @@ private:
     void point(std::optional<std::size_t> cell, const QObject* from);
     void addToMenu(QMenu& menu, std::size_t cell);
     void followPin(std::optional<std::size_t> cell);
-    void click(std::size_t cell);
+    void click(const inspect::MeantCell& click);
     void splitAt(std::size_t cell);
     void push(const QString& name, rocks::Edit edit);
     void pushOperatorEdits(const QString& name, OperatorEdits after);

@@ -32,7 +32,7 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
 } // namespace
 
 Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice) : views_(views), targets_(targets), notice_(notice) {
-    connect(&views_, &LinkedViews::picked, this, [this](const inspect::MeantCell& click) {
+    connect(&views_, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
         if (kind_ && views_.tool() == Tool::Measure) pick(click);
     });
     connect(&views_, &LinkedViews::toolChanged, this, [this] {

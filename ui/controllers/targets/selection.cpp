@@ -67,7 +67,7 @@ Selection::Selection(Engine& engine, LinkedViews& views, Rocks& rocks, NoticeBar
         for (const QPointF& corner : corners) pixels << corner * cloud.devicePixelRatioF();
         inside_.ask({cloud.geometryOfCloud(), cloud.screenView(), pixels, modifiers});
     });
-    connect(&views_, &LinkedViews::picked, this, [this](const inspect::MeantCell& click) {
+    connect(&views_, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
         if (views_.tool() != Tool::Box && views_.tool() != Tool::Lasso) return;
         const std::size_t cell = click.clicked; // an edge may be on the far side
         const bool edge = (*views_.shown()->detection->mask)[cell] != 0;
@@ -205,7 +205,7 @@ void Selection::addToMenu(QMenu& menu, std::size_t cell) {
     if (!views_.shown()) return;
     if (auto* rock = menu.findChild<QMenu*>(kRockMenu)) {
         rock->addAction(tr("&Isolate"), this, [this, cell] {
-            selectRockAt(rocks_.rockCellAt(cell).value_or(cell));
+            selectRockAt(rocks_.rockCellAt(views_.meant(cell)).value_or(cell));
             isolateSelected();
         });
     }

@@ -51,7 +51,8 @@ bool CellCursor::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if ((key->key() != Qt::Key_Return && key->key() != Qt::Key_Enter) || !at_) return false;
-    emit view->clicked(at_->y(), at_->x());
+    // A key hits the very cell, which a finger or a mouse may miss.
+    if (const auto cell = views_.cellAt(at_->y(), at_->x())) views_.click(inspect::exactly(*cell));
     return true;
 }
 

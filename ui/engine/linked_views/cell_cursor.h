@@ -11,8 +11,8 @@ namespace edgescan::ui {
 class ImageView;
 class LinkedViews;
 
-/// Arrows move it by one cell, with Shift or Ctrl by ten; Return clicks. While the timeline shows a recording, the arrows step through its
-/// lines instead. GUI thread only; `views` must outlive it.
+/// Arrows move it by one cell, with Shift or Ctrl by ten; Return clicks this very cell. While the timeline shows a recording, the arrows
+/// step through its lines instead. GUI thread only; `views` must outlive it.
 class CellCursor : public QObject {
     Q_OBJECT
 public:

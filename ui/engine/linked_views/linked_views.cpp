@@ -33,7 +33,7 @@ void LinkedViews::linkImages() {
         });
         connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
         connect(view, &ImageView::clicked, this, [this](int line, int beam) {
-            if (const auto cell = cellAt(line, beam)) click(*cell);
+            if (const auto cell = cellAt(line, beam)) clickAt(*cell);
         });
         connect(view, &ImageView::outlined, this, &LinkedViews::imageOutlined);
         connect(view, &ImageView::cleared, this, &LinkedViews::clearPin);
@@ -47,7 +47,7 @@ void LinkedViews::linkImages() {
 void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::hovered, this, [this](qint64 cell) { hover(static_cast<std::size_t>(cell), &cloud_); });
     connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
-    connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) { click(static_cast<std::size_t>(cell)); });
+    connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) { clickAt(static_cast<std::size_t>(cell)); });
     connect(&cloud_, &CloudView::missed, this,
             [this] { QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden."), &cloud_); });
     connect(&cloud_, &CloudView::outlined, this, &LinkedViews::cloudOutlined);
@@ -62,10 +62,11 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
     menu.setObjectName("cell-menu");
     if (cell) {
         emit cellMenuOpens(menu, *cell);
-        if (pinned_ == cell)
+        const inspect::MeantCell click = meant(*cell);
+        if (pinned_ == cell || pinned_ == click.cell)
             menu.addAction(tr("&Let go of this cell"), this, &LinkedViews::clearPin);
         else
-            menu.addAction(tr("&Pin this cell"), this, [this, cell] { pinByClick(meant(*cell)); });
+            menu.addAction(tr("&Pin this cell"), this, [this, click] { pinByClick(click); });
         QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(*cell)); });
         fly->setEnabled(shown() && shown()->cloud->drawable(*cell));
         menu.addSeparator();
@@ -75,13 +76,18 @@ void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t
     menu.exec(position);
 }
 
-/// Ctrl selects several rocks and pins no cell. Shift takes the clicked cell itself, whatever is near.
-void LinkedViews::click(std::size_t cell) {
-    const Qt::KeyboardModifiers modifiers = QGuiApplication::keyboardModifiers();
-    const inspect::MeantCell click = modifiers.testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell);
-    if (tool_ == Tool::Pin && !modifiers.testFlag(Qt::ControlModifier)) return pinByClick(click);
-    for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);
-    if (tool_ != Tool::Pin) emit picked(click, modifiers);
+/// Shift takes the clicked cell itself, whatever is near.
+void LinkedViews::clickAt(std::size_t cell) {
+    click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell));
+}
+
+/// Ctrl selects several rocks and pins no cell.
+void LinkedViews::click(const inspect::MeantCell& click) {
+    if (tool_ == Tool::Pin && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
+        pinByClick(click);
+    else
+        for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);
+    emit clicked(click);
 }
 
 void LinkedViews::setTool(Tool tool) {

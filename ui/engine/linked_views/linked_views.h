@@ -50,6 +50,8 @@ public:
     [[nodiscard]] inspect::MeantCell meant(std::size_t clicked) const;
     /// Pins like a click. If one target follows the clicks, it moves there.
     void pinByClick(const inspect::MeantCell& click);
+    /// With the tool in use.
+    void click(const inspect::MeantCell& click);
     /// While pinChanged() is emitted: the click that pins.
     [[nodiscard]] const std::optional<inspect::MeantCell>& pinningClick() const { return byClick_; }
     /// Clears the pinned cell and the box.
@@ -104,8 +106,8 @@ signals:
     void pinChanged(std::optional<std::size_t> cell);
     /// The operator cleared the pinned cell; pinChanged() was emitted before.
     void pinCleared(std::size_t cell);
-    /// A click on a cell with a tool other than Pin.
-    void picked(const edgescan::inspect::MeantCell& click, Qt::KeyboardModifiers modifiers);
+    /// A click on a cell in any view, with any tool; Pin has pinned it.
+    void clicked(const edgescan::inspect::MeantCell& click);
     /// End of a selecting drag over an image: corners in cells (x = beam, y = line) ...
     void imageOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     /// ... and over the cloud: corners in pixels of its view.
@@ -124,7 +126,7 @@ private:
     void linkImages();
     void linkCloud();
     void showCellMenu(const QPoint& position, std::optional<std::size_t> cell);
-    void click(std::size_t cell);
+    void clickAt(std::size_t cell);
     void lookAtBox(const QRect& cells);
     void draw();
     void applyScene();

@@ -92,6 +92,7 @@ StatusLine::StatusLine(QWidget* parent)
 
     auto* left = new QHBoxLayout;
     left->setSpacing(kBetween);
+    left->addStrut(work_->sizeHint().height()); // the views keep their size when work begins and ends
     left->addWidget(work_);
     left->addWidget(probe_, 1);
     facts_ = new QHBoxLayout;

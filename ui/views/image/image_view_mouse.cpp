@@ -76,7 +76,7 @@ void ImageView::mouseReleaseEvent(QMouseEvent* event) {
     }
     const auto cell = cellAt(place(*event));
     if (event->button() == Qt::RightButton && cell) emit menuRequested(cell->y(), cell->x(), mapToGlobal(place(*event).toPoint()));
-    if (event->button() != Qt::LeftButton || (was != Drag::Pan && was != Drag::Select) || !cell) return;
+    if (event->button() != Qt::LeftButton || !cell) return;
     setCrosshair(cell);
     emit clicked(cell->y(), cell->x());
 }

@@ -5,6 +5,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/rocks/segmentation/barrier.h"
+#include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +46,8 @@ TEST(Roughness, SharesAreThoseOfCountingEachCell) {
     FoldingCells cells(kLines, kBeams);
     for (int i = kLines - 1; i >= 0; --i) cells.note(i, alongBeams.line(i), alongLines.line(i), support.line(i));
     const AngularSteps steps = evenSteps(kLines, kBeams, 0.0125F); // 21 cells reach 15 degrees
-    const Roughness found = roughnessOf(cells, steps, alongBeams, 0.5);
+    const Grid<float> u(kLines, kBeams, 0.25F);                    // 4 m: points are 50 mm apart
+    const Roughness found = roughnessOf(cells, u, steps, alongBeams, 0.5);
     double folding = 0, solid = 0;
     const auto folds = [&](int i, int j) { return std::max(std::abs(alongBeams.at(i, j)), std::abs(alongLines.at(i, j))) > 0.35F; };
     for (int i = 0; i < kLines; ++i) {
@@ -57,7 +59,9 @@ TEST(Roughness, SharesAreThoseOfCountingEachCell) {
     }
     EXPECT_DOUBLE_EQ(found.share, folding / solid);
     ASSERT_TRUE(found.rough);
-    EXPECT_FALSE(roughnessOf(cells, steps, alongBeams, 1.2).rough) << "folds that noise alone may look like";
+    EXPECT_FALSE(roughnessOf(cells, u, steps, alongBeams, 1.2).rough) << "folds that noise alone may look like";
+    const Grid<float> far(kLines, kBeams, 0.15F); // 83 mm
+    EXPECT_FALSE(roughnessOf(cells, far, steps, alongBeams, 0.5).rough) << "points so far apart that every rock folds";
     // Groups of 16 beams, one to each side.
     for (const auto& [line, beam] : {std::pair{0, 0}, {35, 70}, {69, 149}, {10, 100}}) {
         const int group = beam / Roughness::kGroup;
@@ -81,6 +85,19 @@ TEST(Roughness, OnlyAScanThatFoldsEverywhereIsRough) {
     EXPECT_FALSE(boxes->responses->roughness.rough);
     EXPECT_EQ(boxes->responses->crease, same->responses->crease);
     EXPECT_EQ(*boxes->mask, *same->mask);
+}
+
+// Rocks of a few cells fold everywhere: nothing says then that their surfaces are rough.
+TEST(Roughness, ACoarseScanOfRocksIsNotRough) {
+    for (const std::uint64_t seed : {5U, 77U}) {
+        sim::SimulationSettings options;
+        options.seed = seed;
+        options.lines = 100;
+        options.beams = 120;
+        const auto scan = std::make_shared<const Scan>(sim::simulate(options)->scan);
+        const auto detection = detectEdges(scan, Settings{});
+        EXPECT_FALSE(detection->responses->roughness.rough) << seed << " " << detection->responses->roughness.aroundFolds;
+    }
 }
 
 TEST(Roughness, OnARoughScanFoldsLoseAndRocksDoNot) {

@@ -1,0 +1,17 @@
+// Which topics of a robot's bridge a live scan needs.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/scanner/foxglove/bridge_connection.h"
+
+#include <string>
+#include <vector>
+
+namespace edgescan::files {
+
+/// The laser `topic`, or without a name the first one by name, and the topics of transforms and joints that give the angles of its lines;
+/// nothing else. Error: there is no laser, or `topic` is not one; the hint lists those there are.
+Result<scanner::BridgeChoice> chooseTopics(const std::vector<scanner::BridgeChannelPtr>& offered, const std::string& topic,
+                                           const std::string& where);
+
+} // namespace edgescan::files
