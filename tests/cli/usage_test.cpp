@@ -70,6 +70,18 @@ TEST(Usage, AFolderFlagRefusesTheNameOfAFile) {
                    {"edgescan-cli", "rocks none.json -o rocks.dxf", "name of one file"}});
 }
 
+// What the new file lacks concerns only a file that was written.
+TEST(Usage, ARefusedConversionSaysOnlyWhy) {
+    const test::TemporaryFolder folder;
+    const std::string scan = (folder / "a.json").string();
+    ASSERT_EQ(test::runCli("simulate -o " + scan + " --lines 20 --beams 30").code, 0);
+    const ProgramRun done = test::runCli("convert " + scan + " " + (folder / "a.xyz").string());
+    EXPECT_NE(done.err.find("record"), std::string::npos) << done.err;
+    const ProgramRun refused = test::runCli("convert " + scan + " /nonexistent-folder/a.xyz");
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+}
+
 TEST(Usage, TheVersionNamesCommitAndLicence) {
     for (const std::string program : {"edgescan-cli", "edgescan-lab"}) {
         const std::string text = runProgram(program, "--version").out;
