@@ -1341,6 +1341,16 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>proyectado en celdas de %1 grados; el %2 % de los puntos está detrás de otros de su celda</translation></message>
 <message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>El %1 % de los puntos está detrás de otros de su celda: las celdas son gruesas, o el sensor estaba en otro lugar.</translation></message>
 <message><source>cells of %1 degrees</source><translation>celdas de %1 grados</translation></message>
+<message><source>Topic</source><translation>Tópico</translation></message>
+<message><source>Sweep</source><translation>Barrido</translation></message>
+<message><source>Angle of each line</source><translation>Ángulo de cada línea</translation></message>
+<message><source>%1: lines of %2 beams; messages: %3, per second: %4</source><translation>%1: líneas de %2 haces; mensajes: %3, por segundo: %4</translation></message>
+<message><source>%1: clouds of %2 points; messages: %3, per second: %4</source><translation>%1: nubes de %2 puntos; mensajes: %3, por segundo: %4</translation></message>
+<message><source>from %1</source><translation>según %1</translation></message>
+<message><source>from the joint %1</source><translation>según la articulación %1</translation></message>
+<message><source>from the transforms, or from the joint that turned furthest</source><translation>según las transformaciones, o la articulación que más giró</translation></message>
+<message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>barrido %1 del tópico, contado desde 0; el tópico contiene %2</translation></message>
+<message><source>sweep %1, counted from 0</source><translation>barrido %1, contado desde 0</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
 <message><source>Angle</source><translation>Ángulo</translation></message>

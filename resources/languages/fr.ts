@@ -1341,6 +1341,16 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>projeté sur des cellules de %1 degrés ; %2 % des points sont derrière d'autres de leur cellule</translation></message>
 <message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>%1 % des points sont derrière d'autres de leur cellule : les cellules sont grossières, ou le capteur se trouvait ailleurs.</translation></message>
 <message><source>cells of %1 degrees</source><translation>cellules de %1 degrés</translation></message>
+<message><source>Topic</source><translation>Topic</translation></message>
+<message><source>Sweep</source><translation>Balayage</translation></message>
+<message><source>Angle of each line</source><translation>Angle de chaque ligne</translation></message>
+<message><source>%1: lines of %2 beams; messages: %3, per second: %4</source><translation>%1 : lignes de %2 faisceaux ; messages : %3, par seconde : %4</translation></message>
+<message><source>%1: clouds of %2 points; messages: %3, per second: %4</source><translation>%1 : nuages de %2 points ; messages : %3, par seconde : %4</translation></message>
+<message><source>from %1</source><translation>d'après %1</translation></message>
+<message><source>from the joint %1</source><translation>d'après l'articulation %1</translation></message>
+<message><source>from the transforms, or from the joint that turned furthest</source><translation>d'après les transformations, ou l'articulation qui a le plus tourné</translation></message>
+<message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>balayage %1 du topic, compté à partir de 0 ; le topic en contient %2</translation></message>
+<message><source>sweep %1, counted from 0</source><translation>balayage %1, compté à partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
 <message><source>Angle</source><translation>Angle</translation></message>

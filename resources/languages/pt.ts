@@ -1341,6 +1341,16 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>projetado em células de %1 graus; %2 % dos pontos estão atrás de outros da sua célula</translation></message>
 <message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>%1 % dos pontos estão atrás de outros da sua célula: as células são grossas, ou o sensor estava em outro lugar.</translation></message>
 <message><source>cells of %1 degrees</source><translation>células de %1 graus</translation></message>
+<message><source>Topic</source><translation>Tópico</translation></message>
+<message><source>Sweep</source><translation>Varredura</translation></message>
+<message><source>Angle of each line</source><translation>Ângulo de cada linha</translation></message>
+<message><source>%1: lines of %2 beams; messages: %3, per second: %4</source><translation>%1: linhas de %2 feixes; mensagens: %3, por segundo: %4</translation></message>
+<message><source>%1: clouds of %2 points; messages: %3, per second: %4</source><translation>%1: nuvens de %2 pontos; mensagens: %3, por segundo: %4</translation></message>
+<message><source>from %1</source><translation>segundo %1</translation></message>
+<message><source>from the joint %1</source><translation>segundo a junta %1</translation></message>
+<message><source>from the transforms, or from the joint that turned furthest</source><translation>segundo as transformações, ou a junta que mais girou</translation></message>
+<message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>varredura %1 do tópico, contada a partir de 0; o tópico contém %2</translation></message>
+<message><source>sweep %1, counted from 0</source><translation>varredura %1, contada a partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>

@@ -1,6 +1,9 @@
 // "Does this look right?" in the real window: a file read in the wrong unit causes a notice; another reading is previewed, adopted and
 // undone.
 #include "tests/support/folders.h"
+#include "tests/support/point_lists.h"
+#include "tests/support/ros_sweeps.h"
+#include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/language/languages.h"
@@ -172,6 +175,43 @@ private slots:
         QVERIFY(!on.viewer.opening.card()->isVisible());
         QVERIFY(!on.viewer.files.options().unitMm);
         QCOMPARE(on.viewer.files.path(), QString::fromStdString(path));
+    }
+
+    // A bag of two lasers: the card lists both with what each gives, and a click shows the other one.
+    void theTopicsOfABagAreChosenInTheWindow() {
+        const auto laser = [](int lines, int beams) {
+            Scan scan = test::boxesScan(lines, beams, 3, 0.0);
+            auto& polar = std::get<PolarGeometry>(scan.geometry);
+            polar.axis = Axis::Sweep;
+            for (int i = 0; i < lines; ++i) polar.lineDeg[static_cast<std::size_t>(i)] = -20 + 0.5 * i;
+            return scan;
+        };
+        test::RosMessages bag = test::rosMessagesOf(laser(60, 90));
+        const test::RosMessages rear =
+            test::rosMessagesOf(laser(40, 70), {.from = test::AngleFrom::Joint, .scanTopic = "/rear/scan", .frame = "rear"});
+        const auto first = static_cast<std::uint32_t>(bag.topics.size());
+        bag.topics.insert(bag.topics.end(), rear.topics.begin(), rear.topics.end());
+        for (const auto& message : rear.messages) bag.message(message.topic + first, message.ns, message.bytes);
+        const std::string path = (folder_ / "two.bag").string();
+        const Bytes bytes = test::bag1Of(bag);
+        test::writeText(path, std::string(bytes.begin(), bytes.end()));
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(path) && on.activate());
+        QVERIFY(checked(on));
+        QCOMPARE(on.picture().detection->scan->lines(), 60);
+        auto* offer = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QVERIFY2(offer->isVisible(), qPrintable(on.viewer.notice.text()));
+        QTest::mouseClick(offer, Qt::LeftButton);
+        OpeningCard* card = on.viewer.opening.card();
+        QVERIFY(card != nullptr && QTest::qWaitForWindowExposed(card, kPatienceMs));
+        QVERIFY(card->list()->topLevelItem(0)->text(1).contains("/robot/scan: lines of 90 beams; messages: 60, per second: 25"));
+        QVERIFY(choose(*card, "/rear/scan: lines of 70 beams; messages: 40"));
+        QVERIFY(eventually([&] { return on.settled() && on.picture().detection->scan->lines() == 40; }));
+        QTest::mouseClick(card->adopt(), Qt::LeftButton);
+        QVERIFY(eventually([&] { return on.settled() && on.viewer.undo.count() == 1; }));
+        QCOMPARE(on.viewer.files.options().topic, std::string("/rear/scan"));
+        card->reject();
     }
 
     // In each language: sentences about the scan are translated, numbers are not, and every row is high enough for its text.

@@ -6,6 +6,8 @@
 #include "tests/support/scans.h"
 #include "tests/ui/run_test.h"
 
+#include <set>
+
 using namespace edgescan;
 using namespace edgescan::ui;
 
@@ -215,6 +217,36 @@ private slots:
         const Scene scene = sceneOf(on.state, nullptr, overlaysOf(on));
         QVERIFY(scene.picture == nullptr && scene.gray == nullptr && scene.instead == nullptr && scene.points == nullptr);
         QVERIFY(scene.legend == OverlayName::Confidence);
+    }
+
+    // A wall with an opening that nothing comes back from, and a box in front of it.
+    void rimsOfVoidsHaveTheirOwnLookWithoutColoursByClass() {
+        const Picture picture = *pictureOf(std::make_shared<const Scan>(test::makeScan(60, 80, [](int i, int j) {
+            if (i > 10 && i < 30 && j > 10 && j < 40) return 0.0;
+            return i > 40 && i < 52 && j > 50 && j < 70 ? 3000.0 : 5000.0;
+        })));
+        const auto& classes = *picture.detection->classes;
+        std::size_t rims = 0, others = 0;
+        std::set<QRgb> rimInMap, rimOver, otherInMap, otherOver;
+        for (const std::uint32_t k : *picture.detection->edges) {
+            const int line = static_cast<int>(k) / 80, beam = static_cast<int>(k) % 80;
+            const bool rim = classes[k] == edges::DepthEdge::VoidRim;
+            ++(rim ? rims : others);
+            (rim ? rimInMap : otherInMap).insert(picture.edges->pixel(beam, line));
+            (rim ? rimOver : otherOver).insert(picture.overlay->pixel(beam, line));
+        }
+        QVERIFY(rims > 80 && others > 40);
+        QCOMPARE(otherInMap, std::set<QRgb>{qRgb(255, 255, 255)});
+        QCOMPARE(otherOver, std::set<QRgb>{kUsualColours.front().rgba()});
+        // Dashed: two shades, both of another colour than edges.
+        QCOMPARE(rimInMap.size(), std::size_t{2});
+        QCOMPARE(rimOver.size(), std::size_t{2});
+        QVERIFY(rimOver.contains(kUsualColours[kRimClass].rgba()) && !rimInMap.contains(qRgb(255, 255, 255)));
+        QVERIFY(picture.edgeCells.sizes[kRimClass] < picture.edgeCells.sizes.front());
+        const EdgeColours drawn = drawnColours(kColourBlindColours, false);
+        QCOMPARE(drawn[1], kColourBlindColours[0]);
+        QCOMPARE(drawn[kRimClass], kColourBlindColours[kRimClass]);
+        QCOMPARE(drawnColours(kColourBlindColours, true), kColourBlindColours);
     }
 };
 

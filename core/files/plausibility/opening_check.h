@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/files/plausibility/sentence.h"
+#include "core/files/ros/bag_listing.h"
 #include "core/scan/grid/reading_options.h"
 
 #include <string_view>
@@ -33,6 +34,9 @@ struct OpeningPoint {
 /// those that the scan was opened with. A file that has to be opened for it is not touched: everything comes from the scan. Well below a
 /// second.
 [[nodiscard]] std::vector<OpeningPoint> openingCheck(const Scan& scan, const ReadingOptions& options);
+
+/// Topic, sweep, and the source of the angles of the lines, where `scan` comes from the bag with this list.
+[[nodiscard]] std::vector<OpeningPoint> bagCheck(const BagListing& listing, const Scan& scan, const ReadingOptions& options);
 
 /// The point about beams and lines out of place.
 inline constexpr std::string_view kDisplacedPoint = "Beams and lines";

@@ -30,12 +30,12 @@ std::string wholeText(const RosValue& message, const char* path) {
     return std::to_string(static_cast<long long>(message.number(path).value_or(0)));
 }
 
-std::string jointsIn(const RosValue& message) {
+std::vector<std::string> jointsIn(const RosValue& message) {
     std::vector<std::string> names;
     if (const RosValue* all = message.at("name")) {
         for (const RosValue& name : all->inside) names.push_back(textIn(name));
     }
-    return "joints: " + joined(names);
+    return names;
 }
 
 std::string linksIn(const RosValue& message) {
@@ -59,7 +59,7 @@ std::string given(const std::string& type, const RosValue& message) {
     if (type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan")
         return "scan lines of " + std::to_string(lengthOf(message, "ranges")) + " beams";
     if (type == "sensor_msgs/PointCloud2") return fieldsIn(message);
-    if (type == "sensor_msgs/JointState") return jointsIn(message);
+    if (type == "sensor_msgs/JointState") return "joints: " + joined(jointsIn(message));
     if (type == "tf2_msgs/TFMessage" || type == "tf/tfMessage") return linksIn(message);
     return {};
 }
@@ -81,6 +81,10 @@ BagListing listingOf(const containers::RosBag& bag) {
         if (message) {
             row.frame = frameNameOf(message->text("header.frame_id"));
             row.gives = given(of.type, *message);
+            if (of.type == "sensor_msgs/JointState") row.joints = jointsIn(*message);
+            const auto whole = [&](const char* path) { return static_cast<std::size_t>(std::max(0.0, message->number(path).value_or(0))); };
+            if (topic.gives == TopicGives::Lines) row.size = lengthOf(*message, "ranges");
+            if (topic.gives == TopicGives::Clouds) row.size = whole("width") * whole("height");
         }
         listing.topics.push_back(std::move(row));
     }

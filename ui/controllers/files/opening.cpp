@@ -1,6 +1,7 @@
 // Checks how a scan was read, and previews other readings.
 #include "ui/controllers/files/opening.h"
 
+#include "core/files/open_save/topics_of_file.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
@@ -11,15 +12,27 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
 namespace edgescan::ui {
 
+/// What can be otherwise of a scan; of a bag its topics first.
+std::vector<files::OpeningPoint> Opening::checked(const Question& question) {
+    std::vector<files::OpeningPoint> points = files::openingCheck(*question.scan, question.options);
+    if (!question.scan->format.starts_with("ROS ")) return points;
+    const auto listing = files::topicsOfFile(question.scan->path);
+    if (!listing || !*listing) return points;
+    std::vector<files::OpeningPoint> ofBag = files::bagCheck(**listing, *question.scan, question.options);
+    points.insert(points.begin(), std::make_move_iterator(ofBag.begin()), std::make_move_iterator(ofBag.end()));
+    return points;
+}
+
 Opening::Opening(Engine& engine, Files& files, NoticeBar& notice)
     : engine_(engine), files_(files), notice_(notice),
       check_(
-          Urgency::Later, [](const Question& question) { return files::openingCheck(*question.scan, question.options); },
+          Urgency::Later, checked,
           [this](const Question& question, const std::shared_ptr<const std::vector<files::OpeningPoint>>& points) {
               take(question.scan, *points);
           },

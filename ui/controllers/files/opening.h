@@ -36,6 +36,7 @@ private:
         std::shared_ptr<const Scan> scan;
         ReadingOptions options;
     };
+    static std::vector<files::OpeningPoint> checked(const Question& question);
     void follow();
     void take(const std::shared_ptr<const Scan>& scan, const std::vector<files::OpeningPoint>& points);
     void fillCard();

@@ -23,7 +23,10 @@ constexpr QRgb kLost = qRgb(24, 26, 30); // the views draw dashes over it, which
 constexpr QRgb kFilled = qRgb(20, 66, 58);
 constexpr QRgb kFilledHatch = qRgb(60, 160, 140);
 constexpr QRgb kToCome = qRgb(30, 30, 30);
-constexpr int kRoomAtFirst = 64; // lines, if the expected number of lines is unknown
+constexpr QRgb kEdge = qRgb(255, 255, 255);
+constexpr QRgb kRim = qRgb(90, 170, 255); // in the edge map: differs from white edges and from violet missing data
+constexpr float kRimPoints = 0.6F;        // size in the cloud, of the other edges
+constexpr int kRoomAtFirst = 64;          // lines, if the expected number of lines is unknown
 
 QRgb missingColour(CellState state, int line, int beam, bool onBlack) {
     if (state == CellState::Lost) return kLost;
@@ -61,18 +64,27 @@ QImage paintCells(const Scan& scan, int rows, ValidColour validColour, bool onBl
     return image;
 }
 
-// Paints the pixels of the edge cells, each in the colour of its cell; other pixels do not change.
-template <class EdgeColour>
-void paintEdges(QImage& image, const edges::Detection& detection, EdgeColour edgeColour) {
-    const auto beams = static_cast<std::size_t>(detection.scan->beams());
-    for (const std::uint32_t k : *detection.edges)
-        reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(k / beams)))[k % beams] = edgeColour(k);
+using InkByClass = std::array<QRgb, kEdgeClasses + 1>; // by DepthEdge
+
+InkByClass inkOf(const EdgeColours& colours, QRgb none) {
+    InkByClass ink{none};
+    for (std::size_t n = 0; n < colours.size(); ++n) ink[n + 1] = colours[n].rgba();
+    return ink;
 }
 
-std::array<QRgb, kEdgeClasses + 1> byDepthEdge(const EdgeColours& colours, QRgb none) {
-    std::array<QRgb, kEdgeClasses + 1> table{none};
-    for (std::size_t n = 0; n < colours.size(); ++n) table[n + 1] = colours[n].rgba();
-    return table;
+QRgb dimmed(QRgb colour) { return qRgb(qRed(colour) / 2, qGreen(colour) / 2, qBlue(colour) / 2); }
+
+// Paints the pixels of the edge cells; other pixels do not change. Rims of open voids are dashed, in every direction: colour is not their
+// only sign.
+void paintEdges(QImage& image, const edges::Detection& detection, const InkByClass& ink) {
+    constexpr auto kVoidRim = static_cast<std::size_t>(edges::DepthEdge::VoidRim);
+    const auto beams = static_cast<std::size_t>(detection.scan->beams());
+    for (const std::uint32_t k : *detection.edges) {
+        const std::size_t line = k / beams, beam = k % beams;
+        const std::size_t kind = detection.classes ? static_cast<std::size_t>((*detection.classes)[k]) : 0;
+        const bool gap = kind == kVoidRim && (line + 2 * beam) % 6 >= 3;
+        reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(line)))[beam] = gap ? dimmed(ink[kind]) : ink[kind];
+    }
 }
 
 EdgeCells edgeCellsOf(const edges::Detection& detection) {
@@ -85,6 +97,7 @@ EdgeCells edgeCellsOf(const edges::Detection& detection) {
     }
     for (std::size_t n = 0; n < lists.size(); ++n)
         cells.byClass[n] = std::make_shared<const std::vector<std::uint32_t>>(std::move(lists[n]));
+    cells.sizes[kRimClass] = kRimPoints;
     return cells;
 }
 
@@ -119,7 +132,10 @@ QImage edgePicture(const edges::Detection& detection, int rows) {
         *detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); }, true);
     paintFilled(image, detection);
     // Edges last: without masking they can also be on cells without a range.
-    paintEdges(image, detection, [](std::size_t) { return qRgb(255, 255, 255); });
+    InkByClass ink;
+    ink.fill(kEdge);
+    ink[kRimClass + 1] = kRim;
+    paintEdges(image, detection, ink);
     return image;
 }
 
@@ -127,21 +143,14 @@ QImage classPicture(const Picture& picture, const EdgeColours& colours) {
     QImage image = *picture.edges;
     const edges::Detection& detection = *picture.detection;
     if (!detection.classes) return image;
-    const auto table = byDepthEdge(colours, qRgb(255, 255, 255));
-    paintEdges(image, detection, [&](std::size_t k) { return table[static_cast<std::size_t>((*detection.classes)[k])]; });
+    paintEdges(image, detection, inkOf(colours, kEdge));
     return image;
 }
 
 QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours, bool byClass, int rows) {
     QImage image(detection.scan->beams(), rows, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
-    const QRgb every = colours.front().rgba();
-    if (!byClass || !detection.classes) {
-        paintEdges(image, detection, [&](std::size_t) { return every; });
-        return image;
-    }
-    const auto table = byDepthEdge(colours, every);
-    paintEdges(image, detection, [&](std::size_t k) { return table[static_cast<std::size_t>((*detection.classes)[k])]; });
+    paintEdges(image, detection, inkOf(drawnColours(colours, byClass), colours.front().rgba()));
     return image;
 }
 

@@ -47,8 +47,8 @@ struct Picture {
     std::shared_ptr<const CloudGeometry> cloud;
     std::shared_ptr<const QImage>
         gray; ///< beams x shownLines() pixels; missing data hatched violet, lost cells dark, filled cells striped green
-    std::shared_ptr<const QImage> edges;   ///< white edges on black; missing data hatched violet
-    std::shared_ptr<const QImage> overlay; ///< green edges, transparent elsewhere
+    std::shared_ptr<const QImage> edges;   ///< white edges and blue rims of voids on black; missing data hatched violet
+    std::shared_ptr<const QImage> overlay; ///< green edges and rims of voids, transparent elsewhere
     EdgeCells edgeCells;
     std::vector<QRect> lost; ///< areas of lost cells, x = beam, y = line: views draw dashes over them
 };
@@ -61,7 +61,7 @@ struct Picture {
 [[nodiscard]] QImage edgePicture(const edges::Detection& detection, int rows);
 /// The picture's edge map in the colours of the classes; for methods without classes the plain map.
 [[nodiscard]] QImage classPicture(const Picture& picture, const EdgeColours& colours);
-/// Edges on a transparent background; `byClass`: each in the colour of its class, if the method has classes.
+/// Edges on a transparent background, in drawnColours(); methods without classes in the first one.
 [[nodiscard]] QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours, bool byClass, int rows);
 
 /// Rectangles that together are the lost cells, from the first line on; at most a few thousand.

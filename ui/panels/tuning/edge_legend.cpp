@@ -9,6 +9,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
 #include <QPixmap>
 
 #include <utility>
@@ -151,9 +152,15 @@ void EdgeLegend::showEdges(bool on) {
 }
 
 void EdgeLegend::paintSwatches() {
+    const EdgeColours drawn = drawnColours(colours_, byClass_->isChecked());
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         QPixmap swatch(16, 5);
-        swatch.fill(byClass_->isChecked() ? colours_[n] : colours_.front());
+        swatch.fill(Qt::transparent);
+        QPainter painter(&swatch);
+        painter.fillRect(swatch.rect(), drawn[n]);
+        // Dashed like the rims in the images.
+        if (n == kRimClass) painter.fillRect(QRect(6, 0, 4, 5), drawn[n].darker(200));
+        painter.end();
         rows_[n].box->setIconSize(swatch.size());
         rows_[n].box->setIcon(QIcon(swatch));
     }

@@ -296,8 +296,7 @@ void CloudScene::setEdges(EdgeCells cells) {
 }
 
 void CloudScene::showEdgeLayers() {
-    const bool classesKnown = std::any_of(edges_.byClass.begin(), edges_.byClass.end(), [](const auto& c) { return c != nullptr; });
-    const bool separate = byClass_ && classesKnown;
+    const bool separate = std::any_of(edges_.byClass.begin(), edges_.byClass.end(), [](const auto& c) { return c != nullptr; });
     halo_.actor->SetVisibility(edgesShown_ && edges_.all != nullptr);
     edge_.actor->SetVisibility(edgesShown_ && edges_.all != nullptr && !separate);
     for (std::size_t n = 0; n < classes_.size(); ++n) {
@@ -330,7 +329,6 @@ void CloudScene::setLook(const CloudLook& look) {
     selection_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize));
     selectionRim_.actor->GetProperty()->SetPointSize(static_cast<float>(look.pointSize + 1.0));
     edgesShown_ = look.edges;
-    byClass_ = look.byClass;
     showEdgeLayers();
 }
 

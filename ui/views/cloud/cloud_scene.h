@@ -36,8 +36,7 @@ struct CloudLook {
     double edgeSize = 4.0;  ///< device pixels
     double halo = 1.0;      ///< device pixels on each side of an edge point
     bool edges = true;
-    bool byClass = false; ///< each edge class has its own colour
-    bool shaded = true;   ///< false: all points of the cloud have the full colour
+    bool shaded = true; ///< false: all points of the cloud have the full colour
 };
 
 /// GUI thread only; makes no OpenGL call itself.
@@ -114,12 +113,11 @@ private:
     std::shared_ptr<const std::vector<std::uint32_t>> facesWanted_;
     EdgeCells::Indices outlined_, selected_, selectedRim_;
     Layer halo_, edge_, outlineHalo_, outline_, selection_, selectionRim_;
-    std::array<Layer, kEdgeClasses> classes_; // used instead of edge_ if each edge class has its own colour
+    std::array<Layer, kEdgeClasses> classes_; // used instead of edge_ if the method has classes
     vtkNew<vtkSphereSource> focusSphere_;
     vtkNew<vtkActor> focus_;
     Layer ground_;
     bool edgesShown_ = true;
-    bool byClass_ = false;
     double pointSize_ = 2.0;
     float edgeSize_ = 4.0F;
 };

@@ -171,12 +171,11 @@ void CloudView::applyColours() {
     look.background = background_;
     look.shaded = shaded_;
     look.cloud = cloudDimmed_ && edgesVisible_ ? kCloudDimmed : kCloudBright;
-    look.edge = edgeColours_;
+    look.edge = drawnColours(edgeColours_, byClass_);
     look.pointSize = std::round(pointSize_ * devicePixelRatioF());
     look.edgeSize = std::round(edgeSizeFor(pointSize_) * devicePixelRatioF());
     look.halo = std::floor(devicePixelRatioF());
     look.edges = edgesVisible_ && (!faces_ || edgesOverFaces_ || edgesOver_ == EdgesOver::Always);
-    look.byClass = byClass_;
     scene_->setLook(look);
     requestFrame();
     const bool covered = edgesVisible_ && !look.edges;

@@ -168,7 +168,7 @@ public slots:
     void smallerPoints() { changePointSize(-1); }
     void setBackground(const QColor& colour);
     void setEdgeColours(const edgescan::ui::EdgeColours& colours);
-    void setEdgesByClass(bool on); ///< each edge class has its own colour
+    void setEdgesByClass(bool on); ///< off: drawnColours()
     void setMousePreset(edgescan::ui::MousePreset preset) { mousePreset_ = preset; }
     void setWheelReversed(bool on) { wheelReversed_ = on; }
 

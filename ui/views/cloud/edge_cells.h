@@ -6,6 +6,7 @@
 #include <QColor>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -30,6 +31,16 @@ inline QColor colourOf(const Rgb& colour) { return {colour.red, colour.green, co
 inline const EdgeColours kUsualColours{colourOf(files::kEdgeColours[1]), colourOf(files::kEdgeColours[2]),
                                        colourOf(files::kEdgeColours[3]), colourOf(files::kEdgeColours[4]),
                                        colourOf(files::kEdgeColours[5]), colourOf(files::kEdgeColours[6])};
+inline constexpr std::size_t kRimClass = kEdgeClasses - 1;
+/// What edges are drawn in: each class in its own colour, or all in the first one. Rims of open voids always have their own: what is behind
+/// them is not known.
+inline EdgeColours drawnColours(const EdgeColours& colours, bool byClass) {
+    if (byClass) return colours;
+    EdgeColours drawn;
+    drawn.fill(colours.front());
+    drawn[kRimClass] = colours[kRimClass];
+    return drawn;
+}
 /// Distinct with red-green colour blindness: along yellow, white and blue. Contrast to the cloud's gray at least 3 : 1.
 inline const EdgeColours kColourBlindColours{QColor(240, 228, 66),  QColor(178, 223, 255), QColor(255, 255, 255),
                                              QColor(255, 210, 190), QColor(190, 255, 190), QColor(230, 215, 255)};

@@ -1,0 +1,140 @@
+// Captures of scanners that turn all round: points of the data sheets' equations, computed in Python, and damage.
+#include "core/files/open_save/open_scan.h"
+#include "core/scan/grid/acquisition.h"
+#include "core/scan/grid/cartesian.h"
+#include "core/scanner/ouster/os_packet.h"
+#include "core/scanner/velodyne/vlp16.h"
+#include "tests/support/folders.h"
+#include "tests/support/python_peer.h"
+#include "tests/support/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace edgescan;
+using namespace edgescan::test;
+
+namespace {
+
+struct Point {
+    int line = 0;
+    double elevationDeg = 0;
+    Eigen::Vector3d atM;
+    double rangeMm = 0;
+};
+
+std::vector<Point> pointsIn(const std::filesystem::path& path) {
+    std::vector<Point> points;
+    std::ifstream file(path);
+    for (std::string row; std::getline(file, row);) {
+        std::ranges::replace(row, ',', ' ');
+        std::istringstream words(row);
+        double line = 0;
+        Point point;
+        words >> line >> point.elevationDeg >> point.atM.x() >> point.atM.y() >> point.atM.z() >> point.rangeMm;
+        point.line = static_cast<int>(line);
+        points.push_back(point);
+    }
+    return points;
+}
+
+bool warns(const Scan& scan, std::string_view words) {
+    return std::ranges::any_of(scan.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+class SpinningCapture : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!pythonIsThere()) GTEST_SKIP() << "needs python3";
+        const std::string command = "python3 " + (ownData() / "spinning/make_captures.py").string() + " " + at("").string();
+        ASSERT_EQ(std::system(command.c_str()), 0);
+    }
+    void expectPoints(const Scan& scan, const std::string& name) const {
+        const std::vector<Point> points = pointsIn(at(name + ".csv"));
+        ASSERT_GT(points.size(), 1000U);
+        EXPECT_EQ(countCells(scan)[static_cast<std::size_t>(CellState::Valid)], points.size());
+        const auto& polar = std::get<PolarGeometry>(scan.geometry);
+        for (const Point& point : points) {
+            const auto beam = std::ranges::find_if(polar.beamDeg, [&](double deg) { return std::abs(deg - point.elevationDeg) < 1e-6; });
+            ASSERT_NE(beam, polar.beamDeg.end()) << point.elevationDeg;
+            const auto j = static_cast<int>(beam - polar.beamDeg.begin());
+            ASSERT_EQ(scan.rangeMm.at(point.line, j), static_cast<float>(point.rangeMm)) << name << ' ' << point.line << ' ' << j;
+            const Eigen::Vector3d found = pointOfCell(scan, scan.rangeMm.index(point.line, j));
+            ASSERT_LT((found - point.atM).norm(), 2e-4) << name << ' ' << point.line << ' ' << j;
+        }
+    }
+    [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_ / name; }
+    TemporaryFolder folder_;
+};
+
+TEST_F(SpinningCapture, AVlp16HasItsBeamsWhereTheDataSheetPutsThem) {
+    const auto scan = files::openScan(at("vlp16.pcap"), {});
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    EXPECT_EQ(scan->beams(), 16);
+    EXPECT_EQ(scan->lines(), 1800);
+    ASSERT_TRUE(scan->acquisition);
+    EXPECT_EQ(scan->acquisition->model, "VLP-16");
+    EXPECT_TRUE(warns(*scan, "2 turns of the scanner; turn 0"));
+    expectPoints(*scan, "vlp16");
+    ReadingOptions second;
+    second.scanIndex = 1;
+    const auto rest = files::openScan(at("vlp16.pcap"), second);
+    ASSERT_TRUE(rest) << rest.error().sentence();
+    EXPECT_EQ(rest->lines(), 888);
+}
+
+TEST_F(SpinningCapture, OfTwoReturnsTheStrongestIsTaken) {
+    const auto scan = files::openScan(at("vlp16-dual.pcap"), {});
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    expectPoints(*scan, "vlp16-dual");
+    EXPECT_TRUE(warns(*scan, "two returns for each beam"));
+}
+
+TEST_F(SpinningCapture, AnOusterHasTheAnglesOfItsMetadata) {
+    for (const std::string name : {"os", "os-single"}) {
+        const auto scan = files::openScan(at(name + ".pcap"), {});
+        ASSERT_TRUE(scan) << scan.error().sentence();
+        EXPECT_EQ(scan->beams(), 16);
+        EXPECT_EQ(scan->lines(), 512);
+        EXPECT_EQ(scan->state.at(100, 3), CellState::Lost) << "its status is not good";
+        EXPECT_TRUE(warns(*scan, "1 lines of the turn are missing"));
+        expectPoints(*scan, name);
+    }
+    std::filesystem::remove(at("os.json"));
+    EXPECT_NE(files::openScan(at("os.pcap"), {}).error().sentence().find("os.json"), std::string::npos);
+}
+
+TEST_F(SpinningCapture, PacketsThatAreMissingAreLostLines) {
+    // Every tenth record of the capture is left out.
+    std::ifstream in(at("vlp16.pcap"), std::ios::binary);
+    const std::string all((std::istreambuf_iterator<char>(in)), {});
+    constexpr std::size_t kHead = 24, kRecord = 16 + 14 + 20 + 8 + 1206;
+    std::string some = all.substr(0, kHead);
+    for (std::size_t n = 0; kHead + (n + 1) * kRecord <= all.size(); ++n) {
+        if (n % 10 != 5) some += all.substr(kHead + n * kRecord, kRecord);
+    }
+    std::ofstream(at("some.pcap"), std::ios::binary) << some;
+    const auto scan = files::openScan(at("some.pcap"), {});
+    ASSERT_TRUE(scan) << scan.error().sentence();
+    EXPECT_EQ(scan->lines(), 1800);
+    EXPECT_TRUE(warns(*scan, "lines of the turn are missing"));
+    EXPECT_EQ(scan->state.at(5 * 24 + 3, 0), CellState::Lost);
+    EXPECT_EQ(countCells(*scan)[static_cast<std::size_t>(CellState::Lost)] % 16, 0U);
+}
+
+TEST(SpinningPackets, WhatIsNoPacketIsNoPacket) {
+    EXPECT_FALSE(scanner::decodeVlp16(Bytes(100)));
+    EXPECT_FALSE(scanner::decodeVlp16(Bytes(scanner::kVlp16PacketBytes)));
+    EXPECT_FALSE(scanner::osSensor("[]", "x.json"));
+    EXPECT_FALSE(scanner::osSensor(R"({"beam_altitude_angles":[1,2],"beam_azimuth_angles":[0],"lidar_mode":"512x10"})", "x.json"));
+    const auto sensor = scanner::osSensor(R"({"beam_altitude_angles":[1],"beam_azimuth_angles":[0],"lidar_mode":"512x10"})", "x.json");
+    ASSERT_TRUE(sensor);
+    EXPECT_FALSE(scanner::decodeOs(Bytes(77), *sensor, 0));
+    const auto columns = scanner::decodeOs(Bytes(16 * 32), *sensor, 0);
+    ASSERT_TRUE(columns);
+    EXPECT_TRUE(columns->empty()) << "their status is not good";
+}
+
+} // namespace
