@@ -157,9 +157,10 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
         const std::vector<std::string> left = app.remaining(true);
-        // An unknown flag explains more than the argument that is missing because of it.
-        const bool missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && std::ranges::any_of(left, isFlag);
-        if (missing || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+        // An unknown flag explains more than the arguments that are missing or too many because of it.
+        const bool counted =
+            dynamic_cast<const CLI::RequiredError*>(&error) != nullptr || dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
+        if ((counted && std::ranges::any_of(left, isFlag)) || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
             printError(unexpected(app, left));
         else
             printError(inOurWords(error.what()) + " (see --help)");

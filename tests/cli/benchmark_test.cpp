@@ -55,19 +55,6 @@ TEST_F(LabBenchmark, ALowerThresholdCanBeADepth) {
     EXPECT_EQ(runCli("detect " + scanPath + " --preset window --lower 5x").code, 2);
 }
 
-TEST(LabCommands, TheCommandLineNamesTheProgramThatHasThemNow) {
-    for (const auto& [command, now] : {std::pair{"compare", "edgescan-lab benchmark SCAN, or edgescan-lab repeatability A B"},
-                                       std::pair{"evaluate", "edgescan-lab evaluate"}}) {
-        for (const char* rest : {"", " no-such-file.json --truth no-such-folder", " --help"}) {
-            const auto run = runCli(command + std::string(rest));
-            EXPECT_EQ(run.code, 2) << command << rest;
-            EXPECT_EQ(run.err.find("edgescan-cli: " + std::string(command) + ": "), 0U) << run.err;
-            EXPECT_NE(run.err.find(now), std::string::npos) << run.err;
-            EXPECT_EQ(run.out, "");
-        }
-    }
-}
-
 TEST_F(LabBenchmark, EveryMethodAndPeerIsOneRow) {
     const std::string pictures = (folder / "pictures").string();
     const auto run = runLab("benchmark " + scanPath + " --json - --repeats 1 --peer-seconds 2 --pictures " + pictures);

@@ -76,7 +76,7 @@ TEST(Usage, ARefusedConversionSaysOnlyWhy) {
     const std::string scan = (folder / "a.json").string();
     ASSERT_EQ(test::runCli("simulate -o " + scan + " --lines 20 --beams 30").code, 0);
     const ProgramRun done = test::runCli("convert " + scan + " " + (folder / "a.xyz").string());
-    EXPECT_NE(done.err.find("record"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("provenance"), std::string::npos) << done.err;
     const ProgramRun refused = test::runCli("convert " + scan + " /nonexistent-folder/a.xyz");
     EXPECT_EQ(refused.code, 1);
     EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
