@@ -21,6 +21,7 @@ namespace {
 
 struct ReplayWanted {
     std::string file;
+    std::string json = "-";
     double speed = 0.0;
     bool quiet = false;
     ReadingOptions place;
@@ -50,8 +51,9 @@ int run(const ReplayWanted& wanted) {
         printError(method.error());
         return kWrongUsage;
     }
+    JsonLines json(wanted.json);
     auto scan = files::openScan(wanted.file, wanted.place, [&](const scanner::PlayedLine& played) {
-        if (!wanted.quiet) printResult(document("replay-line", lineReport(played)), false);
+        if (!wanted.quiet) json.add(document("replay-line", lineReport(played)));
         waitForNextLine(played, wanted.speed);
     });
     if (scan && scan->format != "recording" && !scan->format.starts_with("ROS "))
@@ -66,19 +68,20 @@ int run(const ReplayWanted& wanted) {
         return kRefused;
     }
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
-    printResult(document("replay", {{"result", document("detect", exports::detectReport(*detection, 0.0))}}), false);
-    return kDone;
+    json.add(document("replay", {{"result", document("detect", exports::detectReport(*detection, 0.0))}}));
+    return json.ended(kDone);
 }
 
 } // namespace
 
 void addReplay(CLI::App& app, int& code) {
     auto wanted = std::make_shared<ReplayWanted>();
-    CLI::App& command =
-        *app.add_subcommand("replay", "A recording through the live path: a JSON line per line received, the edges at the end");
+    CLI::App& command = *app.add_subcommand(
+        "replay", "Plays a recording like a live scanner; prints a line of JSON per scan line, and the edges at the end");
     command.add_option("FILE", wanted->file, "Recording (.mcap), or the bag of a laser")->required();
-    addNumber(command, "--speed", wanted->speed, {0, 1e6}, "1 = as it was recorded; 0 = as fast as it goes");
-    command.add_flag("--quiet", wanted->quiet, "Only the result");
+    addNumber(command, "--speed", wanted->speed, {0, 1e6}, "1 = as it was recorded; 0 = as fast as possible");
+    command.add_flag("--quiet", wanted->quiet, "Only the edges at the end");
+    addJsonFlag(command, wanted->json, "One JSON object per scan line, then the edges").capture_default_str();
     addPlaceFlags(command, wanted->place);
     addMethodFlags(command, wanted->method);
     command.callback([wanted, &code] { code = run(*wanted); });

@@ -119,7 +119,7 @@ TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 400 --beams 381 --axis sweep").code, 0);
     const Served served(bell + " --rate 0");
     const std::string flags = served.said()["record_flags"];
-    EXPECT_EQ(flags, "--axis sweep --first-line -90 --line-step 0.45 --standing --expected-lines 400");
+    EXPECT_EQ(flags, "--axis sweep --line-start -90 --line-step 0.45 --stop-and-go --expected-lines 400");
     const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 400 --seconds 120 " + flags);
     ASSERT_EQ(record.code, 0) << record.err;
     EXPECT_TRUE(json::parse(record.out)["mounting"]["assumed"].empty());
@@ -180,7 +180,7 @@ TEST_F(Live, WhereNothingComesItIsSaidOnceAndWhy) {
 TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     const std::string bell = (folder / "draw-bell.json").string();
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
-    const Served served(bell + " --rate 500 --split"); // so slow that the sweep can be observed while it grows
+    const Served served(bell + " --rate 500 --split-sends"); // so slow that the sweep can be observed while it grows
     ASSERT_GT(served.port(), 0);
     scanner::ConnectionSettings scanner;
     scanner.host = "127.0.0.1";
@@ -281,7 +281,7 @@ TEST_F(Live, ARecordingEndsInTimeWhateverThePeerSends) {
 
 TEST_F(Live, LostLinesAreTold) {
     const std::string recording = (folder / "lossy.mcap").string();
-    const Served served(scan + " --rate 0 --lose-every 20 --split --merge --garbage-every 7");
+    const Served served(scan + " --rate 0 --lose-every 20 --split-sends --merge-sends --garbage-every 7");
     const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 80 --expected-lines 90 --seconds 120");
     ASSERT_EQ(record.code, 0) << record.err;
     const json summary = json::parse(record.out);
