@@ -34,7 +34,6 @@ struct Stations {
     settings.repeat = repeat;
     settings.lines = lines;
     settings.beams = beams;
-    settings.footprint = false; // a tenth of the rays: mixed pixels do not matter to the place of a scan
     settings.station = station;
     return std::make_shared<const Scan>(sim::simulate(settings)->scan);
 }
