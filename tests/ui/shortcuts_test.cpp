@@ -184,8 +184,9 @@ private slots:
         ShortcutEditor editor(
             {}, [] {}, &on.window);
         static_cast<QDialog&>(editor).show();
-        editor.activateWindow(); // not every desktop does it
-        QVERIFY(QTest::qWaitForWindowActive(&editor, kPatienceMs));
+        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        editor.activateWindow();                                                    // not every desktop does it
+        QTRY_COMPARE(QApplication::activeWindow(), static_cast<QWidget*>(&editor)); // Qt calls it active while its parent is
         const QString keys = pageOpened(editor.findChild<QLineEdit*>());
         QDesktopServices::unsetUrlHandler("file");
         QVERIFY2(edges.contains("guide/tune"), qPrintable(edges));

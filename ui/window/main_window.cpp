@@ -215,6 +215,7 @@ void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, &viewer_.tools);
     viewer_.tools.toggleViewAction()->setVisible(false);
     viewer_.origin.setObjectName("origin");
+    viewer_.origin.setShrinks(); // its tool tip has all of it
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
