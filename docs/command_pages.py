@@ -41,16 +41,16 @@ def typed_text(typed):
     return "<code>%s</code>" % typed.replace("|", "&#124;").replace("<", "&lt;")
 
 
-def flag_table(rows):
-    text = table(["type", "meaning"], [["@%d@" % n, meaning] for n, (_, meaning) in enumerate(rows)])
+def flag_table(rows, first="type"):
+    text = table([first, "meaning"], [["@%d@" % n, meaning] for n, (_, meaning) in enumerate(rows)])
     for n, (typed, _) in enumerate(rows):
         text = text.replace("@%d@" % n, typed_text(typed))
     return text
 
 
-def examples(command, texts):
-    """Lines of the guide that call the command, each with the page that explains it: its tests run them."""
-    found = {}
+def examples(command, said, texts):
+    """The examples of the help, and lines of the guide that call the command, each with the page that explains it: tests run both."""
+    found = {line: None for line in said if line.startswith(command + " ")}
     for page, text in texts.items():
         if os.path.dirname(page) != "guide":
             continue
@@ -63,19 +63,22 @@ def examples(command, texts):
 
 def command_page(command, said, texts):
     summary, usage, parts = sections(said)
+    shown = [typed for heading, rows in parts if heading == "Examples" for typed, _ in rows]
     page = "# %s\n\n%s\n\n```\n%s\n```\n" % (command, summary, usage)
-    calls = examples(command, texts)
+    calls = examples(command, shown, texts)
     if calls:
         page += "\n## Examples\n"
         for line, source in calls.items():
-            page += "\n```\n%s\n```\n\nSee [%s](../../%s).\n" % (line, texts[source].split("\n", 1)[0].lstrip("# "), source)
+            page += "\n```\n%s\n```\n" % line
+            if source:
+                page += "\nSee [%s](../../%s).\n" % (texts[source].split("\n", 1)[0].lstrip("# "), source)
     for heading, rows in parts:
-        if [typed for typed, _ in rows] == ["-h,--help"]:
+        if heading == "Examples" or [typed for typed, _ in rows] == ["-h,--help"]:
             continue
         if heading == "Method":
             page += "\n## Method\n\nThe flags of the method are the [settings](../settings%s).\n" % PAGE
         else:
-            page += "\n## %s\n\n%s" % (heading, flag_table(rows))
+            page += "\n## %s\n\n%s" % (heading, flag_table(rows, "code" if heading == "Exit codes" else "type"))
     return page
 
 
@@ -99,7 +102,7 @@ def command_pages(programs, texts):
             continue
         said = help_of(programs, program)
         _, _, parts = sections(said)
-        commands = [typed for heading, rows in parts if heading.lower() == "subcommands" for typed, _ in rows]
+        commands = [typed for heading, rows in parts if heading != "Examples" for typed, _ in rows if re.fullmatch("[a-z]+", typed)]
         if not commands:
             made[os.path.join(FOLDER, program + PAGE)] = command_page(program, said, texts)
         for name in commands:

@@ -12,8 +12,7 @@ namespace edgescan::cli {
 namespace {
 
 struct Audited {
-    std::string file, last;
-    bool json = false;
+    std::string file, last, json;
 };
 
 nlohmann::ordered_json auditReport(const Audited& asked, const AuditCheck& check) {
@@ -24,21 +23,27 @@ nlohmann::ordered_json auditReport(const Audited& asked, const AuditCheck& check
     return {{"input", asked.file}, {"lines", check.lines}, {"last_sha256", check.last}, {"recovered", check.recovered}, {"faults", faults}};
 }
 
+/// Writes the JSON; `code` is the exit code if that succeeds.
+int written(const Audited& asked, const nlohmann::ordered_json& document, int code) {
+    const Result<Done> done = writeDocument(asked.json, document);
+    if (done) return code;
+    printError(done.error());
+    return kRefused;
+}
+
 int run(const Audited& asked) {
     const auto check = checkAudit(asked.file, asked.last);
     if (!check) {
         printError(check.error());
-        if (asked.json) printResult(refusal("audit", asked.file, check.error()), true);
-        return kRefused;
+        return asked.json.empty() ? kRefused : written(asked, refusal("audit", asked.file, check.error()), kRefused);
     }
-    if (asked.json) {
-        printResult(document("audit", auditReport(asked, *check)), true);
-    } else {
+    const int code = check->faults.empty() ? kDone : kDiffers;
+    if (asked.json != "-") {
         for (const AuditFault& fault : check->faults) printResult(std::string(auditFaultName(fault.kind)) + ": " + fault.sentence);
         printResult(std::to_string(check->lines) + " lines as they were written, " + std::to_string(check->faults.size()) +
                     " faults; last hash " + (check->last.empty() ? "none" : check->last));
     }
-    return check->faults.empty() ? kDone : kRefused;
+    return asked.json.empty() ? code : written(asked, document("audit", auditReport(asked, *check)), code);
 }
 
 } // namespace
@@ -47,8 +52,9 @@ void addAudit(CLI::App& app, int& code) {
     auto asked = std::make_shared<Audited>();
     CLI::App& command = *app.add_subcommand("audit", "Checks an audit log: names each line that was altered, dropped or moved");
     command.add_option("LOG", asked->file, "The log, audit.jsonl")->required();
-    command.add_option("--last", asked->last, "A hash of it that was noted elsewhere: a log without that line lacks its end");
-    command.add_flag("--json", asked->json, "One JSON object on stdout");
+    command.add_option("--last", asked->last, "A hash of it that was noted elsewhere: a log without that line lacks its end")
+        ->type_name("HASH");
+    addJsonFlag(command, asked->json, "Every fault with its line").check(jsonName());
     command.callback([asked, &code] { code = run(*asked); });
 }
 

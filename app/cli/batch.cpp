@@ -37,10 +37,11 @@ using Clock = std::chrono::steady_clock;
 
 struct Batch {
     std::vector<std::string> asked;
+    std::string json = "-";
     std::string results, wanted = "mask,json", names = "{path}", shard;
     int jobs = 0;
     double memoryGb = 0, timeLimit = 3600;
-    bool noSidecars = false, noSurvey = false, withRocks = false, merge = false, retry = false, trustTimes = false, strict = false;
+    bool noSidecars = false, noSurvey = false, withRocks = false, merge = false, retry = false, trustTimes = false;
     ReadFlags read;
     WriteFlags write;
     MethodFlags method;
@@ -132,7 +133,7 @@ std::string clockText(double seconds) {
 class ProgressLine {
 public:
     ProgressLine(bool shown, std::size_t scans) : shown_(shown), scans_(scans) {}
-    void tell(const Counts& counts) {
+    void show(const Counts& counts) {
         const auto now = Clock::now();
         const bool last = counts.ended() == scans_;
         if (!shown_ || (!last && now - shownAt_ < std::chrono::milliseconds(200))) return;
@@ -192,7 +193,7 @@ Result<Done> workThrough(const Batch& batch, const BatchWork& work, int jobs, Ru
     run.work = [&](std::size_t job, int worker) { return scanForArchive(work, job, worker); };
     run.ended = [&](const batch::JobEnd& end) {
         noteEnd(running, end);
-        progress.tell(running.counts);
+        progress.show(running.counts);
     };
     run.goOn = [&] { return !interrupted() && !running.stop; };
     const auto ended = batch::runInProcesses({jobs, work.memoryBytes, batch.timeLimit}, run);
@@ -247,7 +248,7 @@ Json elementsOf(const std::vector<std::string>& missing, int of) {
     return elements;
 }
 
-int tell(const Batch& batch, const Running& running, const AllRows& all, double seconds) {
+int report(const Batch& batch, const Running& running, const AllRows& all, double seconds) {
     std::size_t refused = 0, failed = 0;
     Json frames = Json::object(); // files with coordinates, by frame
     for (const std::string& text : all.rows) {
@@ -272,14 +273,17 @@ int tell(const Batch& batch, const Running& running, const AllRows& all, double 
                 {"worked", running.counts.ended() - running.counts.unchanged},
                 {"seconds", static_cast<double>(static_cast<long long>(seconds * 1000)) / 1000}};
     if (batch.merge) report["missing_elements"] = elementsOf(all.missing, batch::shardsIn(batch.results));
-    printResult(document("batch", report), false);
+    if (const auto written = writeDocument(batch.json, document("batch", report), false); !written) {
+        printError(written.error());
+        return kRefused;
+    }
     if (!all.missing.empty()) {
         printError(
             Error{std::to_string(all.missing.size()) + " scans have no row yet, so no table was written", batch.results,
                   batch.merge ? "run the elements named again, then the merge" : "run the same command again: it goes on from here"});
         return kRefused;
     }
-    return batch.strict && refused + failed > 0 ? kRefused : kDone;
+    return refused + failed > 0 ? kPartly : kDone;
 }
 
 Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
@@ -305,7 +309,7 @@ Result<int> runPlan(const Batch& batch, BatchWork& work, const Json& settings) {
     if (all->missing.empty() && batch.shard.empty()) {
         if (auto written = writeTables(batch, settings, all->rows); !written) return written.error();
     }
-    return tell(batch, running, *all, std::chrono::duration<double>(Clock::now() - start).count());
+    return report(batch, running, *all, std::chrono::duration<double>(Clock::now() - start).count());
 }
 
 int run(Batch& batch) {
@@ -341,30 +345,37 @@ void addFlags(CLI::App& command, Batch& batch) {
     std::string fields;
     for (const batch::NameField& field : batch::nameFields())
         fields += (fields.empty() ? "{" : ", {") + std::string(field.key) + "} " + field.help;
-    command.add_option("-o,--output", batch.results, "Folder for tables and results; its own")->required()->group(group);
+    command.add_option("-o,--output", batch.results, "Folder for tables and results, used for nothing else")
+        ->type_name("DIR")
+        ->required()
+        ->group(group);
+    addJsonFlag(command, batch.json, "Counts of the run").capture_default_str()->group(group);
     command.add_option("--results", batch.wanted, "What is written of each scan: " + wantedWords() + "; none for the table alone")
+        ->type_name("NAME,...")
         ->capture_default_str()
         ->group(group);
-    command.add_option("--names", batch.names, "The folder of each scan's results: " + fields)->capture_default_str()->group(group);
-    command.add_flag("--no-sidecars", batch.noSidecars, "No records next to pictures and clouds")->group(group);
-    command.add_flag("--no-survey", batch.noSurvey, "No survey.html")->group(group);
+    command.add_option("--names", batch.names, "The folder of each scan's results: " + fields)
+        ->type_name("PATTERN")
+        ->capture_default_str()
+        ->group(group);
+    command.add_flag("--no-sidecars", batch.noSidecars, "Write no records next to pictures and clouds")->group(group);
+    command.add_flag("--no-survey", batch.noSurvey, "Write no survey.html")->group(group);
     group = "Run";
     addNumber(command, "--jobs", batch.jobs, {0, 1024}, "Scans at the same time; 0 = one per processor").group(group);
-    addNumber(command, "--memory", batch.memoryGb, {0, 100'000}, "Most memory of one job, GB; 0 = its share of four fifths of all")
+    addNumber(command, "--memory", batch.memoryGb, {0, 100'000}, "Most memory of one job [GB]; 0 = its share of four fifths of all")
         .group(group);
-    addNumber(command, "--time-limit", batch.timeLimit, kSeconds, "Seconds after which a scan is given up; 0 = never").group(group);
-    command.add_flag("--retry", batch.retry, "Also what was refused before, though it did not change")->group(group);
-    command.add_flag("--trust-times", batch.trustTimes, "A file of the same size and time of change is taken for the same")->group(group);
-    command.add_flag("--strict", batch.strict, "Exit code 1 where a scan was refused or failed")->group(group);
-    command.add_option("--shard", batch.shard, "Only this part of the run, such as 3/20; then --merge")->group(group);
-    command.add_flag("--merge", batch.merge, "Only the tables, when all parts have run")->group(group);
+    addNumber(command, "--time-limit", batch.timeLimit, kSeconds, "Time after which a scan is given up [s]; 0 = never").group(group);
+    command.add_flag("--retry", batch.retry, "Try refused scans again, although they did not change")->group(group);
+    command.add_flag("--trust-times", batch.trustTimes, "Skip hashing where size and modification time are the same")->group(group);
+    command.add_option("--shard", batch.shard, "Only this part of the run; --merge joins the parts")->type_name("N/PARTS")->group(group);
+    command.add_flag("--merge", batch.merge, "Write only the tables, when all parts have run")->group(group);
 }
 
 } // namespace
 
 void addBatch(CLI::App& app, int& code) {
     auto batch = std::make_shared<Batch>();
-    CLI::App& command = *app.add_subcommand("batch", "The method over an archive: continued where it was interrupted");
+    CLI::App& command = *app.add_subcommand("batch", "Finds the edges of all scans of an archive; continues where it was interrupted");
     addFlags(command, *batch);
     command.add_flag("--rocks", batch->withRocks, std::string("Rocks of every scan, with their sizes in the table: ") + rocks::kRockCaveat)
         ->group("Rocks");

@@ -158,19 +158,18 @@ Result<Done> calibrate(const Calibrate& asked) {
 
 void addCalibrate(CLI::App& app, int& code) {
     auto asked = std::make_shared<Calibrate>();
-    CLI::App& command =
-        *app.add_subcommand("calibrate", "Errors of the scanner's assembly, from surfaces that a turn of more than 180 degrees sees twice");
+    CLI::App& command = *app.add_subcommand(
+        "calibrate", "Estimates mounting errors of the scanner from surfaces that a turn of more than 180 degrees measures twice");
     command
-        .add_option("FILE", asked->files, "Scans of one assembly: spin mounting, 200 to 360 degrees of turn; sweep mounting, 300 to 360")
+        .add_option("SCAN", asked->files, "Scans of one mounting: spin mounting, 200 to 360 degrees of turn; sweep mounting, 300 to 360")
         ->required();
-    command.add_option("-o,--output", asked->out, "New calibration file; - is stdout");
-    command.add_flag(
-        "--backlash", asked->backlash,
-        "Of two passes over the same lines, there and back: report how far the stepper lags behind when it turns the other way");
-    command.add_option("--base", asked->base, "The robot's present calibration file: its stepper is replaced, all else stays");
-    command.add_option("--picture", asked->picture, "New PNG: how far the two views lie apart, before and after");
-    command.add_option("--seam", asked->seam, "New PNG: the edges of both views drawn over each other, before and after");
-    command.add_option("--json", asked->json, "The result as JSON; - is stdout");
+    command.add_option("-o,--output", asked->out, "New calibration file; - is standard output")->type_name("FILE");
+    command.add_flag("--backlash", asked->backlash,
+                     "Of two passes over the same lines, there and back: report how far the stepper lags when it turns the other way");
+    command.add_option("--base", asked->base, "The present calibration file of the robot: only its stepper is replaced")->type_name("FILE");
+    command.add_option("--picture", asked->picture, "New PNG: the distance of the two views, before and after")->type_name("FILE");
+    command.add_option("--seam", asked->seam, "New PNG: the edges of both views in one picture, before and after")->type_name("FILE");
+    addJsonFlag(command, asked->json, "All figures, instead of the table");
     addReadFlags(command, asked->read);
     command.callback([asked, &code] {
         const Result<Done> result = calibrate(*asked);

@@ -34,12 +34,12 @@ int run(const Convert& convert) {
     const std::vector<std::string> lost = files::lostOnSaving(
         scan, convert.out,
         {.ascii = options.ascii, .frame = options.frame, .includeAttached = options.includeAttached, .choices = options.choices});
-    for (const std::string& sentence : lost) printError(printable(convert.in) + ": " + sentence);
     const auto saved = exports::exportWithProvenance(exports::ExportContent::WholeScan, detection, convert.out, options);
     if (!saved) {
         printError(saved.error());
         return kRefused;
     }
+    for (const std::string& sentence : lost) printError(printable(convert.in) + ": " + sentence);
     printError(placesText({convert.out}) + ": " + exports::coordinatesText(*saved->coordinates));
     return kDone;
 }
@@ -48,7 +48,7 @@ int run(const Convert& convert) {
 
 void addConvert(CLI::App& app, int& code) {
     auto convert = std::make_shared<Convert>();
-    CLI::App& command = *app.add_subcommand("convert", "Any readable scan to any writable format; the grid stays");
+    CLI::App& command = *app.add_subcommand("convert", "Converts any readable scan to any writable format, with its grid");
     command.add_option("IN", convert->in, "Scan")->required();
     command.add_option("OUT", convert->out, "New file: " + files::writtenExtensions(true) + " (.json: raw grid, .mcap: recording)")
         ->required();

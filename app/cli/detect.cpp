@@ -30,7 +30,6 @@ struct Detect {
     std::vector<std::string> files;
     std::string json;
     ExportPaths out;
-    bool ndjson = false;
     ReadFlags read;
     WriteFlags write;
     MethodFlags method;
@@ -62,7 +61,7 @@ Result<std::string> writeOutputs(const Detect& detect, const Outputs& out, const
     for (const auto& [kind, path] : out.exports) // after a failure too
         outputs.add(path, exports::exportWithProvenance(kind->content, detection, path, options));
     if (!out.json.empty() && outputs.allWritten()) {
-        const bool lines = detect.ndjson || (detect.files.size() > 1 && out.json == "-");
+        const bool lines = detect.files.size() > 1 && out.json == "-";
         outputs.add(out.json, writeDocument(out.json, document("detect", exports::detectReport(detection, loadMs)), !lines));
     } else if (!out.json.empty()) {
         outputs.leftOut(out.json);
@@ -146,38 +145,34 @@ int run(const Detect& detect) {
             return kRefused;
         }
     }
-    int code = kDone;
+    std::size_t done = 0, refused = 0;
     for (const std::string& file : detect.files) {
         const auto one = [&] {
             const Result<Done> result = detectOne(detect, file);
             if (result) return kDone;
             printError(result.error());
-            if (detect.json == "-") printResult(refusal("detect", file, result.error()), detect.files.size() == 1 && !detect.ndjson);
+            if (detect.json == "-") printResult(refusal("detect", file, result.error()), detect.files.size() == 1);
             return kRefused;
         };
-        if (guarded(one, kRefused) != kDone) code = kRefused;
+        ++(guarded(one, kRefused) == kDone ? done : refused);
     }
-    return code;
+    return codeOf(done, refused);
 }
 
 } // namespace
 
 void addDetect(CLI::App& app, int& code) {
     auto detect = std::make_shared<Detect>();
-    CLI::App& command = *app.add_subcommand("detect", "Finds the edges and writes what is asked for");
-    command.add_option("FILE", detect->files, "Scans; after a bad one the others are still done")->required();
+    CLI::App& command = *app.add_subcommand("detect", "Finds the edges of scans; without an output flag it prints their number");
+    command.add_option("FILE", detect->files, "Scans; a scan that is refused does not stop the others")->required();
     const char* group = "Results";
-    command.add_option("--json", detect->json, "Counts, settings, mask hash, times; - is stdout")->group(group);
-    command.add_flag("--ndjson", detect->ndjson, "JSON on one line per scan; without --json on stdout")->group(group);
+    addJsonFlag(command, detect->json, "Counts, settings, hash of the mask, times; of several scans a line each").group(group);
     addExportFlags(command, exports::ExportKind::Needs::Edges, detect->out, group);
-    command.add_option("-o,--output", detect->out.folder, "Folder for all of these, under the scan's name")->group(group);
+    addFolderFlag(command, detect->out, group);
     addMethodFlags(command, detect->method);
     addReadFlags(command, detect->read);
     addWriteFlags(command, detect->write);
-    command.callback([detect, &code] {
-        if (detect->ndjson && detect->json.empty() && detect->out.folder.empty()) detect->json = "-";
-        code = run(*detect);
-    });
+    command.callback([detect, &code] { code = run(*detect); });
 }
 
 } // namespace edgescan::cli

@@ -32,10 +32,18 @@ std::vector<const exports::ExportKind*> kindsOf(exports::ExportKind::Needs needs
 }
 
 void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportPaths& paths, const std::string& group) {
-    for (const exports::ExportKind* kind : kindsOf(needs)) command.add_option(kind->flag, paths.of(*kind), helpOf(*kind))->group(group);
+    for (const exports::ExportKind* kind : kindsOf(needs))
+        command.add_option(kind->flag, paths.of(*kind), helpOf(*kind))->type_name("FILE")->group(group);
+}
+
+void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& group) {
+    command.add_option("-o,--output", paths.folder, "Folder for all of these, under the scan's name")->type_name("DIR")->group(group);
 }
 
 Result<Done> checkExtensions(const ExportPaths& paths) {
+    if (!paths.folder.empty() && files::writtenFormat(paths.folder) != nullptr && !fs::is_directory(paths.folder))
+        return Error{"this command writes several files into a folder, and this is the name of one file", "-o " + paths.folder,
+                     "give a folder, or one of the flags of a single file such as --edges"};
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         const std::string& path = paths.of(kind);
         if (path.empty()) continue;

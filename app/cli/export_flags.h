@@ -26,7 +26,10 @@ struct ExportPaths {
 
 void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportPaths& paths, const std::string& group);
 
-/// Error: an extension that names no format for the kind.
+/// Adds -o DIR, for all of them at once.
+void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& group);
+
+/// Error: an extension that names no format for the kind, or a folder with the name of a file.
 Result<Done> checkExtensions(const ExportPaths& paths);
 
 struct WantedExport {

@@ -31,31 +31,34 @@ nlohmann::ordered_json bagReport(const std::string& file) {
 
 struct Info {
     std::vector<std::string> files;
+    std::string json = "-";
     ReadFlags read;
 };
 
 int run(const Info& info) {
-    int code = kDone;
+    JsonLines json(info.json);
+    std::size_t done = 0, refused = 0;
     for (const std::string& file : info.files) {
         const auto one = [&] {
             const Result<Scan> scan = files::openAsAsked(file, readingOptions(info.read));
             nlohmann::ordered_json report = scan ? document("info", exports::infoReport(*scan)) : refusal("info", file, scan.error());
             if (auto bag = bagReport(file); !bag.is_null()) report["bag"] = std::move(bag);
-            printResult(report, false);
+            json.add(report);
             if (!scan) printError(scan.error());
             return scan ? kDone : kRefused;
         };
-        if (guarded(one, kRefused) != kDone) code = kRefused;
+        ++(guarded(one, kRefused) == kDone ? done : refused);
     }
-    return code;
+    return json.ended(codeOf(done, refused));
 }
 
 } // namespace
 
 void addInfo(CLI::App& app, int& code) {
     auto info = std::make_shared<Info>();
-    CLI::App& command = *app.add_subcommand("info", "What a file holds: one JSON object per file on stdout");
+    CLI::App& command = *app.add_subcommand("info", "Prints what a file holds, as JSON");
     command.add_option("FILE", info->files, "Scans")->required();
+    addJsonFlag(command, info->json, "One JSON object per file and line").capture_default_str();
     addReadFlags(command, info->read);
     command.callback([info, &code] { code = run(*info); });
 }

@@ -5,80 +5,111 @@
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
 #include "core/base/inputs.h"
-#include "core/base/version.h"
 
 #include <algorithm>
-#include <array>
-#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 using namespace edgescan;
 
 namespace {
 
-struct Command {
-    std::string_view name;
-    void (*add)(CLI::App& app, int& code);
-};
-constexpr std::array kCommands = std::to_array<Command>({
-    {"info", cli::addInfo},
-    {"detect", cli::addDetect},
-    {"batch", cli::addBatch},
-    {"report", cli::addReport},
-    {"convert", cli::addConvert},
-    {"simulate", cli::addSimulate},
-    {"verify", cli::addVerify},
-    {"audit", cli::addAudit},
-    {"serve", cli::addServe},
-    {"record", cli::addRecord},
-    {"replay", cli::addReplay},
-    {"why", cli::addWhy},
-    {"rocks", cli::addRocks},
-    {"change", cli::addChange},
-    {"calibrate", cli::addCalibrate},
-    {"thumbnail", cli::addThumbnail},
-});
+const char* const kSomeRefused = "some scans were refused; the others are done";
 
-/// Commands of edgescan-lab, as edgescan-cli called them.
-struct MovedCommand {
-    std::string_view name;
-    const char* now;
+struct Command {
+    void (*add)(CLI::App& app, int& code);
+    cli::CommandText text;
 };
-constexpr std::array kMoved = std::to_array<MovedCommand>({
-    {"compare", "edgescan-lab benchmark SCAN, or edgescan-lab repeatability A B"},
-    {"evaluate", "edgescan-lab evaluate"},
-});
+
+// In the order of the help. After the example of `simulate` all others work in this order in one folder.
+const std::vector<Command>& commands() {
+    using cli::kDiffers, cli::kPartly;
+    const auto code = [](int number, const char* meaning) { return cli::Term{std::to_string(number), meaning}; };
+    const char *const look = "Look at a scan", *const find = "Find edges and rocks", *const archive = "Archives", *const two = "Two scans",
+                      *const trust = "Records", *const live = "Scanner", *const test = "Testing";
+    static const std::vector<Command> all{
+        {cli::addInfo, {"info", look, {"edgescan-cli info BELL.json"}, {code(kPartly, kSomeRefused)}}},
+        {cli::addWhy, {"why", look, {"edgescan-cli why BELL.json --cell 120,200"}, {}}},
+        {cli::addThumbnail, {"thumbnail", look, {"edgescan-cli thumbnail BELL.json SMALL.png"}, {}}},
+        {cli::addDetect,
+         {"detect",
+          find,
+          {"edgescan-cli detect BELL.json", "edgescan-cli detect BELL.json -o RESULTS --jump 40",
+           "edgescan-cli detect BELL.json --edges EDGES.dxf --json EDGES.json"},
+          {code(kPartly, kSomeRefused)}}},
+        {cli::addRocks,
+         {"rocks", find, {"edgescan-cli rocks BELL.json --csv ROCKS.csv", "edgescan-cli rocks BELL.json --level 0.5 -o RESULTS"}, {}}},
+        {cli::addReport, {"report", find, {"edgescan-cli report BELL.json -o REPORT.html --rocks --site \"North 4\""}, {}}},
+        {cli::addConvert, {"convert", find, {"edgescan-cli convert BELL.json BELL.pcd"}, {}}},
+        {cli::addBatch,
+         {"batch",
+          archive,
+          {"edgescan-cli batch BELL.json BELL.pcd -o ARCHIVE --results mask,json"},
+          {code(kPartly, "every scan has its row, and some were refused or failed")}}},
+        {cli::addCompare,
+         {"compare",
+          two,
+          {"edgescan-cli simulate -o AFTER.json --after-blast --seed 7 --lines 300 --beams 381",
+           "edgescan-cli compare BELL.json AFTER.json --picture CHANGE.png"},
+          {}}},
+        {cli::addVerify,
+         {"verify",
+          trust,
+          {"edgescan-cli verify RESULTS/BELL_edges.png --scans ."},
+          {code(kDiffers, "an export differs from what its record describes"), code(kPartly, "some exports cannot be checked")}}},
+        {cli::addAudit,
+         {"audit",
+          trust,
+          {"edgescan-cli audit ~/.config/edgescan/audit.jsonl"},
+          {code(kDiffers, "a line of the log was altered, dropped or moved")}}},
+        {cli::addRecord, {"record", live, {"edgescan-cli record 192.168.0.1 -o SWEEP.mcap --lines 600 --axis sweep --line-step 0.3"}, {}}},
+        {cli::addReplay, {"replay", live, {"edgescan-cli replay SWEEP.mcap --quiet"}, {}}},
+        {cli::addCalibrate,
+         {"calibrate",
+          live,
+          {"edgescan-cli simulate -o TURN.json --axis spin --turn 220 --lines 330 --beams 191 --mount-t1 30",
+           "edgescan-cli calibrate TURN.json -o CALIBRATION.json"},
+          {}}},
+        {cli::addSimulate, {"simulate", test, {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381"}, {}}},
+        {cli::addEmulate, {"emulate", test, {"edgescan-cli emulate BELL.json --port 2112 --rate 25"}, {}}},
+    };
+    return all;
+}
 
 /// Setting up all commands with their flags takes longer than many commands run. Therefore only the commands that the arguments can mean
 /// are set up.
-std::span<const Command> commandsFor(int argc, char** argv) {
-    const std::span all(kCommands);
-    const auto named = [](const char* word) { return std::ranges::find(kCommands, std::string_view(word), &Command::name); };
+std::vector<Command> commandsFor(int argc, char** argv) {
+    const std::vector<Command>& all = commands();
+    const auto named = [&](const char* word) { return std::ranges::find(all, word, [](const Command& one) { return one.text.name; }); };
     if (argc == 2 && std::string_view(argv[1]) == "--version") return {};
-    if (argc < 2 || named(argv[1]) == kCommands.end()) return all;
-    const bool another = std::any_of(argv + 2, argv + argc, [&](const char* word) { return named(word) != kCommands.end(); });
-    return another ? all : all.subspan(static_cast<std::size_t>(named(argv[1]) - kCommands.begin()), 1);
+    if (argc < 2 || named(argv[1]) == all.end()) return all;
+    const bool another = std::any_of(argv + 2, argv + argc, [&](const char* word) { return named(word) != all.end(); });
+    return another ? all : std::vector<Command>{*named(argv[1])};
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    if (const auto moved = std::ranges::find(kMoved, std::string_view(argc > 1 ? argv[1] : ""), &MovedCommand::name);
-        moved != kMoved.end()) {
-        cli::printError({"the command is in another program now", std::string(moved->name), "use " + std::string(moved->now)});
-        return cli::kWrongUsage;
-    }
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
-    app.set_version_flag("--version", version());
+    app.set_version_flag("--version", cli::versionText());
     app.require_subcommand(1);
     int code = cli::kDone;
     cli::surviveFileLimit();
     const BindInputs inputs; // no input file can be overwritten
-    for (const Command& command : commandsFor(argc, argv)) command.add(app, code);
+    std::vector<cli::CommandText> texts;
+    for (const Command& command : commandsFor(argc, argv)) {
+        command.add(app, code);
+        texts.push_back(command.text);
+    }
     cli::addPages(app, {"edgescan-cli",
                         "edges of rocks in laser range scans",
                         {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
                          "edgescan-cli detect BELL.json", "edgescan-cli detect BELL.json -o RESULTS --jump 40",
-                         "edgescan-cli convert BELL.json BELL.pcd", "edgescan-cli verify RESULTS/BELL_edges.png --scans ."}});
+                         "edgescan-cli convert BELL.json BELL.pcd", "edgescan-cli verify RESULTS/BELL_edges.png --scans ."},
+                        {{"EXPORT.provenance.json", "record next to an export: what verify rebuilds it from"},
+                         {"SCAN.u16", "the ranges of the raw grid SCAN.json"},
+                         {"~/.config/edgescan/audit.jsonl", "the viewer's audit log, which audit checks"}},
+                        texts});
     return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

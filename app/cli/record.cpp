@@ -25,6 +25,7 @@ constexpr std::size_t kKeptBytes = std::size_t{8} << 20U;
 
 struct Record {
     std::string address, out;
+    std::string json = "-";
     std::string axis, topic, joint;
     int lines = 0;
     double seconds = 0.0;
@@ -78,8 +79,8 @@ nlohmann::ordered_json mountingReport(const scanner::SweepSettings& sweep) {
     if (sweep.expectedLines > 0) lines = sweep.expectedLines;
     return {{"axis", sweep.axis == Axis::Spin ? "spin" : "sweep"},
             {"line_step_deg", *sweep.degPerLine},
-            {"first_line_deg", sweep.firstLineDeg},
-            {"standing", !sweep.continuous},
+            {"line_start_deg", sweep.firstLineDeg},
+            {"stop_and_go", !sweep.continuous},
             {"expected_lines", lines},
             {"assumed", assumed}};
 }
@@ -169,35 +170,41 @@ int run(const Record& record) {
         printError(none);
         return kRefused;
     }
-    printResult(document("record", summary(record, *sweep, status, *closed)), false);
-    return kDone;
+    const auto written = writeDocument(record.json, document("record", summary(record, *sweep, status, *closed)), false);
+    if (written) return kDone;
+    printError(written.error());
+    return kRefused;
 }
 
 } // namespace
 
 void addRecord(CLI::App& app, int& code) {
     auto record = std::make_shared<Record>();
-    CLI::App& command = *app.add_subcommand("record", "A live scanner to disk; nothing but reads and a subscription is sent to it");
+    CLI::App& command = *app.add_subcommand("record", "Records a live scanner or a robot's bridge; it only reads and subscribes");
     command.add_option("HOST", record->address, "Scanner as HOST or HOST:PORT; a robot's Foxglove bridge as ws://HOST or ws://HOST:PORT")
         ->required();
-    command.add_option("-o,--output", record->out, "New recording (.mcap)")->required();
-    addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly so many lines; 0 = until Ctrl+C");
-    addNumber(command, "--seconds", record->seconds, kSeconds, "End after so many seconds; 0 = run on");
+    command.add_option("-o,--output", record->out, "New recording (.mcap)")->type_name("FILE")->required();
+    addJsonFlag(command, record->json, "Account of the recording, when it has ended").capture_default_str();
+    addNumber(command, "--lines", record->lines, {0, 1e9}, "Record exactly this number of lines; 0 = until Ctrl+C");
+    addNumber(command, "--seconds", record->seconds, kSeconds, "End after this time [s]; 0 = run on");
     const char* group = "Mounting of the stepper (what is not given is assumed, reported and marked in the recording)";
     Mounting& mounting = record->mounting;
     command.add_option("--axis", record->axis, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)")
         ->check(CLI::IsMember({"spin", "sweep"}))
         ->group(group);
     addNumber(command, "--line-step", mounting.lineStepDeg, {-90, 90}, "Stepper angle from line to line [degrees]").group(group);
-    addNumber(command, "--first-line", mounting.firstLineDeg, physical::kBeamDeg.limits, "Stepper angle of the first line [degrees]")
+    addNumber(command, "--line-start", mounting.firstLineDeg, physical::kBeamDeg.limits, "Stepper angle of the first line [degrees]")
         .group(group);
-    command.add_option("--calibration", mounting.calibration, "Calibration file of the robot: says axis and step")->group(group);
+    command.add_option("--calibration", mounting.calibration, "Calibration file of the robot, which has axis and step")
+        ->type_name("FILE")
+        ->group(group);
     addMountingFlags(command, mounting, group);
     const char* bridge = "Robot's bridge";
-    command.add_option("--topic", record->topic, "Topic of scan lines; without it the first one by name")->group(bridge);
+    command.add_option("--topic", record->topic, "Topic of scan lines; without it the first one by name")->type_name("NAME")->group(bridge);
     command.add_option("--joint", record->joint, "Joint that turns the laser; without it transforms, then the joint that turns furthest")
+        ->type_name("NAME")
         ->group(bridge);
-    command.add_flag("--progress", record->progress, "Report the progress on stderr also where that is not a terminal");
+    command.add_flag("--progress", record->progress, "Show the progress on stderr, also where that is not a terminal");
     command.callback([record, &code] { code = run(*record); });
 }
 

@@ -1,6 +1,5 @@
 // edgescan-cli replay: plays a recording through the live path. Prints a JSON line per received scan line, and the edges of the sweep at
 // the end.
-#include "core/files/recording/replay.h"
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
 #include "app/shared/json_output.h"
@@ -8,6 +7,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/report.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/scanner/sweep_assembly/played_line.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,28 +21,28 @@ namespace {
 
 struct ReplayWanted {
     std::string file;
+    std::string json = "-";
     double speed = 0.0;
     bool quiet = false;
     ReadingOptions place;
     MethodFlags method;
 };
 
-nlohmann::ordered_json lineReport(const files::Replay& replay) {
-    const scanner::SweepProgress progress = replay.progress();
-    return {{"line", replay.position() - 1},
+nlohmann::ordered_json lineReport(const scanner::PlayedLine& played) {
+    const scanner::SweepProgress& progress = played.progress;
+    return {{"line", played.line},
             {"sweep", progress.number},
             {"row", progress.lines - 1},
             {"lost", progress.lost.size()},
             {"duplicates", progress.duplicates},
-            {"time_ns", replay.timeNs(replay.position() - 1)},
+            {"time_ns", played.timeNs},
             {"irregular", irregularReport(progress.irregularEver)}};
 }
 
 // Waits until the next line is due: the recorded delay divided by the speed. Speed 0 does not wait.
-void waitForNextLine(const files::Replay& replay, double speed) {
-    const int line = replay.position();
-    if (speed <= 0 || line >= replay.lines()) return;
-    const double ns = static_cast<double>(replay.timeNs(line) - replay.timeNs(line - 1)) / speed;
+void waitForNextLine(const scanner::PlayedLine& played, double speed) {
+    if (speed <= 0 || played.nextNs == 0) return;
+    const double ns = static_cast<double>(played.nextNs - played.timeNs) / speed;
     std::this_thread::sleep_for(std::chrono::nanoseconds(static_cast<std::int64_t>(std::max(0.0, ns))));
 }
 
@@ -51,11 +51,13 @@ int run(const ReplayWanted& wanted) {
         printError(method.error());
         return kWrongUsage;
     }
-    auto scan = files::openScan(wanted.file, wanted.place, [&](const files::Replay& replay) {
-        if (!wanted.quiet) printResult(document("replay-line", lineReport(replay)), false);
-        waitForNextLine(replay, wanted.speed);
+    JsonLines json(wanted.json);
+    auto scan = files::openScan(wanted.file, wanted.place, [&](const scanner::PlayedLine& played) {
+        if (!wanted.quiet) json.add(document("replay-line", lineReport(played)));
+        waitForNextLine(played, wanted.speed);
     });
-    if (scan && scan->format != "recording") scan = Error{"this file is not a recording", wanted.file, "open it with detect"};
+    if (scan && scan->format != "recording" && !scan->format.starts_with("ROS "))
+        scan = Error{"this file is not a recording", wanted.file, "open it with detect"};
     if (!scan) {
         printError(scan.error());
         return kRefused;
@@ -66,19 +68,20 @@ int run(const ReplayWanted& wanted) {
         return kRefused;
     }
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
-    printResult(document("replay", {{"result", document("detect", exports::detectReport(*detection, 0.0))}}), false);
-    return kDone;
+    json.add(document("replay", {{"result", document("detect", exports::detectReport(*detection, 0.0))}}));
+    return json.ended(kDone);
 }
 
 } // namespace
 
 void addReplay(CLI::App& app, int& code) {
     auto wanted = std::make_shared<ReplayWanted>();
-    CLI::App& command =
-        *app.add_subcommand("replay", "A recording through the live path: a JSON line per line received, the edges at the end");
-    command.add_option("FILE", wanted->file, "Recording (.mcap)")->required();
-    addNumber(command, "--speed", wanted->speed, {0, 1e6}, "1 = as it was recorded; 0 = as fast as it goes");
-    command.add_flag("--quiet", wanted->quiet, "Only the result");
+    CLI::App& command = *app.add_subcommand(
+        "replay", "Plays a recording like a live scanner; prints a line of JSON per scan line, and the edges at the end");
+    command.add_option("FILE", wanted->file, "Recording (.mcap), or the bag of a laser")->required();
+    addNumber(command, "--speed", wanted->speed, {0, 1e6}, "1 = as it was recorded; 0 = as fast as possible");
+    command.add_flag("--quiet", wanted->quiet, "Only the edges at the end");
+    addJsonFlag(command, wanted->json, "One JSON object per scan line, then the edges").capture_default_str();
     addPlaceFlags(command, wanted->place);
     addMethodFlags(command, wanted->method);
     command.callback([wanted, &code] { code = run(*wanted); });

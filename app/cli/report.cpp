@@ -135,19 +135,23 @@ int run(ReportCommand& report) {
 
 void addReport(CLI::App& app, int& code) {
     auto report = std::make_shared<ReportCommand>();
-    CLI::App& command = *app.add_subcommand("report", "One page about a scan that opens in any browser, without a network");
+    CLI::App& command = *app.add_subcommand("report", "Writes one page about a scan that any browser opens without a network");
     command.add_option("SCAN", report->file, "The scan")->required();
     command
-        .add_option("-o,--output", report->out,
-                    "New file: .html; - is stdout. A browser prints it as PDF: chromium --headless --print-to-pdf=report.pdf report.html")
+        .add_option(
+            "-o,--output", report->out,
+            "New file: .html; - is standard output. A browser prints it as PDF: chromium --headless --print-to-pdf=report.pdf report.html")
+        ->type_name("FILE")
         ->required();
-    command.add_option("--operator", report->operatorName, "Who makes the report");
-    command.add_option("--role", report->role, "As what");
-    command.add_option("--site", report->site, "The site, for the head of the report");
+    command.add_option("--operator", report->operatorName, "Name of the operator")->type_name("NAME");
+    command.add_option("--role", report->role, "Role of the operator")->type_name("NAME");
+    command.add_option("--site", report->site, "The site, for the head of the report")->type_name("NAME");
     command.add_option("--remark", report->remark, "A remark for the report; it may have several lines");
-    command.add_option("--logo", report->logo, "A PNG picture for the head of the report");
-    command.add_option("--targets", report->targets, "What was pinned and measured on the scan: the viewer's file (docs/guide/measure.md)");
-    command.add_option("--before", report->before, "An earlier scan of the same place: what changed since, by the same settings");
+    command.add_option("--logo", report->logo, "A PNG picture for the head of the report")->type_name("FILE");
+    command.add_option("--targets", report->targets, "Targets and measurements on the scan: the viewer's file (docs/guide/measure.md)")
+        ->type_name("FILE");
+    command.add_option("--before", report->before, "An earlier scan of the same place: what changed since, with the same settings")
+        ->type_name("FILE");
     command.add_flag("--rocks", report->withRocks, std::string("With the rocks between the edges: ") + rocks::kRockCaveat)->group("Rocks");
     addRockFlags(command, report->rocks, true);
     addMethodFlags(command, report->method);

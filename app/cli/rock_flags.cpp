@@ -20,12 +20,14 @@ void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
             ->default_str(shortestText(p.get(rocks::RockSettings{})))
             ->group(group);
     }
-    command.add_option("--region", flags.region, "Region of interest, cells of the picture: \"LINE,BEAM LINE,BEAM\" or a polygon")
+    command.add_option("--region", flags.region, "Region of interest: two opposite cells, or the corners of a polygon")
+        ->type_name("\"LINE,BEAM LINE,BEAM...\"")
         ->group(group);
     if (!ofOneScan) return;
     command
         .add_option("--edits", flags.edits,
                     "Edits by hand, with settings where it has some: SCAN.rocks.json of the viewer (docs/method/rocks.md)")
+        ->type_name("FILE")
         ->group(group);
 }
 

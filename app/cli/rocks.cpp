@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/export_flags.h"
 #include "app/cli/rock_flags.h"
+#include "app/shared/cells.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
@@ -41,20 +42,10 @@ struct RocksFlags {
     MethodFlags method;
 };
 
-// "LINE,BEAM" as a cell of the scan.
-Result<std::uint32_t> cellOf(const std::string& text, const Scan& scan, const char* flag) {
-    const auto corner = rocks::parseRegion(text + " " + text);
-    if (!corner || corner->size() != 2 || !scan.rangeMm.contains(corner->front().line, corner->front().beam))
-        return Error{"\"" + text + "\" is not a cell of the scan", flag,
-                     "give LINE,BEAM with lines from 0 to " + std::to_string(scan.lines() - 1) + " and beams from 0 to " +
-                         std::to_string(scan.beams() - 1)};
-    return static_cast<std::uint32_t>(scan.rangeMm.index(corner->front().line, corner->front().beam));
-}
-
 // Splits at these cells, one after the other, like clicks in the viewer.
 Result<Done> split(const RocksFlags& flags, const rocks::Inputs& inputs, rocks::Study& study) {
     for (const std::string& text : flags.split) {
-        const auto cell = cellOf(text, *inputs.scan, "--split");
+        const auto cell = cellIn(*inputs.scan, text, "--split");
         if (!cell) return cell.error();
         const auto edit = rocks::splitAt(*study.segmentation, *study.tree, study.settings.level, *cell);
         if (!edit)
@@ -79,8 +70,8 @@ std::string summary(const rocks::Study& study, const std::string& file) {
 
 Result<Done> answerWhy(const RocksFlags& flags, const rocks::Study& study) {
     const Scan& scan = *study.segmentation->inputs.scan;
-    const auto one = cellOf(flags.why[0], scan, "--why");
-    const auto other = cellOf(flags.why[1], scan, "--why");
+    const auto one = cellIn(scan, flags.why[0], "--why");
+    const auto other = cellIn(scan, flags.why[1], "--why");
     if (!one || !other) return one ? other.error() : one.error();
     printResult(document("rocks-why", exports::whyReport(study, rocks::whyTwoRocks(study, *one, *other))), true);
     return Done{};
@@ -99,7 +90,7 @@ Result<std::shared_ptr<const inspect::SectionPlane>> planeFor(const RocksFlags& 
         }
         plane = inspect::planeThroughRock(scan, cells);
     } else if (!flags.through.empty()) {
-        const auto from = cellOf(flags.through[0], scan, "--section-through"), to = cellOf(flags.through[1], scan, "--section-through");
+        const auto from = cellIn(scan, flags.through[0], "--section-through"), to = cellIn(scan, flags.through[1], "--section-through");
         if (!from || !to) return from ? to.error() : from.error();
         plane = inspect::planeThrough(scan, *from, *to);
     } else {
@@ -207,23 +198,30 @@ void addRocks(CLI::App& app, int& code) {
     command.add_option("FILE", flags->file, "Scan")->required();
     const char* results = "Results";
     addExportFlags(command, kRocks, flags->out, results);
-    command.add_option("-o,--output", flags->out.folder, "Folder for all of these, under the scan's name")->group(results);
-    command.add_option("--why", flags->why, "Why two cells, each as LINE,BEAM, lie in two rocks or in one; JSON on stdout")
+    addFolderFlag(command, flags->out, results);
+    command.add_option("--why", flags->why, "Why two cells belong to two rocks or to one, as JSON on standard output")
         ->expected(2)
+        ->type_name("LINE,BEAM")
         ->group(results);
-    CLI::Option* through = command
-                               .add_option("--section-through", flags->through,
-                                           "The section's plane is vertical and goes through these two cells, each as LINE,BEAM")
-                               ->expected(2)
-                               ->group(results);
-    command.add_option("--section-rock", flags->throughRock, "It goes along the rock with this number")
+    CLI::Option* through =
+        command.add_option("--section-through", flags->through, "The plane of the section is vertical and goes through these two cells")
+            ->expected(2)
+            ->type_name("LINE,BEAM")
+            ->group(results);
+    command.add_option("--section-rock", flags->throughRock, "The plane of the section goes along the rock with this number")
+        ->type_name("NUMBER")
         ->check(CLI::Range(1, 1000000))
         ->excludes(through)
         ->group(results);
     const char* group = "Rocks";
     addRockFlags(command, flags->rocks, true);
-    command.add_option("--split", flags->split, "Splits the rock at this cell, as LINE,BEAM, as a click would")->expected(1)->group(group);
-    command.add_option("--write-edits", flags->writeEdits, "Where settings and edits go, those of --split included")->group(group);
+    command.add_option("--split", flags->split, "Splits the rock at this cell, as a click in the viewer does")
+        ->expected(1)
+        ->type_name("LINE,BEAM")
+        ->group(group);
+    command.add_option("--write-edits", flags->writeEdits, "New file for settings and edits, those of --split included")
+        ->type_name("FILE")
+        ->group(group);
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     addWriteFlags(command, flags->write);

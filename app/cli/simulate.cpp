@@ -98,7 +98,7 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
         std::vector<std::string> scenes;
     };
     const std::vector<Use> uses{{"--after-blast", {"hangup"}},
-                                {"--rocks", {"hangup", "pile"}},
+                                {"--rock-count", {"hangup", "pile"}},
                                 {"--rock-roughness", {"hangup", "pile"}},
                                 {"--rock-rounding", {"hangup", "pile"}},
                                 {"--rock-size", {"hangup", "pile"}},
@@ -108,8 +108,8 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
                                 {"--surface", {"rescan"}},
                                 {"--surface-scale", {"rescan"}},
                                 {"--distance", {"wall", "staircase", "rescan"}},
-                                {"--hole", {"wall"}},
-                                {"--holes", {"wall"}},
+                                {"--hole-shape", {"wall"}},
+                                {"--hole-count", {"wall"}},
                                 {"--hole-size", {"wall"}}};
     const std::string& chosen = simulate.settings.scene;
     const bool known =
@@ -120,8 +120,9 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
         for (const std::string& name : use.scenes) names += (names.empty() ? "" : ", ") + name;
         return Error{"the scene " + chosen + " takes no notice of this flag", use.flag, "leave it out, or choose --scene " + names};
     }
-    if (simulate.hole == "none" && command.count("--holes") + command.count("--hole-size") > 0)
-        return Error{"a wall without holes has no number or size of them", "--hole none", "use round or square, or leave the others out"};
+    if (simulate.hole == "none" && command.count("--hole-count") + command.count("--hole-size") > 0)
+        return Error{"a wall without holes has no number or size of them", "--hole-shape none",
+                     "use round or square, or leave the others out"};
     return std::nullopt;
 }
 
@@ -150,7 +151,7 @@ void addSceneFlags(CLI::App& command, Simulate& simulate) {
     command
         .add_flag("--after-blast", s.afterBlast, "The hang-up after a blast: some rocks gone, others fallen or slid, the rest as before")
         ->group(group);
-    add(command, group, "rocks", s);
+    add(command, group, "rock-count", s);
     add(command, group, "rock-roughness", s);
     add(command, group, "rock-rounding", s);
     add(command, group, "rock-size", s);
@@ -161,10 +162,11 @@ void addSceneFlags(CLI::App& command, Simulate& simulate) {
     command.add_option("--surface", simulate.surface, "Cloud of a real surface, seen from above, for the scene rescan")->group(group);
     add(command, group, "surface-scale", s);
     add(command, group, "distance", s);
-    command.add_option("--hole", simulate.hole, "Open holes in the wall; round where --holes or --hole-size is given, else none")
+    command
+        .add_option("--hole-shape", simulate.hole, "Open holes in the wall; round where --hole-count or --hole-size is given, else none")
         ->check(CLI::IsMember({"none", "round", "square"}))
         ->group(group);
-    add(command, group, "holes", s);
+    add(command, group, "hole-count", s);
     add(command, group, "hole-size", s);
 }
 
@@ -202,15 +204,18 @@ void addAssemblyFlags(CLI::App& command, sim::SimulationSettings& s) {
 void addSimulate(CLI::App& app, int& code) {
     auto simulate = std::make_shared<Simulate>();
     sim::SimulationSettings& s = simulate->settings;
-    CLI::App& command = *app.add_subcommand("simulate", "A synthetic draw-bell sweep of an LMS511; same seed, same bytes");
+    CLI::App& command =
+        *app.add_subcommand("simulate", "Simulates a sweep of an LMS511 in a draw-bell; the same seed gives the same bytes");
     command
         .add_option("-o,--output", simulate->out, "New file: " + files::writtenExtensions(true) + " (.json: raw grid, .mcap: recording)")
+        ->type_name("FILE")
         ->required();
-    command.add_option("--truth", simulate->truth, "Folder for the ground truth: edge classes, objects, faces, clean ranges, rocks, scene");
-    command.add_option("--scene", s.scene, sceneHelp())->capture_default_str();
+    command.add_option("--truth", simulate->truth, "Folder for the ground truth: edge classes, objects, faces, clean ranges, rocks, scene")
+        ->type_name("DIR");
+    command.add_option("--scene", s.scene, sceneHelp())->type_name("NAME")->capture_default_str();
     const char* general = "Options"; // CLI11's group for flags without a group
     addNumber(command, "--seed", s.seed, {0, 999999999999999}, "Seed of everything random");
-    add(command, general, "repeat", s);
+    add(command, general, "sweep-number", s);
     add(command, general, "lines", s);
     add(command, general, "turn", s);
     add(command, general, "beams", s);
@@ -222,14 +227,14 @@ void addSimulate(CLI::App& app, int& code) {
     addMeasurementFlags(command, *simulate);
     addAssemblyFlags(command, s);
     add(command, general, "threads", s);
-    command.add_flag("--progress", simulate->progress, "Report the progress on stderr also where that is not a terminal");
+    command.add_flag("--progress", simulate->progress, "Show the progress on stderr, also where that is not a terminal");
     command.callback([simulate, &command, &code] {
         if (const std::optional<Error> wrong = idleFlag(command, *simulate)) {
             printError(*wrong);
             code = kWrongUsage;
             return;
         }
-        simulate->holesTyped = command.count("--holes") + command.count("--hole-size") > 0;
+        simulate->holesTyped = command.count("--hole-count") + command.count("--hole-size") > 0;
         code = run(*simulate);
     });
 }

@@ -51,7 +51,7 @@ int run(const Thumbnail& thumbnail) {
 
 void addThumbnail(CLI::App& app, int& code) {
     auto thumbnail = std::make_shared<Thumbnail>();
-    CLI::App& command = *app.add_subcommand("thumbnail", "A small gray picture of a scan as PNG; file managers call it");
+    CLI::App& command = *app.add_subcommand("thumbnail", "Draws a small gray picture of a scan, for file managers");
     command.add_option("SCAN", thumbnail->in, "Scan")->required();
     command.add_option("OUT", thumbnail->out, "New picture (.png)")->required();
     addNumber(command, "-s,--size", thumbnail->size, {16, 4096}, "Longest side at most [pixels]");

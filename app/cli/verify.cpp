@@ -16,8 +16,7 @@ namespace {
 
 struct Verify {
     std::vector<std::string> files;
-    std::string scans;
-    bool json = false;
+    std::string scans, json;
 };
 
 /// The named exports without duplicates. A record counts as its export: users type `verify RESULTS/*`.
@@ -32,24 +31,23 @@ std::vector<std::string> exportsOf(const std::vector<std::string>& named) {
 }
 
 int run(const Verify& verify) {
-    int code = kDone;
+    JsonLines json(verify.json);
+    std::size_t identical = 0, differing = 0, unchecked = 0;
     std::optional<std::filesystem::path> scans;
     if (!verify.scans.empty()) scans = verify.scans;
     for (const std::string& file : exportsOf(verify.files)) {
         const auto one = [&] {
             const Result<exports::Verification> verification = exports::verifyExport(file, scans);
             if (!verification) printError(verification.error());
-            if (verify.json)
-                printResult(verification ? document("verify", exports::verificationReport(*verification))
-                                         : refusal("verify", file, verification.error()),
-                            false);
-            else if (verification)
-                printResult(exports::verificationText(*verification));
-            return verification && verification->identical ? kDone : kRefused;
+            json.add(verification ? document("verify", exports::verificationReport(*verification))
+                                  : refusal("verify", file, verification.error()));
+            if (verification && verify.json != "-") printResult(exports::verificationText(*verification));
+            return !verification ? kRefused : verification->identical ? kDone : kDiffers;
         };
-        if (guarded(one, kRefused) != kDone) code = kRefused;
+        const int code = guarded(one, kRefused);
+        ++(code == kDone ? identical : code == kDiffers ? differing : unchecked);
     }
-    return code;
+    return json.ended(differing > 0 ? kDiffers : codeOf(identical, unchecked));
 }
 
 } // namespace
@@ -57,10 +55,10 @@ int run(const Verify& verify) {
 void addVerify(CLI::App& app, int& code) {
     auto verify = std::make_shared<Verify>();
     CLI::App& command =
-        *app.add_subcommand("verify", "Makes exports again from their provenance and says identical, or which byte differs first");
+        *app.add_subcommand("verify", "Rebuilds exports from their records and says identical, or which byte differs first");
     command.add_option("EXPORT", verify->files, "Clouds and pictures that this program exported, or the records next to them")->required();
-    command.add_option("--scans", verify->scans, "Folder to look for the scan in, besides that of the export");
-    command.add_flag("--json", verify->json, "One JSON object per export");
+    command.add_option("--scans", verify->scans, "Folder to look for the scan in, in addition to that of the export")->type_name("DIR");
+    addJsonFlag(command, verify->json, "One JSON object per export and line").check(jsonName());
     command.callback([verify, &code] { code = run(*verify); });
 }
 

@@ -1,5 +1,6 @@
 // edgescan-cli why: explains why a cell is an edge or is not an edge.
 #include "app/cli/commands.h"
+#include "app/shared/cells.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
 #include "core/edges/pipeline/pipeline.h"
@@ -15,9 +16,8 @@ namespace edgescan::cli {
 namespace {
 
 struct WhyFlags {
-    std::string file;
-    int line = 0;
-    int beam = 0;
+    std::string file, cell;
+    std::string json = "-";
     ReadFlags read;
     MethodFlags method;
 };
@@ -25,18 +25,14 @@ struct WhyFlags {
 Result<Done> explain(const WhyFlags& flags) {
     Result<Scan> opened = openAndWarn(flags.file, flags.read);
     if (!opened) return opened.error();
-    if (!opened->rangeMm.contains(flags.line, flags.beam)) {
-        return Error{"there is no cell at line " + std::to_string(flags.line) + ", beam " + std::to_string(flags.beam), flags.file,
-                     "lines run from 0 to " + std::to_string(opened->lines() - 1) + ", beams from 0 to " +
-                         std::to_string(opened->beams() - 1)};
-    }
+    const Result<std::uint32_t> cell = cellIn(*opened, flags.cell, "--cell");
+    if (!cell) return cell.error();
     if (auto enough = edges::checkMemoryFor(edges::Work::Explain, *opened); !enough) return enough.error();
     const Result<edges::Settings> settings = settingsFor(flags.method, *opened);
     if (!settings) return settings.error();
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(std::move(*opened)), *settings);
-    const edges::Why why = edges::whyCell(*detection, detection->scan->rangeMm.index(flags.line, flags.beam));
-    printResult(document("why", exports::whyReport(*detection, why)), true);
-    return Done{};
+    const edges::Why why = edges::whyCell(*detection, *cell);
+    return writeDocument(flags.json, document("why", exports::whyReport(*detection, why)));
 }
 
 int run(const WhyFlags& flags) {
@@ -55,11 +51,10 @@ int run(const WhyFlags& flags) {
 
 void addWhy(CLI::App& app, int& code) {
     auto flags = std::make_shared<WhyFlags>();
-    CLI::App& command = *app.add_subcommand("why", "Why a cell is an edge, or why it is none; JSON");
+    CLI::App& command = *app.add_subcommand("why", "Explains why a cell is an edge, or why it is not, as JSON");
     command.add_option("FILE", flags->file, "Scan")->required();
-    constexpr NumberLimits kIndex{0, 1e9};
-    addNumber(command, "--line", flags->line, kIndex, "Line of the cell, from 0").required();
-    addNumber(command, "--beam", flags->beam, kIndex, "Beam of the cell, from 0").required();
+    command.add_option("--cell", flags->cell, "The cell; lines and beams are counted from 0")->type_name("LINE,BEAM")->required();
+    addJsonFlag(command, flags->json, "What was measured at the cell, and the sentence").capture_default_str();
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     command.callback([flags, &code] { code = run(*flags); });

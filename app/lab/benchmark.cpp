@@ -83,7 +83,7 @@ Result<Done> benchmark(const Benchmark& asked) {
     const std::string& json = asked.compared.json;
     if (json != "-") printResult(lab::comparisonText(*scan, methods));
     if (json.empty()) return Done{};
-    return writeDocument(json, document("compare", lab::comparisonReport(*scan, methods, settings)));
+    return writeDocument(json, document("benchmark", lab::comparisonReport(*scan, methods, settings)));
 }
 
 int run(const Benchmark& asked) {
@@ -103,12 +103,14 @@ int run(const Benchmark& asked) {
 
 void addBenchmark(CLI::App& app, int& code) {
     auto asked = std::make_shared<Benchmark>();
-    CLI::App& command = *app.add_subcommand("benchmark", "Every method of the thesis, the PCL peers and EdgeScan+ on one scan, in one run");
-    command.add_option("FILE", asked->file, "Scan")->required();
-    command.add_option("--truth", asked->truth, "Folder with ground truth of simulate --truth: also scores");
-    command.add_option("--pictures", asked->pictures,
-                       "Folder for a labelled sheet (comparison.png), with truth one of cells found, missed and false (truth.png), and one "
-                       "mask per method");
+    CLI::App& command = *app.add_subcommand("benchmark", "Runs every method of the thesis, the PCL peers and EdgeScan+ on one scan");
+    command.add_option("SCAN", asked->file, "Scan")->required();
+    command.add_option("--truth", asked->truth, "Folder with ground truth of simulate --truth: also scores")->type_name("DIR");
+    command
+        .add_option("--pictures", asked->pictures,
+                    "Folder for a labelled sheet (comparison.png), with truth one of cells found, missed and false (truth.png), and one "
+                    "mask per method")
+        ->type_name("DIR");
     lab::ComparisonSettings& settings = asked->compared.settings;
     addNumber(command, "--tolerance", settings.tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]");
     command.add_flag("--best", settings.bestThreshold, "With truth: also each method's score at its best threshold for this scan");

@@ -24,13 +24,20 @@ struct ClicksAsked {
 };
 
 Json lengthsJson(const lab::ClickedLengths& lengths) {
-    return {{"measured", lengths.measured},    {"refused", lengths.refused}, {"off", lengths.off},
-            {"off_share", lengths.shareOff()}, {"behind", lengths.behind},   {"behind_without_warning", lengths.silent}};
+    return {{"measured", lengths.measured},
+            {"refused", lengths.refused},
+            {"off", lengths.off},
+            {"off_share", lengths.shareOff()},
+            {"off_without_warning", lengths.offSilently},
+            {"warned", lengths.warned},
+            {"behind", lengths.behind},
+            {"behind_without_warning", lengths.silent}};
 }
 
 std::string lengthsText(const lab::ClickedLengths& lengths) {
     return fixedText(100.0 * lengths.shareOff(), 1) + " % of " + std::to_string(lengths.measured) + " off, " +
            std::to_string(lengths.behind) + " on a surface behind, " + std::to_string(lengths.silent) + " of these without a warning; " +
+           std::to_string(lengths.warned) + " warned about, " + std::to_string(lengths.offSilently) + " off without a warning; " +
            std::to_string(lengths.refused) + " refused";
 }
 
@@ -73,14 +80,15 @@ Result<Done> clicks(const ClicksAsked& asked) {
 void addClicks(CLI::App& app, int& code) {
     auto asked = std::make_shared<ClicksAsked>();
     CLI::App& command = *app.add_subcommand(
-        "clicks", "How many lengths between random clicks near the edges of simulated scans are off by more than their stated uncertainty");
+        "clicks",
+        "Counts how many lengths between random clicks near the edges of simulated scans are off by more than their stated uncertainty");
     command.add_option("--scene", asked->scenes, "Simulated scenes")->expected(1, 20)->capture_default_str();
     command.add_option("--clicks", asked->clicks, "Clicks per scan")->check(CLI::Range(2, 1000000))->capture_default_str();
     command.add_option("--seeds", asked->seeds, "Scans per scene")->check(CLI::Range(1, 1000))->capture_default_str();
     command.add_option("--seed", asked->firstSeed, "The first seed")->check(CLI::Range(0, 1000000))->capture_default_str();
     command.add_option("--lines", asked->lines, "Scan lines")->check(CLI::Range(20, 4000))->capture_default_str();
     command.add_option("--beams", asked->beams, "Beams")->check(CLI::Range(20, 4000))->capture_default_str();
-    command.add_option("--json", asked->json, "Write the figures as JSON; - is standard output");
+    addJsonFlag(command, asked->json, "All figures");
     command.callback([asked, &code] {
         const Result<Done> result = clicks(*asked);
         code = result ? kDone : kRefused;

@@ -2,6 +2,7 @@
 #include "app/lab/compared_methods.h"
 
 #include "app/shared/exits.h"
+#include "app/shared/json_output.h"
 #include "core/base/number_text.h"
 
 #include <algorithm>
@@ -12,12 +13,14 @@
 namespace edgescan::cli {
 
 void addComparedFlags(CLI::App& command, ComparedFlags& flags) {
-    command.add_option("--json", flags.json, "All figures; - is stdout, instead of the tables");
+    addJsonFlag(command, flags.json, "All figures");
     addNumber(command, "--radius", flags.settings.pclLimits.radiusM, {0.001, 10}, "Radius of PCL's BoundaryEstimation [m]");
     addNumber(command, "--peer-seconds", flags.settings.pclLimits.seconds, {0, 1e6},
               "A PCL peer that works point by point stops after this time [s]");
     command.add_flag("--slow", flags.slow, "Let every PCL peer end, however long it takes");
-    command.add_option("--only", flags.settings.only, "Only these of our methods, and no peers: thesis,edgescan+")->delimiter(',');
+    command.add_option("--only", flags.settings.only, "Only these of our methods, and no peers: thesis,edgescan+")
+        ->delimiter(',')
+        ->type_name("NAME,...");
     command.add_flag("--no-peers", flags.noPeers, "Leave the PCL peers out");
     addReadFlags(command, flags.read);
 }

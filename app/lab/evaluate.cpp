@@ -177,7 +177,7 @@ Result<Done> checkUsage(Evaluate& evaluate, const edges::Settings& settings) {
 
 /// Flags that were typed though nothing reads them.
 std::optional<Error> misplacedFlag(const CLI::App& command, bool rocks) {
-    for (const char* flag : {"--ranges", "--tolerance", "--sweep", "--thresholds", "--facets"}) {
+    for (const char* flag : {"--scan-of-mask", "--tolerance", "--sweep", "--thresholds", "--facets"}) {
         if (rocks && command.count(flag) > 0) return Error{"it is about edges", flag, "leave it out, or --rocks"};
     }
     for (const char* flag : {"--peers", "--pictures", "--level"}) {
@@ -227,8 +227,8 @@ int run(Evaluate& evaluate, const CLI::App& command) {
     if (evaluate.rocks) return runRocks(evaluate, *settings);
     const bool allMasks = std::all_of(evaluate.files.begin(), evaluate.files.end(), isMask);
     if (!evaluate.ranges.empty() && (!allMasks || evaluate.ranges.size() != evaluate.files.size())) {
-        printError(
-            {"ranges belong to masks, one scan each", "--ranges", "give --ranges once per mask, in the same order, or leave it out"});
+        printError({"such scans belong to masks, one to each", "--scan-of-mask",
+                    "give --scan-of-mask once per mask, in the same order, or leave it out"});
         return kWrongUsage;
     }
     if (evaluate.sweep && masks) {
@@ -248,9 +248,11 @@ void addEvaluate(CLI::App& app, int& code) {
     CLI::App& command = *app.add_subcommand("evaluate", "Scores edges against ground truth that simulate --truth wrote");
     command.add_option("FILE", evaluate->files, "Edge masks (.png, 255 = edge), or scans to run the method on; figures of all together")
         ->required();
-    command.add_option("--truth", evaluate->truths, "Folder with the truth of each file, in the same order")->required();
-    command.add_option("--ranges", evaluate->ranges,
-                       "Scan that each mask was made from, in the same order: also the 3D error of its edges");
+    command.add_option("--truth", evaluate->truths, "Folder with the truth of each file, in the same order")->type_name("DIR")->required();
+    command
+        .add_option("--scan-of-mask", evaluate->ranges,
+                    "Scan that each mask was made from, in the same order: also the 3D error of its edges")
+        ->type_name("FILE");
     addNumber(command, "--tolerance", evaluate->tolerance, {0, 20}, "How far a detection may lie from a true edge [cells]");
     command.add_flag("--facets", evaluate->facets,
                      "Folds between the facets of re-scanned surfaces are true edges; without it no fold of theirs is one");
@@ -260,7 +262,7 @@ void addEvaluate(CLI::App& app, int& code) {
                     "Thresholds of the sweep, ascending, instead of the usual ones; within the limits of the method's threshold")
         ->delimiter(',')
         ->type_name("NUMBER,...");
-    command.add_option("--json", evaluate->json, "All figures; - is stdout");
+    addJsonFlag(command, evaluate->json, "All figures");
     const char* rocks = "Rocks";
     command.add_flag("--rocks", evaluate->rocks, "Scores the rocks found in simulated scans instead of the edges")->group(rocks);
     const auto level =
@@ -268,6 +270,7 @@ void addEvaluate(CLI::App& app, int& code) {
     addNumber(command, "--level", evaluate->ofRocks.choices.rocks.level, {level->minimum, level->maximum}, level->help).group(rocks);
     command.add_flag("--peers", evaluate->ofRocks.peers, "Also PCL's RegionGrowing and LCCP")->group(rocks);
     command.add_option("--pictures", evaluate->ofRocks.pictures, "Folder for a picture per scan: rocks found, merged, split and missed")
+        ->type_name("DIR")
         ->group(rocks);
     addMethodFlags(command, evaluate->method);
     addReadFlags(command, evaluate->read);

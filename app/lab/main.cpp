@@ -4,16 +4,15 @@
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
 #include "core/base/inputs.h"
-#include "core/base/version.h"
 
 using namespace edgescan;
 
 int main(int argc, char** argv) {
+    cli::setProgramName("edgescan-lab");
     CLI::App app{"EdgeScan's measures: every method on one scan, against ground truth and on two scans of one place"};
-    app.set_version_flag("--version", version());
+    app.set_version_flag("--version", cli::versionText());
     app.require_subcommand(1);
     int code = cli::kDone;
-    cli::setProgramName("edgescan-lab");
     cli::surviveFileLimit();
     const BindInputs inputs; // no input file can be overwritten
     cli::addBenchmark(app, code);
@@ -21,9 +20,21 @@ int main(int argc, char** argv) {
     cli::addEvaluate(app, code);
     cli::addClicks(app, code);
     cli::addPages(
-        app, {"edgescan-lab",
-              "measures how good edge detection is",
-              {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
-               "edgescan-lab evaluate BELL.json --truth TRUTH", "edgescan-lab benchmark BELL.json --truth TRUTH --no-peers --repeats 1"}});
+        app,
+        {"edgescan-lab",
+         "measures how good edge detection is",
+         {"edgescan-cli simulate -o BELL.json --truth TRUTH --seed 7 --lines 300 --beams 381",
+          "edgescan-lab evaluate BELL.json --truth TRUTH", "edgescan-lab benchmark BELL.json --truth TRUTH --no-peers --repeats 1"},
+         {},
+         {{"benchmark",
+           "Methods",
+           {"edgescan-lab benchmark BELL.json --truth TRUTH --only thesis,edgescan+ --repeats 1 --pictures SHEETS"},
+           {}},
+          {"evaluate", "Methods", {"edgescan-lab evaluate BELL.json --truth TRUTH --sweep --thresholds 0.5,1,2 --json SCORES.json"}, {}},
+          {"repeatability",
+           "Two scans",
+           {"edgescan-lab repeatability BELL.json AGAIN.json --poses-3dtk A.pose B.pose --only edgescan+ --json REPEATED.json"},
+           {}},
+          {"clicks", "Lengths", {"edgescan-lab clicks --scene hangup --seeds 1 --clicks 50 --lines 120 --beams 160"}, {}}}});
     return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

@@ -41,7 +41,7 @@ Result<std::vector<inspect::PlacedScan>> placed(const Repeatability& asked) {
         }
         if (!(*scan)->placement)
             return Error{"the scan has no place in the mine, so its position relative to the other one is unknown", asked.files[n],
-                         "give --poses A.pose B.pose, or --pose and --calibration"};
+                         "give --poses-3dtk A.pose B.pose, or --pose and --calibration"};
         if (!origin) origin = (*scan)->placement->originEnhM;
         scans.push_back(inspect::placedInMine(*scan, *origin));
     }
@@ -67,7 +67,7 @@ Result<Done> repeatability(const Repeatability& asked) {
     if (json.empty()) return Done{};
     nlohmann::ordered_json report{{"inputs", asked.files}};
     report.update(lab::repeatReport(run));
-    return writeDocument(json, document("compare-two", report));
+    return writeDocument(json, document("repeatability", report));
 }
 
 } // namespace
@@ -75,11 +75,10 @@ Result<Done> repeatability(const Repeatability& asked) {
 void addRepeatability(CLI::App& app, int& code) {
     auto asked = std::make_shared<Repeatability>();
     CLI::App& command =
-        *app.add_subcommand("repeatability", "How many edges of one scan another scan of the same place has too, per method");
-    command.add_option("FILE", asked->files, "Two scans of one place")->required()->expected(2);
-    command.add_option("--poses", asked->poses, "Their .pose files of 3DTK, in the same order; else both need a place in the mine")
-        ->expected(2);
-    command.add_flag("--refine", asked->refine, "Bring their surfaces onto each other first, and report their distance");
+        *app.add_subcommand("repeatability", "Counts how many edges of one scan another scan of the same place has too, per method");
+    command.add_option("SCAN", asked->files, "Two scans of one place")->required()->expected(2);
+    addPosesFlag(command, asked->poses);
+    command.add_flag("--refine", asked->refine, "Fit their surfaces onto each other first, and report their distance");
     addNumber(command, "--match-radius", asked->radiusM, {0.001, 10}, "How near the other one's edge must lie [m]");
     addComparedFlags(command, asked->compared);
     command.callback([asked, &code] {

@@ -49,7 +49,7 @@ void setWord(sim::SimulationSettings& s, const std::string& key, const std::stri
         s.axis = wordOf(key, text, {"spin", "sweep"}) == 0 ? Axis::Spin : Axis::Sweep;
     else if (key == "profile")
         s.profile = wordOf(key, text, {"high", "standard"}) == 0 ? sim::DeviceProfile::HighResolution : sim::DeviceProfile::Standard;
-    else if (key == "hole")
+    else if (key == "hole-shape")
         s.hole =
             std::array{sim::WallHole::None, sim::WallHole::Round, sim::WallHole::Square}[wordOf(key, text, {"none", "round", "square"})];
     else if (key == "footprint")
@@ -75,7 +75,8 @@ SimulationObject make(std::uint64_t seed, const std::map<std::string, double>& n
     }
     for (const auto& [key, text] : words) setWord(settings, key, text);
     // As on the command line: holes are round by default.
-    if (!words.contains("hole") && (numbers.contains("holes") || numbers.contains("hole-size"))) settings.hole = sim::WallHole::Round;
+    if (!words.contains("hole-shape") && (numbers.contains("hole-count") || numbers.contains("hole-size")))
+        settings.hole = sim::WallHole::Round;
     Result<sim::Simulation> made = unlocked([&] {
         if (surface != nullptr) {
             const CartesianTables tables(*surface->scan);

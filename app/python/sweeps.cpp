@@ -250,7 +250,7 @@ void checkTimeout(double timeout) {
 std::unique_ptr<ConnectionObject> connect(const std::string& address, const std::string& record, const py::int_& expected,
                                           const std::optional<std::string>& axis, std::optional<double> lineStart,
                                           std::optional<double> lineStep, std::optional<double> ticksPerDegree,
-                                          const std::string& calibration, bool standing, double timeout) {
+                                          const std::string& calibration, bool stopAndGo, double timeout) {
     if (axis && *axis != "spin" && *axis != "sweep") throw Refused{{"\"" + *axis + "\" is not an axis", "axis", "use spin or sweep"}};
     const std::int64_t expectedLines = wholeOf(expected);
     if (expectedLines < 0 || expectedLines > 20000)
@@ -264,7 +264,7 @@ std::unique_ptr<ConnectionObject> connect(const std::string& address, const std:
                            .ticksPerDeg = ticksPerDegree,
                            .calibration = calibration,
                            .expectedLines = static_cast<int>(expectedLines),
-                           .standing = standing};
+                           .stopAndGo = stopAndGo};
     if (axis) mounting.axis = *axis == "spin" ? Axis::Spin : Axis::Sweep;
     auto connection = std::make_unique<ConnectionObject>(address, taken(cli::sweepOf(mounting)), record, timeout);
     connection->waitForFirstLine();
@@ -327,7 +327,7 @@ void bindSweeps(py::module_& module) {
                });
     module.def("connect", &connect, py::arg("address"), py::arg("record"), py::arg("expected_lines"), py::arg("axis").none(true),
                py::arg("line_start").none(true), py::arg("line_step").none(true), py::arg("ticks_per_degree").none(true),
-               py::arg("calibration"), py::arg("standing"), py::arg("timeout"));
+               py::arg("calibration"), py::arg("stop_and_go"), py::arg("timeout"));
 }
 
 } // namespace edgescan::python

@@ -2,6 +2,7 @@
 #include "app/shared/exits.h"
 
 #include "core/base/foreign_text.h"
+#include "core/base/version.h"
 #include "core/exports/report.h"
 
 #include <nlohmann/json.hpp>
@@ -27,6 +28,10 @@ std::string repeated(const std::string& what) {
 } // namespace
 
 void setProgramName(const std::string& name) { programName = name; }
+
+std::string versionText() {
+    return programName + " " + version() + " (commit " + commit() + ")\nLicence: BSD-3-Clause. Without any warranty.";
+}
 
 void printError(const std::string& sentence) {
     if (progressLineOpen.exchange(false)) std::cerr << '\n';

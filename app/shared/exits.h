@@ -6,15 +6,21 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
 namespace edgescan::cli {
 
-// Exit codes of the programs.
+// Exit codes of the programs (docs/reference/command-line.md, "Exit codes").
 inline constexpr int kDone = 0;
 inline constexpr int kRefused = 1;    ///< an input was refused or unreadable, or an output could not be written
 inline constexpr int kWrongUsage = 2; ///< the command line itself is wrong
+inline constexpr int kDiffers = 3;    ///< a check was made, and what was checked is not as its record or log says
+inline constexpr int kPartly = 4;     ///< of several scans some were refused; the others are done
+
+/// The exit code of work on several files.
+[[nodiscard]] inline int codeOf(std::size_t done, std::size_t refused) { return refused == 0 ? kDone : done == 0 ? kRefused : kPartly; }
 
 /// Sets the name before each message on stderr; "edgescan-cli" by default.
 void setProgramName(const std::string& name);
@@ -25,6 +31,9 @@ void printError(const std::string& sentence);
 
 /// True for outputs that are not a named file: standard output ("-", "-.pcd") or a device.
 [[nodiscard]] inline bool isStreamOrDevice(const std::string& path) { return path.starts_with("-") || path.starts_with("/dev/"); }
+
+/// The name, the version, the commit and the licence, for --version.
+[[nodiscard]] std::string versionText();
 
 /// Prints results on stdout, line by line; control characters of foreign text are escaped.
 void printResult(const std::string& text);

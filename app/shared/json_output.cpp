@@ -1,8 +1,11 @@
-// Writes JSON documents to standard output.
+// Writes JSON documents.
 #include "app/shared/json_output.h"
 
+#include "app/shared/exits.h"
 #include "core/base/whole_file.h"
 #include "core/exports/report.h"
+
+#include <filesystem>
 
 namespace edgescan::cli {
 
@@ -20,6 +23,33 @@ Json refusal(const std::string& command, const std::string& input, const Error& 
 
 Result<Done> writeDocument(const std::string& path, const Json& document, bool indented) {
     return writeWholeFile(path, exports::reportText(document, indented) + "\n");
+}
+
+CLI::Option& addJsonFlag(CLI::App& command, std::string& path, const std::string& what) {
+    return *command.add_option("--json", path, what + "; - is standard output")->type_name("FILE");
+}
+
+CLI::Validator jsonName() {
+    const auto isJson = [](const std::string& name) {
+        if (isStreamOrDevice(name) || std::filesystem::path(name).extension() == ".json") return std::string();
+        return "\"" + name + "\" is not a name for JSON; give a name that ends with .json, or - for standard output";
+    };
+    return {isJson, ""};
+}
+
+void JsonLines::add(const Json& document) {
+    if (path_ == "-")
+        printResult(document, false);
+    else if (!path_.empty())
+        lines_ += exports::reportText(document, false) + "\n";
+}
+
+int JsonLines::ended(int code) {
+    if (path_.empty() || path_ == "-") return code;
+    const Result<Done> written = writeWholeFile(path_, lines_);
+    if (written) return code;
+    printError(written.error());
+    return kRefused;
 }
 
 } // namespace edgescan::cli

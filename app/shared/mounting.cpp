@@ -12,9 +12,7 @@ void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& 
     addNumber(command, "--expected-lines", mounting.expectedLines, {0, 20000}, "Lines of a whole sweep; 0 = not known").group(group);
     addNumber(command, "--ticks-per-degree", mounting.ticksPerDeg, {-1e9, 1e9}, "Encoder counts per degree, where there is an encoder")
         .group(group);
-    command
-        .add_flag("--standing", mounting.standing,
-                  "The stepper does not turn while a line is measured; without this flag it turns on meanwhile")
+    command.add_flag("--stop-and-go", mounting.stopAndGo, "The stepper stops while a line is measured; without this flag it turns on")
         ->group(group);
 }
 
@@ -39,7 +37,7 @@ Result<scanner::SweepSettings> sweepOf(const Mounting& mounting) {
     sweep.firstLineDeg = mounting.firstLineDeg.value_or(sweep.firstLineDeg);
     sweep.ticksPerDeg = mounting.ticksPerDeg;
     sweep.expectedLines = mounting.expectedLines;
-    sweep.continuous = !mounting.standing;
+    sweep.continuous = !mounting.stopAndGo;
     return sweep;
 }
 

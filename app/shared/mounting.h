@@ -16,10 +16,10 @@ struct Mounting {
     std::optional<double> lineStepDeg, firstLineDeg, ticksPerDeg;
     std::string calibration; ///< path
     int expectedLines = 0;
-    bool standing = false;
+    bool stopAndGo = false;
 };
 
-/// --expected-lines --ticks-per-degree --standing, in a group of the help.
+/// --expected-lines --ticks-per-degree --stop-and-go, in a group of the help.
 void addMountingFlags(CLI::App& command, Mounting& mounting, const std::string& group);
 
 /// Flags override the calibration, which gives the axis, the step and the mirror's index angle. Values missing in both are marked as

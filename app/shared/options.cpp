@@ -63,6 +63,8 @@ void addReadingFlag(CLI::App& command, const ReadingOption& option, ReadingOptio
         added = command.add_option_function<std::string>(name, take, option.help);
     if (!option.words.empty()) added->check(CLI::IsMember(option.words));
     if (option.limit != nullptr) added->type_name(rangeName(option.limit->limits));
+    if (option.kind == ReadingOption::Kind::Path) added->type_name("FILE");
+    if (option.kind == ReadingOption::Kind::Name) added->type_name("NAME");
     added->group(group);
 }
 
@@ -73,7 +75,7 @@ void addReadFlags(CLI::App& command, ReadFlags& flags) {
         if ((option.uses & ReadingOption::kFlag) != 0 && option.kind != ReadingOption::Kind::Path)
             addReadingFlag(command, option, flags.options, "Reading");
     }
-    command.add_flag("--progress", flags.progress, "Report the progress on stderr also where that is not a terminal")->group("Reading");
+    command.add_flag("--progress", flags.progress, "Show the progress on stderr, also where that is not a terminal")->group("Reading");
     addPlaceFlags(command, flags.options);
 }
 
@@ -82,6 +84,14 @@ void addPlaceFlags(CLI::App& command, ReadingOptions& options) {
         if (option.kind == ReadingOption::Kind::Path)
             addReadingFlag(command, option, options, "Place in the mine (docs/reference/coordinates.md)");
     }
+}
+
+void addPosesFlag(CLI::App& command, std::vector<std::string>& poses) {
+    command
+        .add_option("--poses-3dtk", poses,
+                    "The .pose files of 3DTK of both scans, in their order; without them the scans are placed by their places in the mine")
+        ->expected(2)
+        ->type_name("FILE");
 }
 
 void addWriteFlags(CLI::App& command, WriteFlags& flags) {
@@ -95,12 +105,12 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
     command.add_flag("--ascii", flags.ascii, "PCD and PLY as text")->group(group);
     command
         .add_flag("--include-attached", flags.includeAttached,
-                  "Of a cloud that was projected: also the points that lie behind the nearest of their cell")
+                  "Of a cloud that was projected: also the points behind the nearest of their cell")
         ->group(group);
     for (const files::WritingChoice& choice : files::kWritingChoices)
         command.add_flag(std::string("--") + choice.key, flags.choices.*choice.member, choice.help)->group(group);
-    command.add_option("--operator", flags.operatorName, "Who exports, for the record")->group(group);
-    command.add_option("--role", flags.role, "As what, for the record")->group(group);
+    command.add_option("--operator", flags.operatorName, "Name of the operator, stored in the record")->type_name("NAME")->group(group);
+    command.add_option("--role", flags.role, "Role of the operator, stored in the record")->type_name("NAME")->group(group);
 }
 
 namespace {
@@ -136,6 +146,7 @@ void addMethodFlags(CLI::App& command, MethodFlags& flags) {
         .add_option("--preset", flags.preset,
                     "Settings to start from: " + names +
                         " or a preset file; without one, default, or log where flags of gray levels are given")
+        ->type_name("NAME")
         ->group(group);
     flags = noFlags();
     for (const edges::Parameter& p : edges::parameters()) {

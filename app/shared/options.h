@@ -26,6 +26,9 @@ void addReadFlags(CLI::App& command, ReadFlags& flags);
 /// Adds only --pose and --calibration; for commands that play recordings.
 void addPlaceFlags(CLI::App& command, ReadingOptions& options);
 
+/// Adds --poses-3dtk, for the commands that compare two scans.
+void addPosesFlag(CLI::App& command, std::vector<std::string>& poses);
+
 /// The reading options of the flags. Progress is printed on stderr if it is a terminal or with --progress.
 [[nodiscard]] ReadingOptions readingOptions(const ReadFlags& flags);
 

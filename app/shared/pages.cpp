@@ -1,4 +1,4 @@
-// Man pages and shell completion from CLI11's options. One source means that they cannot differ from the options.
+// Help texts, man pages and shell completion from CLI11's options. One source means that they cannot differ from the options.
 #include "app/shared/pages.h"
 
 #include "core/base/version.h"
@@ -45,6 +45,14 @@ std::vector<std::string> namesOf(const CLI::Option& option) {
     for (const std::string& name : option.get_snames()) names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
     return names;
+}
+
+/// What the help calls the value of an option: FILE, DIR, "NUMBER 0..20".
+std::string valueName(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    const std::size_t brace = type.find_first_of("{:");
+    const std::string name = type.substr(0, brace);
+    return name.empty() ? "VALUE" : name;
 }
 
 /// The text of an option in the completion: the first sentence of its help, without limits.
@@ -100,7 +108,7 @@ std::string optionText(const CLI::Option& option) {
     std::string text = ".TP\n" + (option.get_positional() ? "\\fI" + roff(option.get_name(true)) + "\\fR" : joined(names, ", "));
     const std::vector<std::string> words = wordsOf(option);
     if (takesValue(option) && !option.get_positional())
-        text += words.empty() ? " \\fI" + std::string("VALUE") + "\\fR" : " " + roff(joined(words, "|"));
+        text += words.empty() ? " \\fI" + roff(valueName(option)) + "\\fR" : " " + roff(joined(words, "|"));
     return text + "\n" + roff(option.get_description()) + "\n";
 }
 
@@ -116,16 +124,33 @@ std::string optionsText(const CLI::App& app) {
     return text;
 }
 
-std::string endOf(const PageText& page, const std::vector<std::string>& others) {
+std::string termsText(const std::string& heading, const std::vector<Term>& terms) {
+    if (terms.empty()) return {};
+    std::string text = ".SH " + heading + "\n";
+    for (const Term& term : terms) text += ".TP\n\\fB" + roff(term.name) + "\\fR\n" + roff(term.meaning) + "\n";
+    return text;
+}
+
+std::vector<Term> exitsOf(const CommandText& command) {
+    std::vector<Term> exits{{"0", "everything was done"},
+                            {"1", "an input was refused or unreadable, or an output could not be written"},
+                            {"2", "the command line is wrong"}};
+    exits.insert(exits.end(), command.exits.begin(), command.exits.end());
+    return exits;
+}
+
+std::string endOf(const std::vector<std::string>& examples, const std::vector<Term>& files, const CommandText& command,
+                  const std::vector<std::string>& others) {
     std::string text;
-    if (!page.examples.empty()) text += ".SH EXAMPLES\n.nf\n" + roff(page.examples.front()) + "\n";
-    for (std::size_t n = 1; n < page.examples.size(); ++n) text += roff(page.examples[n]) + "\n";
-    if (!page.examples.empty()) text += ".fi\n";
-    text +=
-        ".SH EXIT STATUS\n0 when everything was done, 1 when an input was refused or an output could not be written, 2 when the command "
-        "line is wrong.\n.SH ENVIRONMENT\n.TP\n\\fBEDGESCAN_LOOPS\\fR\nFor tests and benchmarks: the widest instruction set that loops "
-        "use, "
-        "plain, sse4.2, avx2 or avx512. Results do not depend on it. Without it, the widest that the processor has.\n";
+    if (!examples.empty()) {
+        text += ".SH EXAMPLES\n.nf\n";
+        for (const std::string& example : examples) text += roff(example) + "\n";
+        text += ".fi\n";
+    }
+    text += termsText("EXIT STATUS", exitsOf(command)) + termsText("FILES", files);
+    text += termsText("ENVIRONMENT",
+                      {{"EDGESCAN_LOOPS", "For tests and benchmarks: the widest instruction set that loops use, plain, sse4.2, avx2 or "
+                                          "avx512. Results do not depend on it. Without it, the widest that the processor has."}});
     if (others.empty()) return text;
     std::vector<std::string> links;
     for (const std::string& other : others) links.push_back("\\fB" + roff(other) + "\\fR(1)");
@@ -136,20 +161,62 @@ std::string mainPage(const CLI::App& app, const PageText& page) {
     std::string text =
         heading(page.name, page.purpose) + synopsis(app, page.name) + ".SH DESCRIPTION\n" + roff(app.get_description()) + ".\n";
     std::vector<std::string> others;
+    std::string group;
     if (!commandsOf(app).empty()) text += ".SH COMMANDS\n";
     for (const CLI::App* command : commandsOf(app)) {
+        if (command->get_group() != group) text += ".SS " + roff(group = command->get_group()) + "\n";
         text += ".TP\n\\fB" + roff(command->get_name()) + "\\fR\n" + roff(command->get_description()) + ".\n";
         others.push_back(page.name + "-" + command->get_name());
     }
-    return text + optionsText(app) + endOf(page, others);
+    return text + optionsText(app) + endOf(page.examples, page.files, {}, others);
+}
+
+const CommandText& textOf(const CLI::App& command, const PageText& page) {
+    return *std::ranges::find(page.commands, command.get_name(), &CommandText::name);
 }
 
 std::string commandPage(const CLI::App& command, const PageText& page) {
     const std::string name = page.name + "-" + command.get_name();
     std::string purpose = command.get_description();
     purpose = purpose.substr(0, purpose.find(';'));
+    const CommandText& text = textOf(command, page);
     return heading(name, purpose) + synopsis(command, page.name + " " + command.get_name()) + ".SH DESCRIPTION\n" +
-           roff(command.get_description()) + ".\n" + optionsText(command) + endOf({page.name, "", {}}, {page.name});
+           roff(command.get_description()) + ".\n" + optionsText(command) + endOf(text.examples, {}, text, {page.name});
+}
+
+// ---- help ----
+
+/// What follows the flags in the help.
+std::string footer(const std::vector<std::string>& examples, const std::vector<Term>& exits) {
+    std::string text;
+    if (!examples.empty()) text += "Examples:\n";
+    for (const std::string& example : examples) text += "  " + example + "\n";
+    if (!exits.empty()) text += std::string(text.empty() ? "" : "\n") + "Exit codes:\n";
+    for (const Term& term : exits) text += "  " + term.name + "  " + term.meaning + "\n";
+    if (!text.empty()) text.pop_back();
+    return text;
+}
+
+/// CLI11 calls every text TEXT. The name of an argument says what it is; of a flag that has no better name it says VALUE.
+void nameValues(CLI::App& command) {
+    for (CLI::Option* option : command.get_options([](const CLI::Option* one) { return takesValue(*one); })) {
+        if (option->get_positional())
+            option->type_name("");
+        else if (option->get_type_name() == "TEXT")
+            option->type_name("VALUE");
+    }
+}
+
+void completeHelp(CLI::App& app, const PageText& page) {
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.footer(footer(page.examples, {}));
+    nameValues(app);
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        const CommandText& text = textOf(*command, page);
+        nameValues(*command);
+        command->group(text.group);
+        command->footer(footer(text.examples, exitsOf(text)));
+    }
 }
 
 // ---- completion ----
@@ -269,6 +336,7 @@ void writePages(const CLI::App& app, const PageText& page, const fs::path& folde
 } // namespace
 
 void addPages(CLI::App& app, const PageText& text) {
+    completeHelp(app, text);
     app.add_option_function<std::string>(
            "--pages",
            [&app, text](const std::string& folder) {

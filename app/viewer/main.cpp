@@ -68,6 +68,7 @@ int runViewer(const CommandLine& wanted, const ParsedCommandLine& understood) {
 } // namespace
 
 int main(int argc, char** argv) {
+    cli::setProgramName("edgescan");
     CommandLine wanted;
     cli::surviveFileLimit();
     CLI::App app{"EdgeScan: the edges of rocks in a laser range scan"};
@@ -81,7 +82,6 @@ int main(int argc, char** argv) {
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
     std::vector<char*> qtArguments{argv[0]};
-    cli::setProgramName("edgescan");
     if (const auto ended = cli::parsed(app, argc, argv)) return *ended;
     ParsedCommandLine understood;
     if (const auto refusal = parse(wanted, understood)) {

@@ -42,7 +42,7 @@ Start::Start(ui::MainWindow& window, const CommandLine& wanted, const ParsedComm
 }
 
 void Start::pinAndCompare() {
-    for (const PinnedPlace& place : understood_.pins) {
+    for (const cli::TypedCell& place : understood_.pins) {
         const Scan& scan = *window_.viewer().engine.picture()->detection->scan;
         if (scan.rangeMm.contains(place.line, place.beam))
             window_.viewer().views.pin(window_.viewer().views.cellAt(place.line, place.beam));

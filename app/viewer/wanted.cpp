@@ -4,8 +4,6 @@
 #include "app/shared/exits.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
-#include "core/base/number_text.h"
-#include "core/base/version.h"
 #include "ui/base/language/languages.h"
 
 #include <CLI/CLI.hpp>
@@ -23,15 +21,12 @@ Result<scanner::SweepSettings> sweepOf(const CommandLine& wanted) {
     return cli::sweepOf(mounting);
 }
 
-Result<std::vector<PinnedPlace>> pinsOf(const std::vector<std::string>& typed) {
-    std::vector<PinnedPlace> places;
+Result<std::vector<cli::TypedCell>> pinsOf(const std::vector<std::string>& typed) {
+    std::vector<cli::TypedCell> places;
     for (const std::string& text : typed) {
-        const std::size_t comma = text.find(',');
-        const double line = numberOf(text.substr(0, comma)).value_or(-1.0);
-        const double beam = comma == std::string::npos ? -1.0 : numberOf(text.substr(comma + 1)).value_or(-1.0);
-        const auto isIndex = [](double n) { return n >= 0 && n < 1e9 && n == static_cast<int>(n); };
-        if (!isIndex(line) || !isIndex(beam)) return Error{"\"" + text + "\" is not a cell", "--pin", "give LINE,BEAM such as 525,593"};
-        places.push_back({static_cast<int>(line), static_cast<int>(beam)});
+        const auto cell = cli::typedCell(text, "--pin");
+        if (!cell) return cell.error();
+        places.push_back(*cell);
     }
     return places;
 }
@@ -60,30 +55,43 @@ std::optional<Refusal> understandScanner(const CommandLine& wanted, ParsedComman
 } // namespace
 
 void addFlags(CLI::App& app, CommandLine& wanted) {
-    app.set_version_flag("--version", version());
+    app.set_version_flag("--version", cli::versionText());
     app.add_option("FILE", wanted.files, "Scans; the first is shown, Page Down goes to the next");
     app.add_flag("--demo", wanted.demo, "Open the demo draw-bell");
-    app.add_option(
-        "--live", wanted.live,
-        "Connect to a live scanner, HOST or HOST:PORT, or to a robot's Foxglove bridge, ws://HOST or ws://HOST:PORT; nothing but reads "
-        "and a subscription is sent");
+    app.add_option("--live", wanted.live,
+                   "Connect to a live scanner, HOST or HOST:PORT, or to a robot's Foxglove bridge, ws://HOST or ws://HOST:PORT; the viewer "
+                   "only reads and subscribes")
+        ->type_name("ADDRESS");
     cli::addMountingFlags(app, wanted.mounting, "Live sweep (with --line-start, --line-step, --axis and --calibration)");
-    app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write what the viewer remembers");
+    app.add_flag("--no-settings", wanted.noSettings, "Neither read nor write the settings of the window");
     std::vector<std::string> languages;
     for (const ui::Language& language : ui::kLanguages) languages.emplace_back(language.code);
     app.add_option("--language", wanted.language, "Language of the window; else the one chosen in it, or that of the system")
         ->check(CLI::IsMember(languages));
-    app.add_flag("--cab", wanted.cab, "Start in cab mode: large tools and numbers, for gloves; hold Locked to leave it");
-    app.add_option("--pin", wanted.pins, "Pin this cell of the first scan, LINE,BEAM; may be given several times")->take_all();
-    app.add_option("--compare", wanted.compare, "Compare the first scan with this earlier one");
-    app.add_option("--session", wanted.session, "Open this session, or the picture of the window that carries one");
-    app.add_flag("--continue", wanted.goOn, "Go on where the viewer was, after a crash too");
-    app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit");
-    cli::addNumber(app, "--screenshot-lines", wanted.screenshotLines, {1, 1e6}, "Only once so many lines are there");
-    cli::addNumber(app, "--quit-after", wanted.quitAfter, {0, 1e6}, "Quit after so many seconds");
+    app.add_flag("--cab", wanted.cab, "Start in cab mode, with large tools and numbers for gloves; hold Locked to leave it");
+    app.add_option("--pin", wanted.pins, "Place a target at this cell of the first scan; may be given several times")
+        ->take_all()
+        ->type_name("LINE,BEAM");
+    app.add_option("--compare", wanted.compare, "Compare the first scan with this earlier one")->type_name("SCAN");
+    app.add_option("--session", wanted.session, "Open this session, or a screenshot that carries one")->type_name("FILE");
+    app.add_flag("--continue", wanted.goOn, "Restore the last state of the viewer, after a crash too");
+    app.add_option("--screenshot", wanted.screenshot, "Write the window to this PNG once the scan is on screen, and quit")
+        ->type_name("FILE");
+    cli::addNumber(app, "--screenshot-lines", wanted.screenshotLines, {1, 1e6},
+                   "Take the screenshot only when this number of lines is there");
+    cli::addNumber(app, "--quit-after", wanted.quitAfter, {0, 1e6}, "Quit after this time [s]");
     cli::addMethodFlags(app, wanted.method);
     cli::addReadFlags(app, wanted.read);
-    cli::addPages(app, {"edgescan", "shows the edges of rocks in a laser scan", {"edgescan --demo"}});
+    cli::addPages(app, {"edgescan",
+                        "shows the edges of rocks in a laser scan",
+                        {"edgescan --demo"},
+                        {{"~/.config/edgescan/viewer.ini", "settings of the window"},
+                         {"~/.config/edgescan/audit.jsonl", "audit log"},
+                         {"~/.config/edgescan/targets", "targets and measurements, a file per scan"},
+                         {"~/.config/edgescan/sessions", "sessions that are restored after a crash"},
+                         {"SCAN.EXT.rocks.json", "settings and edits of rocks, next to the scan"},
+                         {"SCAN.EXT.pose.json", "pose of the scan, next to it"}},
+                        {}});
 }
 
 std::optional<Refusal> parse(const CommandLine& wanted, ParsedCommandLine& understood) {

@@ -1,6 +1,7 @@
 // The viewer's command line.
 #pragma once
 
+#include "app/shared/cells.h"
 #include "app/shared/host_port.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
@@ -33,14 +34,9 @@ struct CommandLine {
 
 void addFlags(CLI::App& app, CommandLine& wanted);
 
-/// A cell of the first picture.
-struct PinnedPlace {
-    int line = 0, beam = 0;
-};
-
 /// The parsed and checked flags.
 struct ParsedCommandLine {
-    std::vector<PinnedPlace> pins;
+    std::vector<cli::TypedCell> pins; ///< cells of the first picture
     std::optional<edges::Settings> settings;
     std::optional<cli::HostPort> scanner;
     scanner::SweepSettings sweep; ///< of the live scanner

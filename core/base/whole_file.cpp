@@ -48,9 +48,8 @@ Error readError(const fs::path& path, int code) {
     }
 }
 
-/// Error if writing `path`, which leads to `target`, would replace a folder, an input or a read-only file.
+/// Error if writing `path`, which leads to `target`, would replace a folder or a read-only file.
 Result<Done> checkMayBeReplaced(const fs::path& path, const fs::path& target) {
-    if (auto other = checkIsNoInput(path); !other) return other;
     struct stat old {};
     if (::stat(target.c_str(), &old) != 0) return Done{};
     if (S_ISDIR(old.st_mode)) return writeError(path, EISDIR);
@@ -226,7 +225,9 @@ Result<fs::path> finalTarget(const fs::path& path) {
     return writeError(path, ELOOP);
 }
 
-Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
+namespace {
+
+Result<Done> writeAll(const std::vector<FileContent>& files) {
     std::vector<fs::path> targets;
     std::set<fs::path> taken;
     for (const FileContent& file : files) {
@@ -260,8 +261,21 @@ Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
     return renameAll(moves, [&](std::size_t n) { ready[n].wasRenamed(); });
 }
 
+} // namespace
+
+Result<Done> writeWholeFiles(const std::vector<FileContent>& files) {
+    for (const FileContent& file : files) {
+        if (isDevice(file.path)) continue;
+        if (auto other = checkIsNoInput(file.path); !other) return other;
+    }
+    return writeAll(files);
+}
+
+Result<Done> replaceOwnSidecar(const fs::path& path, const std::string& text) { return writeAll({{path, std::as_bytes(std::span(text))}}); }
+
 Result<Done> moveWholeFiles(const std::vector<FileMove>& moves) {
     for (const FileMove& move : moves) {
+        if (auto other = checkIsNoInput(move.to); !other) return other;
         if (auto may = checkMayBeReplaced(move.to, move.to); !may) return may;
     }
     return renameAll(moves, [](std::size_t /*n*/) {});

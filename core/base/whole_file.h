@@ -41,6 +41,9 @@ Result<std::filesystem::path> finalTarget(const std::filesystem::path& path);
 /// do not belong together: a record contains the SHA-256 of its file.
 Result<Done> writeWholeFiles(const std::vector<FileContent>& files);
 
+/// writeWholeFile() for a sidecar that EdgeScan wrote itself: this one may be an input of the scan that is open.
+Result<Done> replaceOwnSidecar(const std::filesystem::path& path, const std::string& text);
+
 /// A complete file and its place in the same file system.
 struct FileMove {
     std::filesystem::path from, to;

@@ -18,9 +18,9 @@ using json = nlohmann::ordered_json;
 
 json cellReport(const edges::CellStrength& cell) { return {{"line", cell.line}, {"beam", cell.beam}, {"strength", cell.strength}}; }
 
-const char* standingName(edges::StrengthLevel standing) {
+const char* levelName(edges::StrengthLevel level) {
     static constexpr const char* kNames[]{"below", "between", "above"};
-    return kNames[static_cast<std::size_t>(standing)];
+    return kNames[static_cast<std::size_t>(level)];
 }
 
 const char* alongName(edges::Along along) { return along == edges::Along::Beams ? "beams" : "lines"; }
@@ -49,7 +49,7 @@ json foldReport(const edges::FoldAtCell& fold, double creaseDeg) {
 
 json thinnedReport(const edges::ThinnedStrength& thinned) {
     return {{"strength", std::abs(thinned.before)},
-            {"kept", thinned.after != 0},
+            {"remains", thinned.after != 0},
             {"suppressed_by", thinned.stronger ? cellReport(*thinned.stronger) : json(nullptr)}};
 }
 
@@ -117,7 +117,7 @@ nlohmann::ordered_json whyReport(const edges::Detection& detection, const edges:
     report["thresholds"] = {{"lower", why.lower}, {"upper", why.upper}};
     const std::string meaning = edges::thresholdText(detection.settings, detection.gray->scale);
     if (!meaning.empty()) report["thresholds"]["meaning"] = meaning;
-    report["standing"] = standingName(why.level);
+    report["against_thresholds"] = levelName(why.level);
     report["suppressed_by"] = why.suppressedBy ? cellReport(*why.suppressedBy) : json(nullptr);
     report["chain"] = json::array();
     for (const edges::CellStrength& cell : why.chain) report["chain"].push_back(cellReport(cell));

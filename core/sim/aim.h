@@ -27,7 +27,9 @@ public:
         return first_ ? ray : Ray{station_ * ray.fromM, station_.rotation * ray.direction};
     }
     [[nodiscard]] const CartesianTables& tables() const { return tables_; }
-    [[nodiscard]] double leverM() const { return mount_.translationM.norm() + station_.translationM.norm(); }
+    /// Where the beams start: around a centre, at most this far from it.
+    [[nodiscard]] const Eigen::Vector3d& centreM() const { return station_.translationM; }
+    [[nodiscard]] double leverM() const { return mount_.translationM.norm(); }
 
 private:
     [[nodiscard]] Ray rayOfScanner(int line, int beam) const {

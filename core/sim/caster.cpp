@@ -9,22 +9,29 @@ constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 float farthest(const BundleHits& hits) { return *std::max_element(hits.distanceM.begin(), hits.distanceM.end()); }
 
-/// The tree follows the centre of a beam that starts at the origin. So the boxes grow by the radius of the beam at their far end, and by
-/// the distance of the beam's start from the origin.
-Eigen::AlignedBox3f widened(const Eigen::AlignedBox3f& box, const Footprint& footprint, double leverM) {
+/// The tree follows the centre of a beam that starts at its origin, which is the centre of the beams' starts. So the boxes grow by the
+/// radius of the beam at their far end, and by the distance of the beam's start from that centre.
+struct Around {
+    Footprint footprint;
+    Eigen::Vector3f centreM;
+    double leverM;
+};
+
+Eigen::AlignedBox3f widened(const Eigen::AlignedBox3f& inScene, const Around& around) {
+    const Eigen::AlignedBox3f box(inScene.min() - around.centreM, inScene.max() - around.centreM);
     const double reach = static_cast<double>(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm());
-    const auto margin = static_cast<float>(leverM + 1.05 * footprint.radiusM(reach) + 1e-4);
+    const auto margin = static_cast<float>(around.leverM + 1.05 * around.footprint.radiusM(reach) + 1e-4);
     return {box.min() - Eigen::Vector3f::Constant(margin), box.max() + Eigen::Vector3f::Constant(margin)};
 }
 
-BoxTree treeOver(const Mesh& mesh, const Footprint& footprint, double leverM) {
+BoxTree treeOver(const Mesh& mesh, const Around& around) {
     std::vector<Eigen::AlignedBox3f> boxes;
     boxes.reserve(mesh.size());
     for (const Triangle& t : mesh) {
         Eigen::AlignedBox3f box(t.corner);
         box.extend(t.corner + t.edge1);
         box.extend(t.corner + t.edge2);
-        boxes.push_back(widened(box, footprint, leverM));
+        boxes.push_back(widened(box, around));
     }
     return BoxTree(boxes);
 }
@@ -83,12 +90,13 @@ void meetRidges(const ConvexBody& body, const RayBundle& bundle, std::size_t lan
 
 } // namespace
 
-RayCaster::RayCaster(const Scene& scene, const Footprint& footprint, double leverM) : scene_(&scene) {
-    for (const Mesh& mesh : scene.voids) voidTrees_.push_back(treeOver(mesh, footprint, leverM));
-    solidTree_ = treeOver(scene.solids, footprint, leverM);
+RayCaster::RayCaster(const Scene& scene, const Footprint& footprint, const Eigen::Vector3d& centreM, double leverM) : scene_(&scene) {
+    const Around around{footprint, centreM.cast<float>(), leverM};
+    for (const Mesh& mesh : scene.voids) voidTrees_.push_back(treeOver(mesh, around));
+    solidTree_ = treeOver(scene.solids, around);
     std::vector<Eigen::AlignedBox3f> boxes;
     boxes.reserve(scene.bodies.size());
-    for (const ConvexBody& body : scene.bodies) boxes.push_back(widened(body.box, footprint, leverM));
+    for (const ConvexBody& body : scene.bodies) boxes.push_back(widened(body.box, around));
     bodyTree_ = BoxTree(boxes);
 }
 

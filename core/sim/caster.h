@@ -10,8 +10,9 @@ namespace edgescan::sim {
 /// A scene prepared for ray casting. Immutable, so that several threads may cast rays at once. The scene must outlive this object.
 class RayCaster {
 public:
-    /// @param footprint the widest beam that will be cast @param leverM the largest distance of a beam's start from the origin, metres
-    RayCaster(const Scene& scene, const Footprint& footprint, double leverM = 0);
+    /// @param footprint the widest beam that will be cast @param centreM the centre of the beams' starts @param leverM the largest distance
+    /// of a beam's start from it, metres
+    RayCaster(const Scene& scene, const Footprint& footprint, const Eigen::Vector3d& centreM = Eigen::Vector3d::Zero(), double leverM = 0);
 
     [[nodiscard]] BundleHits cast(const RayBundle& bundle) const;
 

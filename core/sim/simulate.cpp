@@ -45,16 +45,16 @@ struct Sweep {
 constexpr std::array kNumbers{
     SimulationNumber{"lines", "", "", "Scan lines over the turn", 2, 100000, 0, 0, EDGESCAN_NUMBER(SimulationSettings, lines)},
     SimulationNumber{"beams", "", "", "Beams over -5 to 185 degrees", 3, 100000, 0, 0, EDGESCAN_NUMBER(SimulationSettings, beams)},
-    SimulationNumber{"repeat", "", "", "Which of several sweeps of the same scene: other noise, dust and dropouts", 0, 1000000, 0, 0,
+    SimulationNumber{"sweep-number", "", "", "Which of several sweeps of the same scene: other noise, dust and dropouts", 0, 1000000, 0, 0,
                      EDGESCAN_NUMBER(SimulationSettings, repeat)},
-    SimulationNumber{"rocks", "", "", "Boulders in the arch or pile", 0, 3000, 0, 0, EDGESCAN_NUMBER(SimulationSettings, rocks)},
+    SimulationNumber{"rock-count", "", "", "Boulders in the arch or pile", 0, 3000, 0, 0, EDGESCAN_NUMBER(SimulationSettings, rocks)},
     SimulationNumber{"rock-roughness", "", "", "Relief of the rocks, standard deviation [mm]", 0, 200, 0, 3,
                      EDGESCAN_NUMBER(SimulationSettings, rockRoughnessMm)},
     SimulationNumber{"rock-rounding", "", "",
                      "Radius of the rocks' corners and ridges, as a share of the largest ball that fits in: 0 (broken) to 0.9 (worn)", 0,
                      0.9, 0, 3, EDGESCAN_NUMBER(SimulationSettings, rockRounding)},
-    SimulationNumber{"rock-size", "", "", "Times the size of every rock; small ones need more --rocks to fill the same room", 0.1, 3, 0, 3,
-                     EDGESCAN_NUMBER(SimulationSettings, rockSize)},
+    SimulationNumber{"rock-size", "", "", "Times the size of every rock; small ones need a larger rock-count to fill the same room", 0.1, 3,
+                     0, 3, EDGESCAN_NUMBER(SimulationSettings, rockSize)},
     SimulationNumber{"rock-lumps", "", "", "Smooth lumps of the rocks in addition to their relief, standard deviation [mm]", 0, 100, 0, 3,
                      EDGESCAN_NUMBER(SimulationSettings, rockLumpsMm)},
     SimulationNumber{"rock-lump-size", "", "",
@@ -68,7 +68,7 @@ constexpr std::array kNumbers{
     SimulationNumber{"distance", "", "", "Distance of wall, staircase or rescan [m]", 0.1, 100, 0, 3,
                      EDGESCAN_NUMBER(SimulationSettings, distanceM)},
     SimulationNumber{"hole-size", "", "", "Their diameter or side [m]", 0, 100, 0, 3, EDGESCAN_NUMBER(SimulationSettings, holeM)},
-    SimulationNumber{"holes", "", "", "How many: one is in the middle, several are spread as the seed says", 0, 400, 0, 0,
+    SimulationNumber{"hole-count", "", "", "How many: one is in the middle, several are spread as the seed says", 0, 400, 0, 0,
                      EDGESCAN_NUMBER(SimulationSettings, holes)},
     SimulationNumber{"surface-scale", "", "", "Times its size", 0.001, 1000, 0, 3, EDGESCAN_NUMBER(SimulationSettings, surfaceScale)},
     SimulationNumber{"noise", "", "", "Times the range noise of the device", 0, 100, 0, 3, EDGESCAN_NUMBER(SimulationSettings, noise)},
@@ -266,7 +266,7 @@ bool castAll(const Sweep& sweep, const SimulationProgress& progress, Simulation&
     const AssemblyErrors& assembly = sweep.settings.assembly;
     const std::array<BeamDirections, 2> aim{BeamDirections(sweep.aim[0], assembly, sweep.settings.station),
                                             BeamDirections(sweep.aim[1], assembly, sweep.settings.station)};
-    const RayCaster caster(sweep.scene, sweep.footprint, aim[0].leverM());
+    const RayCaster caster(sweep.scene, sweep.footprint, aim[0].centreM(), aim[0].leverM());
     if (!forAllLines(sweep.settings, progress, [&](int line) { castLine(sweep, caster, aim, line, out); })) return false;
     if (out.truth) {
         const SeamSources sources{sweep.scene, caster, {&aim[0].tables(), &aim[1].tables()}, !sweep.settings.surface.empty()};

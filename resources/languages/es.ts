@@ -362,10 +362,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>being worked out …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
+<message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir con las rocas seleccionadas</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aquí</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;No es roca, o sí lo es</translation></message>
+<message><source>&amp;Wall, Not a Rock</source><translation>&amp;Pared, no es una roca</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar las rocas…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
@@ -463,6 +464,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Aquí no hay ningún punto: no se midió nada, o está oculto.</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
@@ -854,6 +856,7 @@ mantenga \ para verla</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>un haz entre dos superficies; medido en la más cercana</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>allí no se midió nada; medido en la celda más cercana</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>no se midió nada a menos de %1 celdas</translation></message>
+<message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ también hay una superficie más cercana a menos de %1 celdas: amplíe si era esa</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic cerca de un borde se refiere a su lado cercano; con Mayús, a la celda misma</translation></message>
 <message><source>from</source><translation>desde</translation></message>
@@ -1114,6 +1117,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir en el próximo clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;No es roca, o sí lo es</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>

@@ -362,10 +362,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>being worked out …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
+<message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Fusionner avec les blocs sélectionnés</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Diviser ici</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
+<message><source>&amp;Wall, Not a Rock</source><translation>&amp;Paroi, pas un bloc</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
@@ -463,6 +464,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est masqué.</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
@@ -854,6 +856,7 @@ tenez \ pour la voir</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>un faisceau entre deux surfaces ; mesuré sur la plus proche</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>rien n'y a été mesuré ; mesuré à la cellule la plus proche</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>rien n'a été mesuré à moins de %1 cellules</translation></message>
+<message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ une surface plus proche est aussi à moins de %1 cellules : zoomez si c’est elle que vous visiez</translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic près d'une arête vise son côté proche ; avec Maj il vise la cellule même</translation></message>
 <message><source>from</source><translation>depuis</translation></message>
@@ -1114,6 +1117,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>

@@ -362,10 +362,11 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>being worked out …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
+<message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir às rochas selecionadas</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aqui</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Não é rocha, ou é sim</translation></message>
+<message><source>&amp;Wall, Not a Rock</source><translation>&amp;Parede, não é uma rocha</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar as rochas…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
@@ -463,6 +464,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Não há ponto aqui: nada foi medido, ou está oculto.</translation></message>
 <message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
@@ -854,6 +856,7 @@ segure \ para vê-la</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>um feixe entre duas superfícies; medido na mais próxima</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>nada foi medido aí; medido na célula mais próxima</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>nada foi medido a menos de %1 células</translation></message>
+<message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ também há uma superfície mais próxima a menos de %1 células: amplie se era essa</translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Um clique perto de uma aresta refere-se ao seu lado próximo; com Shift, à própria célula</translation></message>
 <message><source>from</source><translation>a partir de</translation></message>
@@ -1114,6 +1117,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir no próximo clique</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
+<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Não é rocha, ou é sim</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>

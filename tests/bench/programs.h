@@ -13,8 +13,8 @@ namespace edgescan::bench {
 
 struct ProgramRow {
     std::string what;
-    std::optional<double> atLeast, aim; ///< of the issue's table
-    double cpuRatio = 0;                ///< previous / present; medians of processor time, system calls included
+    std::optional<double> atLeast; ///< the goal for cpuRatio
+    double cpuRatio = 0;           ///< previous / present; medians of processor time, system calls included
     double wallRatio = 0;
     double presentMs = 0; ///< processor time
 };

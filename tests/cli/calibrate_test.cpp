@@ -50,8 +50,9 @@ TEST(CliCalibrate, BacklashIsToldOfTwoPassesAndGoesIntoNoFile) {
     const auto path = [&](const std::string& name) { return (folder / name).string(); };
     for (const int repeat : {0, 1}) {
         const std::string pass = path(repeat == 0 ? "there.json" : "said.json");
-        ASSERT_EQ(runCli("simulate -o " + pass + " --axis spin --lines 180 --beams 190 --seed 7 --repeat " + std::to_string(repeat)).code,
-                  0);
+        ASSERT_EQ(
+            runCli("simulate -o " + pass + " --axis spin --lines 180 --beams 190 --seed 7 --sweep-number " + std::to_string(repeat)).code,
+            0);
     }
     // Angles that are 0.2 degrees too small: the stepper is 0.2 degrees ahead of them.
     ASSERT_EQ(runCli("convert " + path("said.json") + " " + path("back.json") + " --line-start=-0.2").code, 0);

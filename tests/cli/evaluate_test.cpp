@@ -95,7 +95,7 @@ TEST_F(LabEvaluate, TheTruthOfAnotherSceneIsRefused) {
         ASSERT_EQ(run.code, 0) << run.err;
     };
     for (const char* flags :
-         {"--seed 6", "--scene pile --seed 5", "--scene empty --seed 5", "--seed 5 --rocks 200", "--scene wall --distance 4"}) {
+         {"--seed 6", "--scene pile --seed 5", "--scene empty --seed 5", "--seed 5 --rock-count 200", "--scene wall --distance 4"}) {
         make(flags);
         for (const char* command : {"evaluate ", "benchmark --no-peers "}) {
             const auto run = runLab(command + other + " --truth " + truth);
@@ -142,12 +142,12 @@ TEST_F(LabEvaluate, AMaskWithItsRangesHasThe3DErrorOfItsScan) {
     const std::string mask = (folder / "edges.png").string();
     ASSERT_EQ(runCli("detect " + scan + " --mask " + mask).code, 0);
     EXPECT_FALSE(evaluated(mask)["fixed"].contains("error_mm"));
-    const json with = evaluated(mask, "--ranges " + scan)["fixed"];
+    const json with = evaluated(mask, "--scan-of-mask " + scan)["fixed"];
     const json direct = evaluated(scan)["fixed"];
     EXPECT_EQ(with["error_mm"], direct["error_mm"]);
     EXPECT_EQ(with["all"], direct["all"]);
-    EXPECT_EQ(runLab("evaluate " + scan + " --truth " + truth + " --ranges " + scan).code, 2);
-    EXPECT_EQ(runLab("evaluate " + mask + " --truth " + truth + " --ranges " + scan + " --ranges " + scan).code, 2);
+    EXPECT_EQ(runLab("evaluate " + scan + " --truth " + truth + " --scan-of-mask " + scan).code, 2);
+    EXPECT_EQ(runLab("evaluate " + mask + " --truth " + truth + " --scan-of-mask " + scan + " --scan-of-mask " + scan).code, 2);
 }
 
 TEST_F(LabEvaluate, RocksAreScoredAgainstTheTrueOnes) {

@@ -22,6 +22,7 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <random>
@@ -89,6 +90,28 @@ TEST_F(Live, ServedRecordedAndPlayedAgainGivesTheMaskOfTheFile) {
     EXPECT_EQ(last["result"]["edge_mask_sha256"], expected);
 }
 
+// A robot's bridge: its recording is a bag that opens, and plays, with the edges of the file.
+TEST_F(Live, ABridgeThatIsRecordedAndReplayedHasTheEdgesOfTheFile) {
+    const std::string recording = (folder / "robot.mcap").string();
+    {
+        const Served served(scan + " --bridge --rate 300");
+        const auto record = runCli("record ws://" + served.address() + " -o " + recording + " --lines 90 --seconds 120");
+        ASSERT_EQ(record.code, 0) << record.err;
+        EXPECT_EQ(json::parse(record.out)["lines"], 90);
+    }
+    const std::string expected = hashOf(scan);
+    EXPECT_EQ(hashOf(recording), expected);
+    const auto replay = runCli("replay " + recording);
+    ASSERT_EQ(replay.code, 0) << replay.err;
+    EXPECT_EQ(std::ranges::count(replay.out, '\n'), 91); // one per line, and the result
+    const std::string last = replay.out.substr(replay.out.rfind('\n', replay.out.size() - 2) + 1);
+    EXPECT_EQ(json::parse(last)["result"]["edge_mask_sha256"], expected);
+    EXPECT_EQ(runCli("record wss://127.0.0.1 -o " + (folder / "y.mcap").string()).code, 2);
+    const auto none = runCli("record ws://127.0.0.1:9 -o " + (folder / "y.mcap").string() + " --seconds 1");
+    EXPECT_EQ(none.code, 1);
+    EXPECT_NE(none.err.find("foxglove_bridge"), std::string::npos) << none.err;
+}
+
 // A recording with the flags that `serve` prints; the mirror has the same angle as the motor.
 TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     const std::string bell = (folder / "draw-bell.json").string();
@@ -96,7 +119,7 @@ TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 400 --beams 381 --axis sweep").code, 0);
     const Served served(bell + " --rate 0");
     const std::string flags = served.said()["record_flags"];
-    EXPECT_EQ(flags, "--axis sweep --first-line -90 --line-step 0.45 --standing --expected-lines 400");
+    EXPECT_EQ(flags, "--axis sweep --line-start -90 --line-step 0.45 --stop-and-go --expected-lines 400");
     const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 400 --seconds 120 " + flags);
     ASSERT_EQ(record.code, 0) << record.err;
     EXPECT_TRUE(json::parse(record.out)["mounting"]["assumed"].empty());
@@ -157,7 +180,7 @@ TEST_F(Live, WhereNothingComesItIsSaidOnceAndWhy) {
 TEST_F(Live, ASessionOfAThousandLinesEndsWithTheMaskOfTheFile) {
     const std::string bell = (folder / "draw-bell.json").string();
     ASSERT_EQ(runCli("simulate -o " + bell + " --lines 1000 --axis sweep").code, 0);
-    const Served served(bell + " --rate 500 --split"); // so slow that the sweep can be observed while it grows
+    const Served served(bell + " --rate 500 --split-sends"); // so slow that the sweep can be observed while it grows
     ASSERT_GT(served.port(), 0);
     scanner::ConnectionSettings scanner;
     scanner.host = "127.0.0.1";
@@ -258,7 +281,7 @@ TEST_F(Live, ARecordingEndsInTimeWhateverThePeerSends) {
 
 TEST_F(Live, LostLinesAreTold) {
     const std::string recording = (folder / "lossy.mcap").string();
-    const Served served(scan + " --rate 0 --lose-every 20 --split --merge --garbage-every 7");
+    const Served served(scan + " --rate 0 --lose-every 20 --split-sends --merge-sends --garbage-every 7");
     const auto record = runCli("record " + served.address() + " -o " + recording + " --lines 80 --expected-lines 90 --seconds 120");
     ASSERT_EQ(record.code, 0) << record.err;
     const json summary = json::parse(record.out);

@@ -168,10 +168,9 @@ TEST(Manual, LinksWithinAPageLeadToAHeading) {
 
 /// The names of the commands of a program, from its help.
 std::set<std::string> commandNames(const std::string& help) {
-    static const std::regex row(R"(\n  ([a-z]+) +[A-Z])");
+    static const std::regex row(R"(\n  ([a-z]+)  +[A-Z])");
     std::set<std::string> names;
-    const std::string list = help.substr(help.find("Subcommands:"));
-    for (std::sregex_iterator at(list.begin(), list.end(), row), end; at != end; ++at) names.insert((*at)[1]);
+    for (std::sregex_iterator at(help.begin(), help.end(), row), end; at != end; ++at) names.insert((*at)[1]);
     return names;
 }
 

@@ -68,7 +68,7 @@ TEST(CliOutputs, NoResultTakesThePlaceOfAnotherHoweverItIsSpelled) {
                                     "detect " + scan + " --edges " + out + " --json " + out + ".provenance.json",
                                     "rocks " + scan + " --json " + out + " --csv " + out,
                                     "detect " + scan + " -o " + folder.path().string() + " --json " + (folder / "a_gray.png").string(),
-                                    "change " + scan + " " + scan + " --json " + near + " --picture ./" + near,
+                                    "compare " + scan + " " + scan + " --json " + near + " --picture ./" + near,
                                     "calibrate " + scan + " -o " + near + " --json " + fs::absolute(near).string()}) {
         EXPECT_NE(runCli(line).code, 0) << line;
         EXPECT_FALSE(fs::exists(near)) << line;

@@ -62,7 +62,7 @@ TEST_F(Promises, S3DropOutsOfAFlatWallAreNoEdgesAndTheRimOfAnOpeningIsAClassOfIt
         EXPECT_LE(wall["classes"]["rim"], whole["classes"]["rim"]) << share;
         EXPECT_GT(wall["cells"]["no_return"], 0);
     }
-    const std::string opening = simulated("opening.json", "--scene wall --hole round --seed 4 --lines 160 --beams 241");
+    const std::string opening = simulated("opening.json", "--scene wall --hole-shape round --seed 4 --lines 160 --beams 241");
     const auto usual = detected(opening), without = detected(opening + " --classes jump,convex,concave,silhouette");
     for (const char* rock : {"jump", "convex", "concave"}) {
         EXPECT_EQ(usual["classes"][rock], 0) << rock;
@@ -148,14 +148,14 @@ TEST_F(Promises, S19TheRecordNamesTheDefaultSettingsAndWhatWasChanged) {
 
 TEST_F(Promises, S20ScansWithoutAPoseAreOutOfSpecAndOneOfTwoIsRefused) {
     const std::string bare = simulated("bare.json", "--seed 9 --lines 90 --beams 121"), inMine = placed(bare, "placed.json");
-    const auto without = runCli("change " + bare + " " + bare + " --json -");
+    const auto without = runCli("compare " + bare + " " + bare + " --json -");
     ASSERT_EQ(without.code, 0) << without.err;
     EXPECT_EQ(json::parse(without.out)["out_of_spec"], true);
     EXPECT_NE(without.out.find("OUT OF SPEC: without a pose of both"), std::string::npos);
-    const auto one = runCli("change " + bare + " " + inMine + " --json -");
+    const auto one = runCli("compare " + bare + " " + inMine + " --json -");
     EXPECT_EQ(one.code, 1);
     EXPECT_NE(one.err.find("give it a pose"), std::string::npos) << one.err;
-    const auto both = runCli("change " + inMine + " " + inMine + " --json -");
+    const auto both = runCli("compare " + inMine + " " + inMine + " --json -");
     ASSERT_EQ(both.code, 0) << both.err;
     EXPECT_EQ(json::parse(both.out)["lined_up_by"], "poses");
 }

@@ -20,11 +20,11 @@ TEST(LabRepeatability, TellsWhatIsRepeatedAndHowTheScansCameTogether) {
     std::ofstream(path("a.pose")) << "0 0 0\n0 0 0\n";
     std::ofstream(path("b.pose")) << "4 -3 2\n0.5 0.2 -0.4\n";
     const std::string both = "repeatability " + path("a.json") + " " + path("b.json");
-    const std::string posed = both + " --poses " + path("a.pose") + " " + path("b.pose");
+    const std::string posed = both + " --poses-3dtk " + path("a.pose") + " " + path("b.pose");
     const auto run = runLab(posed + " --refine --only edgescan+,thesis --json -");
     ASSERT_EQ(run.code, 0) << run.err;
     const auto report = nlohmann::json::parse(run.out);
-    EXPECT_EQ(report["schema"], "edgescan-compare-two/1");
+    EXPECT_EQ(report["schema"], "edgescan-repeatability/1");
     EXPECT_LT(report["alignment"]["residual_m"], report["alignment"]["residual_before_m"]);
     ASSERT_EQ(report["methods"].size(), 2U);
     for (const auto& row : report["methods"]) EXPECT_GT(row["at_equal_number"]["found"], 0) << row;
@@ -34,7 +34,7 @@ TEST(LabRepeatability, TellsWhatIsRepeatedAndHowTheScansCameTogether) {
     EXPECT_NE(runLab(both).err.find("no place in the mine"), std::string::npos);
     EXPECT_EQ(runLab(both + " --truth " + folder.path().string()).code, 2);
     EXPECT_EQ(runLab("repeatability " + path("a.json") + " --refine").code, 2);
-    EXPECT_NE(runLab(both + " --poses " + path("a.pose") + " " + path("a.json")).err.find("not a pose of 3DTK"), std::string::npos);
+    EXPECT_NE(runLab(both + " --poses-3dtk " + path("a.pose") + " " + path("a.json")).err.find("not a pose of 3DTK"), std::string::npos);
 }
 
 } // namespace

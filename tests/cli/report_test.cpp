@@ -88,7 +88,7 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
     const auto measured =
         inspect::measureCells(*opened, inspect::noiseOf(*detection), inspect::MeasureKind::Distance, notebook.measures[0].cells);
     ASSERT_TRUE(measured);
-    const auto change = runCli("change " + before.string() + " " + now.string());
+    const auto change = runCli("compare " + before.string() + " " + now.string());
     ASSERT_EQ(change.code, 0) << change.err;
     const std::string largest = std::regex_replace(change.out.substr(0, change.out.find('\n')), std::regex("&"), "&amp;");
     for (const std::string& phrase :

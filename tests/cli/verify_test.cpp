@@ -42,8 +42,8 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     std::string bytes = test::fileText(folder / "e.ply");
     bytes[bytes.size() - 5] = static_cast<char>(bytes[bytes.size() - 5] ^ 4);
     std::ofstream(folder / "e.ply", std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    const auto bad = runCli("verify --json " + path("e.ply"));
-    EXPECT_EQ(bad.code, 1);
+    const auto bad = runCli("verify --json - " + path("e.ply"));
+    EXPECT_EQ(bad.code, 3);
     const json report = json::parse(bad.out);
     EXPECT_EQ(report["identical"], false);
     EXPECT_EQ(report["first_difference"], bytes.size() - 5);
@@ -54,7 +54,15 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     EXPECT_EQ(lost.code, 1);
     EXPECT_NE(lost.err.find("--scans"), std::string::npos) << lost.err;
     EXPECT_EQ(runCli("verify " + (away / "m.png").string() + " --scans " + folder.path().string()).code, 0);
+    EXPECT_EQ(runCli("verify " + (away / "m.png").string() + " " + path("g.png")).code, 4) << "one of two cannot be checked";
+    EXPECT_EQ(runCli("verify " + (away / "m.png").string() + " " + path("e.ply")).code, 3)
+        << "a difference counts more than a missing scan";
     EXPECT_EQ(runCli("verify").code, 2);
+    const auto old = runCli("verify --json " + path("g.png"));
+    EXPECT_EQ(old.code, 2) << "--json was a switch once";
+    EXPECT_NE(old.err.find("not a name for JSON"), std::string::npos) << old.err;
+    ASSERT_EQ(runCli("verify " + path("g.png") + " --json " + path("said.json")).code, 0);
+    EXPECT_EQ(json::parse(test::fileText(path("said.json")))["identical"], true);
     EXPECT_EQ(json::parse(runCli("info " + scanPath).out)["pose"]["origin_enh_m"], json({620000.0, 6200000.0, 250.0}));
 }
 
@@ -74,13 +82,13 @@ TEST(CliVerify, EveryPartOfTheRecordIsCovered) {
         ordered_json altered = original;
         altered["export"][key] = value.is_number() ? ordered_json(value.get<double>() + 1) : ordered_json("another");
         const auto run = verifyWith(altered);
-        EXPECT_EQ(run.code, 1) << key;
+        EXPECT_EQ(run.code, 3) << key;
         EXPECT_NE(run.out.find("NOT identical"), std::string::npos) << key << run.out << run.err;
     }
     for (const char* key : {"cells", "warnings", "coordinates", "settings", "scanner"}) {
         ordered_json altered = original;
         altered["record"][key] = "another";
-        EXPECT_EQ(verifyWith(altered).code, 1) << key;
+        EXPECT_EQ(verifyWith(altered).code, 3) << key;
     }
     ordered_json later = original;
     later["format"] = "edgescan-provenance/7";

@@ -87,7 +87,7 @@ TEST(Words, NoStringOfTheProgramPromises) {
 }
 
 TEST(Words, NoHelpPromises) {
-    for (const char* command : {"", "info", "detect", "convert", "simulate", "verify", "serve", "record", "replay", "why"}) {
+    for (const char* command : {"", "info", "detect", "convert", "simulate", "verify", "emulate", "record", "replay", "why"}) {
         const std::string help = test::runCli(std::string(command) + " --help").out;
         EXPECT_GT(help.size(), 100U) << command;
         EXPECT_EQ(promiseIn(help), "") << command;

@@ -39,7 +39,7 @@ def recording_file():
 @contextlib.contextmanager
 def served(path, *arguments):
     """HOST:PORT of an emulated scanner that sends this scan."""
-    process = subprocess.Popen([CLI, "serve", str(path), "--port", "0", *map(str, arguments)], stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen([CLI, "emulate", str(path), "--port", "0", *map(str, arguments)], stdout=subprocess.PIPE, text=True)
     try:
         said = json.loads(process.stdout.readline())
         yield f"{said['host']}:{said['port']}"

@@ -55,7 +55,7 @@ class Types(unittest.TestCase):
                     call(value)
         for call in (lambda v: edgescan.detect(scan, slips=v), lambda v: edgescan.open(path, straighten=v),
                      lambda v: edgescan.save(scan, HERE / "types.pcd", ascii=v), lambda v: edgescan.simulate(lines=60, beams=80, truth=v),
-                     lambda v: edgescan.save(scan, HERE / "types.pcd", comments=v), lambda v: edgescan.connect("127.0.0.1:1", standing=v)):
+                     lambda v: edgescan.save(scan, HERE / "types.pcd", comments=v), lambda v: edgescan.connect("127.0.0.1:1", stop_and_go=v)):
             for value in (b"on", 1, 0, 1.0, [], "yes"):
                 with self.subTest(call=inspect.getsource(call).strip(), value=value), self.assertRaises(TypeError):
                     call(value)

@@ -104,6 +104,17 @@ class Documents(unittest.TestCase):
                     if not own.startswith("_"):
                         self.assertIn(own, methods, name)
 
+    def test_stubs_have_the_docstrings(self):
+        stubs = pathlib.Path(edgescan.__file__).with_suffix(".pyi").read_text()
+        for node in ast.parse(stubs).body:
+            if not isinstance(node, (ast.ClassDef, ast.FunctionDef)) or node.name == "Error":
+                continue
+            thing = getattr(edgescan, node.name)
+            self.assertEqual(ast.get_docstring(node), inspect.cleandoc(thing.__doc__), node.name)
+            for own in node.body if isinstance(node, ast.ClassDef) else []:
+                if isinstance(own, ast.FunctionDef) and not own.name.startswith("_"):
+                    self.assertEqual(ast.get_docstring(own), inspect.cleandoc(getattr(thing, own.name).__doc__), f"{node.name}.{own.name}")
+
     def test_the_dicts_have_the_keys_of_their_types(self):
         bell = edgescan.simulate(seed=7, lines=120, beams=161)
         opened = edgescan.open(bell_file())
@@ -117,7 +128,9 @@ class Documents(unittest.TestCase):
                              (reports.Detected, edgescan.detect(opened, method="canny").report()), (reports.Why, edgescan.why(result, line, beam)),
                              (reports.Why, edgescan.why(edgescan.detect(opened, method="sobel"), 0, 0)), (reports.Compared, change),
                              (reports.Compared, edgescan.compare(result, result)), (reports.Region, change["regions"][0]),
-                             (reports.Limits, result.report()["range_mm"])):
+                             (reports.Limits, result.report()["range_mm"]), (reports.Roughness, result.report()["roughness"]),
+                             (reports.Rock, edgescan.rocks(result).table[0]), (reports.Rock, edgescan.rocks(result).table_in("scanner")[0]),
+                             (reports.RockRegion, edgescan.rocks(result).region_table[0]), (reports.Parameter, edgescan.parameters()[0])):
             self.assertLessEqual(kind.__required_keys__, set(report), kind)
             self.assertLessEqual(set(report), set(kind.__annotations__), kind)
 

@@ -23,7 +23,7 @@ class SameAsThePrograms(unittest.TestCase):
             result = edgescan.detect(edgescan.open(path), **settings)
             for cell in (0, int(result.edges[3]), int(result.edges[-1]), 5000):
                 line, beam = divmod(cell, result.scan.beams)
-                said = cli("why", path, "--line", line, "--beam", beam, *flags).stdout
+                said = cli("why", path, "--cell", f"{line},{beam}", *flags).stdout
                 self.assertEqual(edgescan.why(result, line, beam), document(said))
         with self.assertRaises(edgescan.Error) as raised:
             edgescan.why(result, result.scan.lines, 0)
@@ -32,7 +32,7 @@ class SameAsThePrograms(unittest.TestCase):
     def test_compare(self):
         before, now = bell_file(), HERE / "after.json"
         cli("simulate", "-o", now, "--after-blast", "--seed", 7, "--lines", 150, "--beams", 191)
-        cli("change", before, now, "--by-surfaces", "--json", HERE / "change.json", "--picture", HERE / "cli-change.png")
+        cli("compare", before, now, "--by-surfaces", "--json", HERE / "change.json", "--picture", HERE / "cli-change.png")
         change = edgescan.compare(edgescan.detect(edgescan.open(before)), edgescan.detect(edgescan.open(now)), by_surfaces=True,
                                   picture=HERE / "change.png")
         self.assertEqual(change, document((HERE / "change.json").read_text()))
@@ -45,7 +45,7 @@ class SameAsThePrograms(unittest.TestCase):
         still.write_text("0 0 0\n0 0 0\n")
         moved.write_text("0 0 5\n0 0 0\n")
         other = edgescan.detect(edgescan.open(bell_file("other.json", 8)))
-        cli("change", bell_file(), bell_file("other.json", 8), "--poses", still, moved, "--json", HERE / "posed.json")
+        cli("compare", bell_file(), bell_file("other.json", 8), "--poses-3dtk", still, moved, "--json", HERE / "posed.json")
         self.assertEqual(edgescan.compare(one, other, poses=(still, moved)), document((HERE / "posed.json").read_text()))
         with self.assertRaises(edgescan.Error):
             edgescan.compare(one, other, poses=(still, HERE / "none.pose"))

@@ -284,7 +284,7 @@ private slots:
             const auto emulated = scanner(400);
             QVERIFY(emulated);
             const auto run = test::runCli("record 127.0.0.1:" + std::to_string(emulated->port()) + " -o " + path +
-                                          " --lines 120 --expected-lines 120 --axis spin --first-line -90 --line-step 1.5 --seconds 120");
+                                          " --lines 120 --expected-lines 120 --axis spin --line-start -90 --line-step 1.5 --seconds 120");
             QCOMPARE(run.code, 0);
         }
         WindowFixture on;

@@ -359,7 +359,7 @@ private slots:
         {
             const test::ServedProgram served(bell_ + " --rate 600 --loop --lose-every 33");
             const auto run = test::runCli("record " + served.address() + " -o " + path + " --lines 390 --expected-lines 160 --axis sweep" +
-                                          " --first-line -90 --line-step 1.125 --seconds 120");
+                                          " --line-start -90 --line-step 1.125 --seconds 120");
             QCOMPARE(run.code, 0);
         }
         WindowFixture on;

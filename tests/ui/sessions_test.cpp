@@ -333,7 +333,7 @@ private slots:
         const QString gone = inFolder("start/gone.json");
         qputenv("XDG_CACHE_HOME", inFolder("start/cache").toUtf8());
         WindowFixture on(inFolder("start/viewer.ini"));
-        on.preferences.keep("tour-ended", true); // it stands above the page
+        on.preferences.keep("tour-ended", true); // the tour would cover the page
         on.preferences.keepRecentFile(gone);
         on.preferences.keepRecentFile(QString::fromStdString(other_));
         on.preferences.keepRecentFile(QString::fromStdString(boxes_));

@@ -22,7 +22,7 @@ from typing import Any, Dict, Iterable, List, Literal, Optional, Tuple, Union
 from ._edgescan import Connection, Error, Replay, Result, Rocks, Scan, Simulation, Sweep, __version__
 from . import _arrays, _edgescan, _methods
 from ._lab import benchmark
-from .reports import Compared, Why
+from .reports import Compared, Parameter, Why
 from ._values import Path, each as _each, keywords as _keywords, path as _path, public as _public, refuse as _refuse, whole as _whole, word as _word
 
 __all__ = ["Connection", "Error", "Replay", "Result", "Rocks", "Scan", "Simulation", "Sweep", "benchmark", "compare", "connect", "detect",
@@ -43,7 +43,7 @@ def _switches(**values):
 
 
 @_public
-def parameters() -> List[Dict[str, Any]]:
+def parameters() -> List[Parameter]:
     """The table of parameters: a list of dicts with key, label, unit, help, minimum, maximum, default, automatic, choices, several.
 
     Each key is a keyword of detect(), with _ for -.
@@ -98,7 +98,7 @@ def why(result: Result, line: int, beam: int) -> Why:
 def compare(before: Result, now: Result, *, poses: Optional[Tuple[Path, Path]] = None, by_surfaces: bool = False,
             picture: Optional[Path] = None) -> Compared:
     """What changed between two scans of one place, before and after a blast: edges gained and lost, surfaces nearer and farther. The JSON of
-    `edgescan-cli change --json` as a dict.
+    `edgescan-cli compare --json` as a dict.
 
     poses: the two .pose files of 3DTK, in the order of the results; else the places that the scans have. by_surfaces: line the scans up by
     their surfaces, also where there are poses. picture: new PNG on the grid of `now`.
@@ -189,13 +189,13 @@ def replay(path: Path, *, every: int = 1, speed: float = 0, pose: Path = "", cal
 @_public
 def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: Optional[Literal["spin", "sweep"]] = None,
             line_start: Optional[float] = None, line_step: Optional[float] = None, ticks_per_degree: Optional[float] = None,
-            calibration: Path = "", standing: bool = False, timeout: float = 10) -> Connection:
+            calibration: Path = "", stop_and_go: bool = False, timeout: float = 10) -> Connection:
     """Connects to an LMS5xx: an iterator of Sweep, the newest state whenever a line came, and each sweep once more when it is finished.
 
     address: HOST or HOST:PORT. Nothing but reads and a subscription is sent to it. record: new recording (.mcap) of every telegram.
     expected_lines: of a whole sweep, 0 = not known. axis, line_start, line_step: mounting of the stepper and its angles in degrees, as for
     open(). ticks_per_degree: encoder counts, where there is an encoder. calibration: the robot's file, which says axis and step. What
-    neither says is assumed; the scan's warnings and the recording report it. standing: the stepper does not turn while a line is measured.
+    neither says is assumed; the scan's warnings and the recording report it. stop_and_go: the stepper stops while a line is measured.
 
     timeout: seconds. connect() waits for the first scan line of the scanner, and raises edgescan.Error if it does not come in this time. So
     does the iterator if the sweep does not change for this time. The error says what the session waits for; while it waits, the logger
@@ -210,19 +210,19 @@ def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: O
     >>> sweep.scan.lines
     40
     """
-    return _edgescan.connect(address, record, expected_lines, axis, line_start, line_step, ticks_per_degree, calibration, standing, timeout)
+    return _edgescan.connect(address, record, expected_lines, axis, line_start, line_step, ticks_per_degree, calibration, stop_and_go, timeout)
 
 
 @_keywords(("Numbers, as the flags of the command line:", _NUMBERS))
 def simulate(*, seed: int = 1, scene: str = "hangup", axis: Literal["spin", "sweep"] = "sweep",
-             profile: Literal["high", "standard"] = "high", hole: Optional[Literal["none", "round", "square"]] = None,
+             profile: Literal["high", "standard"] = "high", hole_shape: Optional[Literal["none", "round", "square"]] = None,
              surface: Optional[Scan] = None, footprint: bool = True, mixed_pixels: bool = True, echo_loss: bool = True,
              after_blast: bool = False, truth: bool = False, **numbers) -> Simulation:
     """A synthetic draw-bell sweep of an LMS511: a Simulation with scan and, where asked for, truth. Same seed, same bytes.
 
     scene: hangup, pile, empty, wall, staircase or rescan. axis: mounting of the stepper, 'sweep' or 'spin'. profile: beam divergence 'high'
-    (resolution, 4.6 mrad) or 'standard' (11 mrad). hole: 'none', 'round' or 'square' holes in the wall. surface: Scan of a surface seen from
-    above, for the scene rescan. footprint, mixed_pixels, echo_loss: False switches that part of the measurement off. after_blast:
+    (resolution, 4.6 mrad) or 'standard' (11 mrad). hole_shape: 'none', 'round' or 'square' holes in the wall. surface: Scan of a surface
+    seen from above, for the scene rescan. footprint, mixed_pixels, echo_loss: False switches that part of the measurement off. after_blast:
     the hang-up with some rocks gone and others fallen.
 
     >>> edgescan.simulate(seed=3, lines=90, beams=96).scan.range_mm.shape
@@ -230,8 +230,8 @@ def simulate(*, seed: int = 1, scene: str = "hangup", axis: Literal["spin", "swe
     """
     words = {"scene": scene, "axis": axis, "profile": profile, **_switches(footprint=footprint, mixed_pixels=mixed_pixels, echo_loss=echo_loss,
                                                                           after_blast=after_blast, truth=truth)}
-    if hole is not None:
-        words["hole"] = hole
+    if hole_shape is not None:
+        words["hole-shape"] = hole_shape
     if not 0 <= seed < 2**64:
         _refuse(f"{seed} is not a seed", "seed", "give a whole number from 0 to 2**64 - 1")
     return _edgescan.simulate(seed, numbers, words, surface)

@@ -46,7 +46,7 @@ def benchmark(what: Union[Path, Scan], *, truth: Optional[Path] = None, pictures
     program: edgescan-lab is started as a process of its own; it comes with the package edgescan-cli.
 
     >>> edgescan.benchmark(bell.scan, only="edgescan+", program=lab)["schema"]
-    'edgescan-compare/1'
+    'edgescan-benchmark/1'
     """
     flags = arguments(truth, pictures, tolerance, best, repeats, only, peers, peer_seconds)
     if not isinstance(what, Scan):

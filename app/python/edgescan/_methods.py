@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from . import _edgescan
 from ._edgescan import Connection, Replay, Result, Rocks, Scan, Simulation, Sweep
 from ._values import Path, method
-from .reports import Detected, Info
+from .reports import Detected, Info, Rock
 
 
 @method(Scan)
@@ -41,7 +41,7 @@ def at(self, level: float) -> Rocks:
 
 
 @method(Rocks)
-def table_in(self, frame: Literal["scanner", "local", "mine"]) -> List[Dict[str, Any]]:
+def table_in(self, frame: Literal["scanner", "local", "mine"]) -> List[Rock]:
     """`table` with the coordinates of this frame.
 
     frame: 'scanner', 'local' (east, north, up from the scan's `origin`) or 'mine' (Easting, Northing, Elevation).

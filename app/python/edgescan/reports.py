@@ -98,7 +98,7 @@ class Why(_Class):
     unit: str
     strength: float
     thresholds: Dict[str, Any]
-    standing: str
+    against_thresholds: str
     suppressed_by: Optional[Dict[str, Any]]
     chain: List[Dict[str, Any]]
     chain_cells: int
@@ -136,3 +136,78 @@ class Compared(TypedDict):
     median_difference_mm: Optional[float]
     change_limit_mm: Optional[Dict[str, float]]
     regions: List[Region]
+
+
+class _Rock(TypedDict):
+    rock: int
+    line: int
+    beam: int
+    cells: int
+    visible_long_m: float
+    visible_wide_m: float
+    tolerance_m: float
+    distance_m: float
+    visible_area_m2: float
+    unoccluded_share: float
+    in_front_of: List[int]
+    behind: List[int]
+    contacts_at_least: List[int]
+    touches_other: bool
+    free_below_at_least_m: Optional[float]
+    arch_deg: Optional[float]
+    arch_tolerance_deg: Optional[float]
+    hangs_below: Optional[bool]
+    finer_share: float
+    confidence: float
+    by_hand: bool
+    note: str
+
+
+class Rock(_Rock, total=False):
+    """A row of Rocks.table; its coordinates are those of one frame."""
+    easting_m: float
+    northing_m: float
+    elevation_m: float
+    x_m: float
+    y_m: float
+    z_m: float
+    east_m: float
+    north_m: float
+    up_m: float
+
+
+class RockRegion(TypedDict):
+    """A row of Rocks.region_table."""
+    region: int
+    kind: str
+    cells: int
+    visible_area_m2: float
+    four_sd_m: float
+    evidence: float
+    confidence: float
+
+
+class Status(TypedDict):
+    """Of Connection.status."""
+    phase: str
+    sentence: str
+    scanner: Optional[str]
+    lines: int
+    undecodable: int
+    reconnects: int
+    sweep: str
+    recording: bool
+
+
+class Parameter(TypedDict):
+    """A row of parameters()."""
+    key: str
+    label: str
+    unit: str
+    help: str
+    minimum: float
+    maximum: float
+    default: str
+    automatic: bool
+    choices: List[str]
+    several: bool

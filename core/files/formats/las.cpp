@@ -151,19 +151,18 @@ Result<LasPoints> readPoints(const LasHeader& header, const Source& source) {
         if (n % 65536 == 0 && !source.goOn("reading points", 0.5 * static_cast<double>(n) / static_cast<double>(header.points)))
             return source.cancelled();
     }
+    read.end = header.pointsAt + header.points * header.pointBytes; // checkPoints: the file holds as much
     return read;
 }
 
-/// What the file does not hold of what its header promises behind the points, or holds beyond it.
-void tellRest(PointTable& table, const LasHeader& header, const OwnRecords& own, const Source& source) {
+/// What the file does not hold of what its header promises behind the points, which end at `end`, or holds beyond it.
+void sayRest(PointTable& table, const LasHeader& header, std::uint64_t end, const OwnRecords& own, const Source& source) {
     if (own.missing > 0) {
         table.remarks.push_back("The end of the file is damaged or missing: " + std::to_string(own.missing) + " of " +
                                 std::to_string(header.extended) +
                                 " records behind the points cannot be read. A grid, cell states or a place in the mine that they held are "
                                 "lost; copy the file again.");
     }
-    if (table.format == "LAZ") return;
-    const std::uint64_t end = header.pointsAt + header.points * header.pointBytes; // checkPoints: the file holds as much
     const std::uint64_t size = source.bytes.size();
     std::uint64_t next = size;
     if (header.extended > 0) next = std::min(next, header.extendedAt);
@@ -267,7 +266,7 @@ Result<PointTable> readLasPoints(const Source& source) {
     // Who has no intensities leaves the field 0.
     if (std::ranges::any_of(read->intensity, [](float value) { return value != 0; })) table.intensity = std::move(read->intensity);
     const OwnRecords own = ownRecords(*header, source);
-    tellRest(table, *header, own, source);
+    sayRest(table, *header, read->end, own, source);
     const bool withCells = !own.description.empty() && !own.cells.empty();
     const std::size_t extra = read->extra.size() / table.points.size(); // bytes of a point
     if (!packed)

@@ -8,6 +8,7 @@
 
 #include <laszip/laszip_api.h>
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <istream>
@@ -26,6 +27,11 @@ public:
     explicit MemoryBuffer(std::span<const std::byte> bytes) {
         auto* first = reinterpret_cast<char*>(const_cast<std::byte*>(bytes.data())); // read only: without a put area
         setg(first, first, first + bytes.size());
+        from_ = readTo_ = first;
+    }
+    /// Offset behind the last byte that was read.
+    [[nodiscard]] std::uint64_t readTo() const {
+        return static_cast<std::uint64_t>(std::max(readTo_, gptr() > from_ ? gptr() : eback()) - eback());
     }
 
 protected:
@@ -33,10 +39,16 @@ protected:
         const off_type base = from == std::ios_base::beg ? 0 : from == std::ios_base::cur ? gptr() - eback() : egptr() - eback();
         const off_type to = base + offset;
         if (to < 0 || to > egptr() - eback()) return pos_type(off_type(-1));
-        setg(eback(), eback() + to, egptr());
+        if (gptr() > from_) readTo_ = std::max(readTo_, gptr()); // a change of place alone reads nothing
+        from_ = eback() + to;
+        setg(eback(), from_, egptr());
         return pos_type(to);
     }
     pos_type seekpos(pos_type place, std::ios_base::openmode which) override { return seekoff(off_type(place), std::ios_base::beg, which); }
+
+private:
+    char* from_ = nullptr;   ///< where reading went on after the last change of place
+    char* readTo_ = nullptr; ///< the furthest place that reading reached before it
 };
 
 template <class T>
@@ -149,7 +161,9 @@ Result<LasPoints> readLazPoints(const Source& source) {
     std::istream stream(&buffer);
     Unpacker unpacker;
     try {
-        return unpack(unpacker, stream, source);
+        auto read = unpack(unpacker, stream, source);
+        if (read) read->end = buffer.readTo();
+        return read;
     } catch (const std::bad_alloc&) {
         throw; // openScan() makes the error of it
     } catch (const std::exception& problem) {

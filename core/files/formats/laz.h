@@ -13,6 +13,7 @@ struct LasPoints {
     std::vector<Eigen::Vector3d> points;
     std::vector<float> intensity; ///< one per point
     std::size_t withheld = 0;     ///< points that the file marks as deleted; their places are not finite
+    std::uint64_t end = 0;        ///< offset in the file behind the last byte of the points and of their table of chunks
     std::vector<std::byte> extra; ///< of a LAZ file: the bytes after the fixed part of each point, one after the other
 };
 

@@ -133,6 +133,7 @@ LiveStatus LiveFeed::status() const {
     status.lines = lines_;
     status.linesAfter = linesAfter_;
     status.undecodable = feed_.undecodable() + laser_.leftOut();
+    status.sweep.duplicates += laser_.repeated();
     if (const std::string wait = laser_.waitsFor(); !wait.empty() && lines_ == 0 && status.connection.phase == kLive) {
         const Error unknown{"lines come, but their angle is not known: " + wait, linesTopic_,
                             "give the joint that turns the laser (--joint), or the step from line to line (--line-step)"};

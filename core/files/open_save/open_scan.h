@@ -10,14 +10,16 @@
 #include <span>
 #include <string>
 
-namespace edgescan::files {
+namespace edgescan::scanner {
+struct PlayedLine;
+}
 
-class Replay;
+namespace edgescan::files {
 
 /// The file as a scan of lines x beams cells; "-" is standard input, and the folder of a ROS 2 bag is its file. A pipe is read to its end,
 /// and gzip is unpacked by content. `played`: called after every line of a recording. Error: one sentence; a file is never loaded in part.
 Result<Scan> openScan(const std::filesystem::path& path, const ReadingOptions& options = {},
-                      const std::function<void(const Replay&)>& played = {});
+                      const std::function<void(const scanner::PlayedLine&)>& played = {});
 
 /// openScan(), and then the step that needs the whole sweep: with options.straighten the angles are corrected, else a warning reports beams
 /// or lines that are displaced. For all programs that show, export or verify scans.

@@ -6,7 +6,6 @@
 
 #include <string_view>
 #include <system_error>
-#include <unistd.h>
 
 namespace edgescan::files {
 namespace {
@@ -44,16 +43,7 @@ Result<Done> writePoseSidecar(const fs::path& scan, const std::optional<std::str
         if (trouble) return Error{"the pose could not be removed (" + trouble.message() + ")", path.string(), "remove the file by hand"};
         return Done{};
     }
-    if (fs::exists(path, trouble) && ::access(path.c_str(), W_OK) != 0)
-        return Error{"this file may not be written to", path.string(), "allow it, or remove the file"};
-    // By a file of another name: the pose that the scan was opened with is an input, which writeWholeFile() does not replace.
-    const fs::path fresh = path.string() + ".new";
-    if (auto written = writeWholeFile(fresh, *text); !written) return written;
-    fs::rename(fresh, path, trouble);
-    if (!trouble) return Done{};
-    const std::string why = trouble.message();
-    fs::remove(fresh, trouble);
-    return Error{"the pose could not be stored (" + why + ")", path.string(), "check that the folder may be written to"};
+    return replaceOwnSidecar(path, *text);
 }
 
 } // namespace edgescan::files

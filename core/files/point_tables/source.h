@@ -13,18 +13,21 @@
 #include <string>
 #include <string_view>
 
+namespace edgescan::scanner {
+struct PlayedLine;
+}
+
 namespace edgescan::files {
 
-class Replay;
-/// Called after every line of a recording that is played.
-using LinePlayed = std::function<void(const Replay&)>;
+/// Called after every line of a recording or of a laser's bag.
+using LinePlayed = std::function<void(const scanner::PlayedLine&)>;
 
 struct Source {
     std::filesystem::path path;
     std::span<const std::byte> bytes; ///< the whole file
     const ReadingOptions* options = nullptr;
     bool inMemory = false;   ///< there is not a file, and no other file may be touched
-    LinePlayed played = {};  ///< called after every line of a recording
+    LinePlayed played = {};  ///< called after every line of a recording or of a laser's bag
     bool placesOnly = false; ///< only x y z of the points are asked for: their other columns may be left out
     /// Where it is set, a reader may pass these points on some at a time, in order, instead of storing them in its table.
     std::function<void(std::span<const Eigen::Vector3d>)> takePlaces = {};

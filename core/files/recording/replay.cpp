@@ -3,6 +3,8 @@
 
 #include "core/files/recording/recorded_grid.h"
 #include "core/files/recording/recorded_robot.h"
+#include "core/scanner/sick_lms/scan_telegram.h"
+#include "core/scanner/sweep_assembly/played_line.h"
 
 #include <algorithm>
 #include <limits>
@@ -117,7 +119,9 @@ Result<Scan> scanOf(const std::shared_ptr<const Recording>& recording, const std
     };
     while (replay.step()) {
         collect();
-        if (played && replay.position() > 0) played(replay);
+        const int line = replay.position() - 1;
+        if (played && line >= 0)
+            played({line, replay.timeNs(line), line + 1 < replay.lines() ? replay.timeNs(line + 1) : 0, replay.progress()});
     }
     collect();
     const std::int64_t undecodable = replay.feed().undecodable();

@@ -16,12 +16,15 @@ namespace {
 constexpr std::array<std::string_view, 4> kMapFrames{"mine", "map", "utm", "world"};
 constexpr double kStayedM = 1e-4, kStayedTurn = 1e-5; // of an element of the rotation
 
+bool isMap(const std::string& frame) {
+    return std::ranges::find(kMapFrames, std::string_view(frame).substr(frame.rfind('/') + 1)) != kMapFrames.end();
+}
+
 /// The highest frame above `frame` with such a name; empty: there is not one.
 std::string mapAbove(const FrameTree& tree, const std::string& frame) {
     std::string found;
     for (const std::string& at : tree.chain(frame)) {
-        const std::string_view last = std::string_view(at).substr(at.rfind('/') + 1);
-        if (std::ranges::find(kMapFrames, last) != kMapFrames.end()) found = at;
+        if (isMap(at)) found = at;
     }
     return found;
 }
@@ -34,6 +37,29 @@ bool stayed(const std::vector<RigidTransform>& poses) {
 }
 
 } // namespace
+
+void addPoses(FrameTree& tree, const containers::RosBag& bag, const std::string& frame, std::vector<std::string>& warnings) {
+    if (!mapAbove(tree, frame).empty()) return;
+    const std::string highest = tree.chain(frame).back();
+    for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
+        const containers::RosTopic& of = bag.topics[topic];
+        if (of.type != "geometry_msgs/PoseStamped") continue;
+        const auto definition = containers::rosDefinition(of.type, of.definition, "");
+        bool used = false;
+        for (const containers::RosBagMessage& stored : bag.messages) {
+            if (stored.topic != topic || !definition) continue;
+            const auto message = containers::rosMessage(*definition, of.encoding, stored.bytes, "");
+            const std::string map = message ? frameNameOf(message->text("header.frame_id")) : std::string();
+            const auto pose = isMap(map) ? poseIn(*message, "pose.position", "pose.orientation") : std::nullopt;
+            if (!pose) continue;
+            tree.add(NamedPose{highest, map, *pose});
+            used = true;
+        }
+        if (!used) continue;
+        warnings.push_back("GUESS: the poses of the topic " + of.name + " are those of the frame " + highest + ".");
+        return;
+    }
+}
 
 void placeByFrames(Scan& scan, const FrameTree& tree, const LaserMotion& motion, std::vector<std::string>& warnings) {
     const std::string map = motion.baseFrame.empty() ? std::string() : mapAbove(tree, motion.baseFrame);

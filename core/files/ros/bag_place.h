@@ -1,6 +1,7 @@
 // The place of a sweep in the mine, by the transforms of its bag.
 #pragma once
 
+#include "core/containers/ros/bag.h"
 #include "core/files/ros/frames.h"
 #include "core/files/ros/laser_motion.h"
 #include "core/scan/grid/scan.h"
@@ -9,6 +10,10 @@
 #include <vector>
 
 namespace edgescan::files {
+
+/// Where no frame of a map is above `frame`, but the bag has geometry_msgs/PoseStamped in one: they become the transforms of the highest
+/// frame above it. A warning says that it is a guess. Call it before FrameTree::finish().
+void addPoses(FrameTree& tree, const containers::RosBag& bag, const std::string& frame, std::vector<std::string>& warnings);
 
 /// Gives the scan its place where a frame of a map is above the laser: map, mine, utm or world, also behind a namespace. One pose if that
 /// frame stayed, else one for each line. Its axes are east, north and up (REP 105); a warning says that it is a guess.

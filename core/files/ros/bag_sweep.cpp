@@ -6,7 +6,7 @@
 #include "core/files/ros/laser_lines.h"
 #include "core/files/ros/laser_motion.h"
 #include "core/scan/grid/acquisition.h"
-#include "core/scanner/sweep_assembly/sweep_assembler.h"
+#include "core/scanner/sweep_assembly/played_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,8 @@ namespace {
 constexpr double kStillShare = 0.05; // of the median step from line to line
 constexpr double kWorthSayingDeg = 0.5, kWorthSayingM = 0.002;
 
-Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& where) {
+Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& laser, const std::string& where,
+                           std::vector<std::string>& warnings) {
     FrameTree tree;
     for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
         if (bag.topics[topic].type != "tf2_msgs/TFMessage" && bag.topics[topic].type != "tf/tfMessage") continue;
@@ -29,6 +30,7 @@ Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& whe
                 tree.add(*message);
         }
     }
+    addPoses(tree, bag, laser, warnings);
     tree.finish();
     return tree;
 }
@@ -61,13 +63,15 @@ public:
         auto lines = laserLines(bag_, topic_.topic, scanner::Echo::First, where_);
         if (!lines) return lines.error();
         lines_ = std::move(*lines);
-        auto tree = framesOf(bag_, where_);
+        std::vector<std::string> said;
+        auto tree = framesOf(bag_, lines_.frame, where_, said);
         if (!tree) return tree.error();
         auto motion = motionOf(bag_, *tree, lines_, source_);
         if (!motion) return motion.error();
         motion_ = std::move(*motion);
         tree_ = std::move(*tree);
         warnings_ = bag_.warnings;
+        warnings_.insert(warnings_.end(), said.begin(), said.end());
         warnings_.insert(warnings_.end(), tree_.warnings().begin(), tree_.warnings().end());
         sayWhatWasTaken();
         giveAngles();
@@ -162,11 +166,14 @@ private:
             }
         };
         const std::int64_t first = lines_.lines.front().stampNs;
-        for (LaserLine& line : lines_.lines) {
+        for (std::size_t n = 0; n < lines_.lines.size(); ++n) {
+            LaserLine& line = lines_.lines[n];
             const auto done = static_cast<double>(line.stampNs - first);
             if (!source_.goOn("assembling lines", done / std::max(1.0, static_cast<double>(lines_.lines.back().stampNs - first))))
                 return source_.cancelled();
             assembler.push(std::move(line.line), line.stampNs);
+            const std::int64_t nextNs = n + 1 < lines_.lines.size() ? lines_.lines[n + 1].stampNs : 0;
+            if (source_.played) source_.played({static_cast<int>(n), line.stampNs, nextNs, assembler.progress()});
             collect();
         }
         assembler.finish();

@@ -10,20 +10,18 @@ namespace {
 
 constexpr double kShortestRotation = 1e-6;
 
-std::optional<TimedPose> poseIn(const containers::RosValue& transform) {
-    const auto number = [&](const char* path) { return transform.number(path).value_or(std::numeric_limits<double>::quiet_NaN()); };
-    Eigen::Quaterniond rotation(number("transform.rotation.w"), number("transform.rotation.x"), number("transform.rotation.y"),
-                                number("transform.rotation.z"));
-    const Eigen::Vector3d translation(number("transform.translation.x"), number("transform.translation.y"),
-                                      number("transform.translation.z"));
-    const auto ns = containers::stampNs(transform, "header.stamp");
-    if (!ns || !translation.allFinite() || !(rotation.norm() > kShortestRotation) || !std::isfinite(rotation.norm())) return std::nullopt;
-    return TimedPose{*ns, rotation.normalized(), translation};
-}
-
 RigidTransform rigid(const TimedPose& pose) { return {pose.rotation.toRotationMatrix(), pose.translationM}; }
 
 } // namespace
+
+std::optional<TimedPose> poseIn(const containers::RosValue& message, const std::string& position, const std::string& rotation) {
+    const auto number = [&](const std::string& path) { return message.number(path).value_or(std::numeric_limits<double>::quiet_NaN()); };
+    const Eigen::Quaterniond turn(number(rotation + ".w"), number(rotation + ".x"), number(rotation + ".y"), number(rotation + ".z"));
+    const Eigen::Vector3d at(number(position + ".x"), number(position + ".y"), number(position + ".z"));
+    const auto ns = containers::stampNs(message, "header.stamp");
+    if (!ns || !at.allFinite() || !(turn.norm() > kShortestRotation) || !std::isfinite(turn.norm())) return std::nullopt;
+    return TimedPose{*ns, turn.normalized(), at};
+}
 
 std::string frameNameOf(std::string_view name) {
     while (name.starts_with('/')) name.remove_prefix(1);
@@ -36,7 +34,7 @@ std::vector<NamedPose> posesIn(const containers::RosValue& tfMessage, std::size_
     for (std::size_t n = 0; transforms != nullptr && n < transforms->inside.size(); ++n) {
         const containers::RosValue& transform = transforms->inside[n];
         NamedPose found{frameNameOf(transform.text("child_frame_id")), frameNameOf(transform.text("header.frame_id")), {}};
-        const auto pose = poseIn(transform);
+        const auto pose = poseIn(transform, "transform.translation", "transform.rotation");
         if (!pose || found.child.empty() || found.parent.empty() || found.child == found.parent) {
             ++unusable;
             continue;
@@ -48,14 +46,16 @@ std::vector<NamedPose> posesIn(const containers::RosValue& tfMessage, std::size_
 }
 
 void FrameTree::add(const containers::RosValue& tfMessage) {
-    for (const NamedPose& found : posesIn(tfMessage, unusable_)) {
-        FrameLink& link = links_[found.child];
-        if (link.parent.empty()) link.parent = found.parent;
-        if (link.parent == found.parent)
-            link.poses.push_back(found.pose);
-        else
-            ++moved_;
-    }
+    for (const NamedPose& found : posesIn(tfMessage, unusable_)) add(found);
+}
+
+void FrameTree::add(const NamedPose& found) {
+    FrameLink& link = links_[found.child];
+    if (link.parent.empty()) link.parent = found.parent;
+    if (link.parent == found.parent)
+        link.poses.push_back(found.pose);
+    else
+        ++moved_;
 }
 
 void FrameTree::forgetBefore(std::int64_t ns) {

@@ -23,6 +23,10 @@ struct TimedPose {
     Eigen::Vector3d translationM = Eigen::Vector3d::Zero();
 };
 
+/// The pose of a message with a header, its numbers at these paths. Empty: a rotation of length 0, or numbers that are not finite.
+[[nodiscard]] std::optional<TimedPose> poseIn(const containers::RosValue& message, const std::string& position,
+                                              const std::string& rotation);
+
 struct FrameLink {
     std::string parent;
     std::vector<TimedPose> poses; ///< by time; one if the link is static
@@ -40,6 +44,7 @@ class FrameTree {
 public:
     /// The transforms of one message. Those that cannot be used are counted and left out.
     void add(const containers::RosValue& tfMessage);
+    void add(const NamedPose& pose);
     /// Leaves out poses before `ns`, but not the last one of each link.
     void forgetBefore(std::int64_t ns);
     /// Sorts the poses. Call it after the last message; warnings about loops and other parents follow from it.

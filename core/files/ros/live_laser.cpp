@@ -72,7 +72,11 @@ void LiveLaser::takeLine(const containers::RosValue& message) {
     auto line = laserLine(message, asked_.echo);
     if (!line) return leaveOut("a message has no beams, no stamp or no step between beams");
     if (newestNs_ != 0 && line->stampNs < newestNs_ - kRestartNs) restart();
-    if (newestNs_ != 0 && line->stampNs <= newestNs_) return leaveOut("a line came twice or out of order");
+    if (newestNs_ != 0 && line->stampNs == newestNs_) {
+        ++repeated_;
+        return;
+    }
+    if (newestNs_ != 0 && line->stampNs < newestNs_) return leaveOut("a line came out of order");
     if (newestNs_ != 0) keepLast(periodsS_, static_cast<double>(line->stampNs - newestNs_) / kSecond, kPeriods);
     newestNs_ = line->stampNs;
     if (frame_.empty()) frame_ = frameNameOf(message.text("header.frame_id"));

@@ -27,6 +27,8 @@ public:
     /// Lines that were left out, and why the last one was.
     [[nodiscard]] std::int64_t leftOut() const { return leftOut_; }
     [[nodiscard]] const std::string& whyLeftOut() const { return why_; }
+    /// Lines that came twice.
+    [[nodiscard]] std::int64_t repeated() const { return repeated_; }
     /// Why no line was pushed so far; empty: a line was pushed, or did not come yet.
     [[nodiscard]] std::string waitsFor() const;
 
@@ -63,7 +65,7 @@ private:
     double idealNs_ = 0;                           // when the last one would have come without jitter
     double periodS_ = 0;
     std::uint64_t number_ = 0;
-    std::int64_t leftOut_ = 0;
+    std::int64_t leftOut_ = 0, repeated_ = 0;
     std::string why_;
 };
 

@@ -74,17 +74,17 @@ Json byCellsJson(const Scores& scenes) {
 }
 
 /// For one span: reported against visible and reported against whole, as shares of the true one.
-Json spanJson(const std::vector<SpanSample>& samples, double SpanSample::*told, double SpanSample::*seen, double SpanSample::*whole) {
+Json spanJson(const std::vector<SpanSample>& samples, double SpanSample::*reported, double SpanSample::*seen, double SpanSample::*whole) {
     std::vector<double> bias, error, againstWhole;
     std::size_t within1 = 0;
     std::size_t within2 = 0;
     for (const SpanSample& s : samples) {
         if (s.*seen > 0.0) {
-            bias.push_back(s.*told / s.*seen - 1.0);
+            bias.push_back(s.*reported / s.*seen - 1.0);
             error.push_back(std::abs(bias.back()));
         }
-        if (s.*whole > 0.0) againstWhole.push_back(s.*told / s.*whole - 1.0);
-        const double off = std::abs(s.*told - s.*seen);
+        if (s.*whole > 0.0) againstWhole.push_back(s.*reported / s.*whole - 1.0);
+        const double off = std::abs(s.*reported - s.*seen);
         within1 += off <= s.u ? 1 : 0;
         within2 += off <= 2.0 * s.u ? 1 : 0;
     }
@@ -144,24 +144,24 @@ Json confidenceJson(const Scores& scenes) {
     for (const RockSceneScore& scene : scenes) all.insert(all.end(), scene.confidence.begin(), scene.confidence.end());
     struct Bin {
         std::size_t count = 0, right = 0;
-        double told = 0.0;
+        double reported = 0.0;
     };
     std::array<Bin, kBins> bins;
     for (const ConfidenceSample& sample : all) {
         Bin& bin = bins[std::min(kBins - 1, static_cast<std::size_t>(std::max(0.0, sample.reported) * kBins))];
         ++bin.count;
         bin.right += sample.right ? 1 : 0;
-        bin.told += sample.reported;
+        bin.reported += sample.reported;
     }
     double error = 0.0;
     Json list = Json::array();
     for (std::size_t n = 0; n < kBins; ++n) {
         const Bin& bin = bins[n];
         const auto count = static_cast<double>(bin.count);
-        error += std::abs(bin.told - static_cast<double>(bin.right));
+        error += std::abs(bin.reported - static_cast<double>(bin.right));
         list.push_back({{"from", static_cast<double>(n) / kBins},
                         {"regions", bin.count},
-                        {"told", bin.count == 0 ? Json(nullptr) : Json(bin.told / count)},
+                        {"reported", bin.count == 0 ? Json(nullptr) : Json(bin.reported / count)},
                         {"right", shareOrNull(bin.right, bin.count)}});
     }
     return {{"regions", all.size()},
@@ -171,7 +171,7 @@ Json confidenceJson(const Scores& scenes) {
 }
 
 Json pairsJson(const PairCounts& counts) {
-    return {{"told", counts.reported},
+    return {{"reported", counts.reported},
             {"known", counts.known},
             {"precision", shareOrNull(counts.reportedKnown, counts.reported)},
             {"recall", shareOrNull(counts.reportedKnown, counts.known)},

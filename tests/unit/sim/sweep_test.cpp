@@ -394,7 +394,7 @@ TEST(SimSweep, SettingsAreWrittenWithTheMeasuresOfTheScene) {
     settings.holes = 3;
     const nlohmann::json wall = settingsJson(settings);
     EXPECT_EQ(wall["hole_centres_m"].size(), 3U);
-    EXPECT_EQ(wall["holes"], 3);
+    EXPECT_EQ(wall["hole_count"], 3);
     EXPECT_EQ(wall["wall_roughness_mm"], 0.0);
     settings.scene = "staircase";
     settings.distanceM = 3.0;

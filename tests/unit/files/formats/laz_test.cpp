@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #ifdef EDGESCAN_WITH_LASZIP
 #include <laszip/laszip_api.h>
 #endif
@@ -61,6 +63,14 @@ TEST(Laz, WhatLaszipPackedIsTheGridThatWasSaved) {
     EXPECT_EQ(laz->rangeMm, las->rangeMm);
     EXPECT_EQ(laz->state, las->state);
     EXPECT_EQ(las->rangeMm, scan.rangeMm); // by the columns line, beam and range_mm, which both hold as extra bytes
+    // Every byte of the file was read; what follows it is reported.
+    const auto said = [](const auto& scan) {
+        return std::ranges::any_of(scan->warnings, [](const auto& w) { return w.find("were not read") != std::string::npos; });
+    };
+    EXPECT_FALSE(said(laz));
+    const auto longer = readBytes(readText(folder / "cloud.laz") + "twelve bytes", ".laz");
+    ASSERT_TRUE(longer) << longer.error().sentence();
+    EXPECT_TRUE(std::ranges::any_of(longer->warnings, [](const auto& w) { return w.starts_with("12 bytes behind "); }));
     // Truncated anywhere, it is refused; if only the table of chunks is missing, it opens completely.
     const std::string bytes = readText(folder / "cloud.laz");
     for (std::size_t cut = 10; cut < bytes.size(); cut += bytes.size() / 60) {

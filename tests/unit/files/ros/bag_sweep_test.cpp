@@ -206,6 +206,26 @@ TEST(RosBagSweep, TransformsToAMapPlaceIt) {
     }
 }
 
+TEST(RosBagSweep, PosesInAMapPlaceItWhereNoTransformDoes) {
+    const Scan scan = boxes(20, 40, 3);
+    RosMessages messages = rosMessagesOf(scan);
+    const auto poses = messages.topic("/robot/pose", "geometry_msgs/PoseStamped", Wire::Ros1);
+    const auto goals = messages.topic("/camera/pose", "geometry_msgs/PoseStamped", Wire::Ros1);
+    const auto pose = [&](std::uint32_t topic, const char* frame, double x) {
+        RosWriter writer(Wire::Ros1);
+        writer.header(kRosStartNs, frame).put(x).put(200.0).put(30.0).put(0.0).put(0.0).put(0.0).put(1.0);
+        messages.message(topic, kRosStartNs, writer.bytes());
+    };
+    pose(goals, "camera", 5.0); // of another frame
+    pose(poses, "/mine", 100.0);
+    const auto back = opened(bag1Of(messages));
+    ASSERT_TRUE(back) << back.error().sentence();
+    EXPECT_TRUE(warns(*back, "GUESS: the poses of the topic /robot/pose are those of the frame mast"));
+    ASSERT_TRUE(back->placement);
+    EXPECT_NEAR((back->placement->originEnhM + back->placement->poses[0].translationM).x(), 100.0, 1e-6);
+    expectSame(*back, scan);
+}
+
 TEST(RosBagSweep, TopicAndJointAreChosenByName) {
     const Scan scan = boxes(30, 50);
     RosMessages messages = rosMessagesOf(scan, {.from = AngleFrom::Joint});

@@ -1,4 +1,4 @@
-// edgescan-cli change: the changes between two scans of one place, before and after a blast.
+// edgescan-cli compare: the changes between two scans of one place, before and after a blast.
 #include "app/cli/commands.h"
 #include "app/shared/json_output.h"
 #include "app/shared/options.h"
@@ -17,7 +17,7 @@
 namespace edgescan::cli {
 namespace {
 
-struct ChangeFlags {
+struct CompareFlags {
     std::vector<std::string> files, poses;
     std::string json, picture;
     bool bySurfaces = false;
@@ -25,7 +25,7 @@ struct ChangeFlags {
     MethodFlags method;
 };
 
-Result<std::shared_ptr<const edges::Detection>> detected(const ChangeFlags& flags, const std::string& file) {
+Result<std::shared_ptr<const edges::Detection>> detected(const CompareFlags& flags, const std::string& file) {
     Result<Scan> scan = openAndWarn(file, flags.read);
     if (!scan) return scan.error();
     if (auto enough = edges::checkMemoryFor(edges::Work::Compare, *scan); !enough) return enough.error();
@@ -34,7 +34,7 @@ Result<std::shared_ptr<const edges::Detection>> detected(const ChangeFlags& flag
     return edges::detectEdges(std::make_shared<const Scan>(std::move(*scan)), *settings);
 }
 
-Result<inspect::RegistrationRequest> wishOf(const ChangeFlags& flags) {
+Result<inspect::RegistrationRequest> wishOf(const CompareFlags& flags) {
     inspect::RegistrationRequest wish;
     wish.bySurfaces = flags.bySurfaces;
     if (flags.poses.empty()) return wish;
@@ -46,7 +46,10 @@ Result<inspect::RegistrationRequest> wishOf(const ChangeFlags& flags) {
     return wish;
 }
 
-Result<Done> change(const ChangeFlags& flags) {
+Result<Done> compare(const CompareFlags& flags) {
+    if (flags.files.size() != 2)
+        return Error{"two scans are compared, and one was given", "compare",
+                     "give the scan before, then the scan now; edgescan-lab benchmark compares methods on one scan"};
     if (auto distinct = checkDistinct(std::array{flags.json, flags.picture}); !distinct) return distinct;
     const auto wish = wishOf(flags);
     if (!wish) return wish.error();
@@ -64,27 +67,28 @@ Result<Done> change(const ChangeFlags& flags) {
     if (flags.json.empty()) return Done{};
     nlohmann::ordered_json report{{"before", flags.files[0]}, {"now", flags.files[1]}};
     report.update(inspect::changeReport(later, *found));
-    return writeDocument(flags.json, document("change", report));
+    return writeDocument(flags.json, document("compare", report));
 }
 
 } // namespace
 
-void addChange(CLI::App& app, int& code) {
-    auto flags = std::make_shared<ChangeFlags>();
-    CLI::App& command =
-        *app.add_subcommand("change", "What changed between two scans of one place: edges gained and lost, surfaces nearer and farther");
-    command.add_option("FILE", flags->files, "The scan before, and the scan now")->required()->expected(2);
-    command.add_option("--poses", flags->poses, "Their .pose files of 3DTK, in the same order; else the places that the scans have")
-        ->expected(2);
-    command.add_flag("--by-surfaces", flags->bySurfaces, "Line them up by their surfaces, also where there are poses");
-    command.add_option("--json", flags->json, "All figures and regions; - is stdout, instead of the table");
-    command.add_option("--picture", flags->picture,
-                       "PNG on the grid of the scan now: gained, lost and kept edges, nearer and farther surfaces");
+void addCompare(CLI::App& app, int& code) {
+    auto flags = std::make_shared<CompareFlags>();
+    CLI::App& command = *app.add_subcommand(
+        "compare", "Finds what changed between two scans of one place: edges gained and lost, surfaces nearer and farther");
+    command.add_option("SCAN", flags->files, "The scan before, and the scan now")->required()->expected(1, 2);
+    addPosesFlag(command, flags->poses);
+    command.add_flag("--by-surfaces", flags->bySurfaces, "Line the scans up by their surfaces, also where there are poses");
+    addJsonFlag(command, flags->json, "All figures and regions");
+    command
+        .add_option("--picture", flags->picture,
+                    "New PNG on the grid of the scan now: gained, lost and unchanged edges, nearer and farther surfaces")
+        ->type_name("FILE");
     addMethodFlags(command, flags->method);
     addReadFlags(command, flags->read);
     command.callback([flags, &code] {
-        const Result<Done> result = change(*flags);
-        code = result ? kDone : kRefused;
+        const Result<Done> result = compare(*flags);
+        code = result ? kDone : flags->files.size() == 2 ? kRefused : kWrongUsage;
         if (!result) printError(result.error());
     });
 }
