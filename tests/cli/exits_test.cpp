@@ -150,7 +150,8 @@ TEST(Exits, EveryNumberHasLimitsAndIsRefusedByName) {
             // The limits of a list of thresholds are those of the chosen method.
             EXPECT_TRUE(flag.flag == "--thresholds" || flag.type.find("..") != std::string::npos) << command << " " << flag.flag;
             std::string others = rest(command);
-            if (const auto same = others.find(flag.flag + " "); same != std::string::npos) others.erase(same, flag.flag.size() + 4);
+            if (const auto same = others.find(flag.flag + " "); same != std::string::npos)
+                others.erase(same, others.find(' ', same + flag.flag.size() + 1) - same);
             std::vector<std::string> values{"nan", "1e308"};
             if (tried.insert(flag.flag).second) // commands share flags
                 values.insert(values.end(), {"inf", "-inf", "-1e308", "1e999", "", "1,5", "12x", "99999999999999999999999"});
