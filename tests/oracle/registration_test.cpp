@@ -73,8 +73,8 @@ TEST(Registration, OfStationsComparedWithGeneralisedIcp) {
     };
     for (const Start& from : {Start{0.8, 0.05, 0.5}, Start{1.5, 0.15, 1.5}}) {
         std::vector<double> ours, pcls, oursDeg, pclsDeg, oursS, pclsS;
-        for (const std::uint64_t seed : {11, 12, 13, 14, 15}) {
-            const test::Stations stations = test::twoStations(seed, from.apartM, from.errorM, from.errorDeg);
+        for (const std::uint64_t seed : {11, 12, 13}) {
+            const test::Stations stations = test::twoStations(seed, from.apartM, from.errorM, from.errorDeg, 140, 170);
             const Outcome our = byUs(stations), pcl = byPcl(stations);
             std::printf("stations %.1f m apart, pose off by %.2f m and %.1f deg, seed %d: ours %.1f mm %.3f deg %.2f s, GICP %.1f mm %.3f "
                         "deg %.2f s\n",

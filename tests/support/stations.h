@@ -39,8 +39,8 @@ struct Stations {
 }
 
 /// The second station is `apartM` to the side and turned by 20 degrees; its pose is wrong by `errorM` and `errorDeg`.
-[[nodiscard]] inline Stations twoStations(std::uint64_t seed, double apartM, double errorM, double errorDeg, int lines = 180,
-                                          int beams = 220) {
+[[nodiscard]] inline Stations twoStations(std::uint64_t seed, double apartM, double errorM, double errorDeg, int lines = 100,
+                                          int beams = 120) {
     const RigidTransform place{rotationRpyDeg({8, -6, 20}), Eigen::Vector3d(apartM, -0.4 * apartM, 0.1)};
     const Eigen::Vector3d way = Eigen::Vector3d(1 + static_cast<double>(seed % 3), -1, 0.7).normalized();
     const Eigen::Vector3d axis = Eigen::Vector3d(0.3, 1, -0.5 + static_cast<double>(seed % 2)).normalized();

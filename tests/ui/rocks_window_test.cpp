@@ -13,6 +13,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -279,6 +280,47 @@ private slots:
         QTest::mouseDClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
         QVERIFY(!(on.viewer.views.cloud().camera() == before));
         QCOMPARE(on.viewer.views.marked(), std::optional<std::size_t>(on.viewer.rocks.selected().back()));
+    }
+
+    // The menu of a rock is the same in the table; in a narrow window the table is a tab at the panel of rocks.
+    void theTableHasTheMenuOfARockAndIsATabInANarrowWindow() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QTableView* table = on.viewer.rockTable.table();
+        const auto menuAt = [&](const QModelIndex& row, const QString& chosen) {
+            QStringList words;
+            Meanwhile look([&] {
+                auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+                if (menu == nullptr) return false;
+                auto* rock = menu->findChild<QMenu*>("rock-menu");
+                QAction* wanted = nullptr;
+                for (QAction* each : rock == nullptr ? QList<QAction*>() : rock->actions()) {
+                    words << each->text().remove('&');
+                    if (words.back() == chosen) wanted = each;
+                }
+                menu->close();
+                if (wanted != nullptr) wanted->trigger();
+                return true;
+            });
+            const QPoint at = table->visualRect(row).center();
+            QContextMenuEvent event(QContextMenuEvent::Mouse, at, table->viewport()->mapToGlobal(at));
+            QApplication::sendEvent(table->viewport(), &event);
+            return words;
+        };
+        const std::size_t count = picture(on).study.rocks.size();
+        const QStringList words = menuAt(table->model()->index(1, 0), "Wall, Not a Rock");
+        for (const char* each :
+             {"Merge with Selected Rocks", "Split Here", "Wall, Not a Rock", "Isolate", "Measure from Here", "Export Rocks…", "Name…"})
+            QVERIFY2(words.contains(QString::fromUtf8(each)), qPrintable(words.join(", ")));
+        QVERIFY(settled(on));
+        QCOMPARE(picture(on).study.rocks.size(), count - 1);
+        auto* dock = on.window.findChild<QDockWidget*>("dock-rock-table");
+        auto* rocks = on.window.findChild<QDockWidget*>("dock-rocks");
+        QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280));
+        QTRY_VERIFY(!dock->isHidden() && on.window.tabifiedDockWidgets(rocks).contains(dock));
+        QVERIFY(dock->width() < 450);
+        QTRY_VERIFY((on.window.resize(1700, 1000), on.window.width() == 1700));
+        QTRY_VERIFY(!dock->isHidden() && !on.window.tabifiedDockWidgets(rocks).contains(dock));
     }
 
     void theSizeCurveIsDrawnWithItsMarksAndTheOversize() {

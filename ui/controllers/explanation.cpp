@@ -71,8 +71,8 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               notice_.showNotice(NoticeBar::Kind::Warning, sentence);
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
-    connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
-        menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, cell] { explain(views_.meant(cell)); });
+    connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
+        menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, click] { explain(click); });
     });
 }
 

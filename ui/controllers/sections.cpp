@@ -39,11 +39,11 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
     connect(&views_, &LinkedViews::probed, this, [this](const std::optional<edges::Probe>& probe) {
         if (card_ != nullptr && card_->isVisible()) card_->plot().mark(probe ? std::optional(probe->pointM) : std::nullopt);
     });
-    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
         auto* rock = menu.findChild<QMenu*>(kRockMenu);
         if (rock == nullptr) return;
-        rock->addAction(tr("Se&ction"), this, [this, cell] {
-            rocks_.select({rocks_.rockCellAt(views_.meant(cell)).value_or(cell)});
+        rock->addAction(tr("Se&ction"), this, [this, click] {
+            rocks_.select({rocks_.rockCellAt(click).value_or(click.clicked)});
             throughRock();
         });
     });

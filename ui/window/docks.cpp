@@ -24,13 +24,14 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kPanelsFrom = 1100, kTableFrom = 1600; // px of the window's width
-constexpr int kStackedFrom = 1000;                   // px of its height: in a lower one rocks and targets share a place
-constexpr int kTableHeight = 234;                    // px
-constexpr double kPanelHeight = 0.55;                // of the window, of a panel that opens under another
-constexpr int kLeastPanel = 240, kMostPanel = 400;   // px; narrower panels cut off text
-constexpr int kSamePx = 2;                           // widths that differ by less count as equal
-constexpr const char* kByHand = "byHand";            // of a dock: "open" or "folded" if the operator opened or folded it
+constexpr int kPanelsFrom = 1100;     // px of the window's width
+constexpr int kTableFrom = 1600;      // px of the window's width: in a narrower one the table of rocks is a tab at the panel of rocks
+constexpr int kStackedFrom = 1000;    // px of its height: in a lower one rocks and targets share a place
+constexpr int kTableHeight = 234;     // px
+constexpr double kPanelHeight = 0.55; // of the window, of a panel that opens under another
+constexpr int kLeastPanel = 240, kMostPanel = 400; // px; narrower panels cut off text
+constexpr int kSamePx = 2;                         // widths that differ by less count as equal
+constexpr const char* kByHand = "byHand";          // of a dock: "open" or "folded" if the operator opened or folded it
 constexpr const char *kEdges = "dock-edges", *kRocks = "dock-rocks", *kTargets = "dock-targets", *kTable = "dock-rock-table";
 
 QString byHand(const QDockWidget& dock) { return dock.property(kByHand).toString(); }
@@ -44,9 +45,9 @@ Docks::Docks(QMainWindow& window, DockRail& rail, Viewer& viewer)
     add(tr("Edges"), kEdges, &viewer.panel, Side::Right, kPanelsFrom);
     add(tr("Rocks"), kRocks, scrolled(viewer.rocksPanel), Side::Right, kPanelsFrom);
     add(tr("Targets"), kTargets, scrolled(viewer.targetsPanel), Side::Right, kPanelsFrom);
-    add(tr("Rock Table"), kTable, &viewer.rockTable, Side::Bottom, kTableFrom);
+    add(tr("Rock Table"), kTable, &viewer.rockTable, Side::Bottom, kPanelsFrom);
     place();
-    for (const char* name : {kRocks, kTargets}) rail_.setWanted(named(name).widget, false);
+    for (const char* name : {kRocks, kTargets, kTable}) rail_.setWanted(named(name).widget, false);
     named(kEdges).wanted = true;
     connect(&viewer.rocks, &Rocks::shownChanged, this, [this](bool on) {
         want(kTable, on);
@@ -65,7 +66,7 @@ void Docks::add(const QString& title, const char* name, QWidget* content, Side s
         keep(*dock, open ? "open" : "folded");
         emit changed();
     });
-    if (side == Side::Right) rail_.add(dock);
+    rail_.add(dock);
     dock->hide();
 }
 
@@ -87,11 +88,15 @@ void Docks::want(const char* name, bool on) {
     if (on && !dock.widget->isHidden()) dock.widget->raise();
 }
 
+Docks::Side Docks::sideOf(const Dock& dock) const {
+    return dock.side == Side::Bottom && window_.width() >= kTableFrom ? Side::Bottom : Side::Right;
+}
+
 bool Docks::isOpenAt(const Dock& dock, int width, int most) const {
     if (locked_) return false;
     const QString hand = byHand(*dock.widget);
     if (!hand.isEmpty()) return hand == "open";
-    const bool room = dock.side == Side::Bottom || std::max(kLeastPanel, dock.widget->minimumSizeHint().width()) <= most;
+    const bool room = sideOf(dock) == Side::Bottom || std::max(kLeastPanel, dock.widget->minimumSizeHint().width()) <= most;
     return dock.wanted && width >= dock.opensFrom && room;
 }
 
@@ -102,7 +107,7 @@ void Docks::fit(int most) {
         if (dock.widget->isHidden() != open) continue;
         dock.widget->setVisible(open);
         if (!open) continue;
-        if (dock.side == Side::Bottom)
+        if (sideOf(dock) == Side::Bottom)
             window_.resizeDocks({dock.widget}, {kTableHeight}, Qt::Vertical);
         else if (dock.widget->objectName() != kEdges)
             window_.resizeDocks({dock.widget}, {static_cast<int>(kPanelHeight * window_.height())}, Qt::Vertical);
@@ -112,11 +117,11 @@ void Docks::fit(int most) {
 
 /// A tab says the title already.
 void Docks::showTitles() {
-    const QDockWidget *rocks = named(kRocks).widget, *targets = named(kTargets).widget;
-    const bool tabs =
-        window_.tabifiedDockWidgets(named(kRocks).widget).contains(named(kTargets).widget) && !rocks->isHidden() && !targets->isHidden();
-    for (const QDockWidget* dock : {rocks, targets}) {
-        if (auto* title = dock->titleBarWidget()->findChild<QLabel*>()) title->setText(tabs ? QString() : dock->windowTitle());
+    for (const Dock& dock : docks_) {
+        const auto others = window_.tabifiedDockWidgets(dock.widget);
+        const bool tab = std::ranges::any_of(others, [](const QDockWidget* other) { return !other->isHidden(); });
+        if (auto* title = dock.widget->titleBarWidget()->findChild<QLabel*>())
+            title->setText(tab && !dock.widget->isHidden() ? QString() : dock.widget->windowTitle());
     }
 }
 
@@ -129,7 +134,7 @@ int Docks::setWidths(int most) {
     int panels = 0, usual = 0;
     std::vector<QDockWidget*> open;
     for (const Dock& dock : docks_) {
-        if (dock.side != Side::Right || dock.widget->isHidden() || dock.widget->isFloating()) continue;
+        if (sideOf(dock) != Side::Right || dock.widget->isHidden() || dock.widget->isFloating()) continue;
         open.push_back(dock.widget);
         usual = std::max(usual, usualWidth(*dock.widget));
         panels = std::max(panels, dock.widget->width());
@@ -152,20 +157,22 @@ void Docks::place() {
     stack();
 }
 
-/// On a low window one whole card is easier to read than a third of each.
+/// On a low window one whole card is easier to read than a third of each; in a narrow one the table would take the images' room.
 void Docks::stack() {
-    QDockWidget* rocks = named(kRocks).widget;
-    QDockWidget* targets = named(kTargets).widget;
-    if (rocks->isFloating() || targets->isFloating()) return;
-    const bool low = window_.height() < kStackedFrom;
-    const bool together = window_.tabifiedDockWidgets(rocks).contains(targets);
-    if (low == together) return;
-    const bool open = !targets->isHidden();
-    if (low)
-        window_.tabifyDockWidget(rocks, targets);
+    stackOnRocks(*named(kTargets).widget, window_.height() < kStackedFrom, Qt::RightDockWidgetArea);
+    stackOnRocks(*named(kTable).widget, sideOf(named(kTable)) == Side::Right, Qt::BottomDockWidgetArea);
+}
+
+void Docks::stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise) {
+    QDockWidget& rocks = *named(kRocks).widget;
+    if (rocks.isFloating() || dock.isFloating() || window_.tabifiedDockWidgets(&rocks).contains(&dock) == together) return;
+    const bool open = !dock.isHidden();
+    if (together)
+        window_.tabifyDockWidget(&rocks, &dock);
     else
-        window_.addDockWidget(Qt::RightDockWidgetArea, targets);
-    targets->setVisible(open);
+        window_.addDockWidget(otherwise, &dock);
+    dock.setVisible(open);
+    if (!rocks.isHidden()) rocks.raise();
 }
 
 void Docks::reset() {

@@ -54,10 +54,12 @@ private:
     void want(const char* name, bool on);
     void keep(QDockWidget& dock, const QString& byHand);
     [[nodiscard]] Dock& named(const char* name);
+    [[nodiscard]] Side sideOf(const Dock& dock) const;
     [[nodiscard]] bool isOpenAt(const Dock& dock, int width, int most) const;
     [[nodiscard]] int usualWidth(const QDockWidget& dock) const;
     void place();
     void stack();
+    void stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise);
     void showTitles();
 
     QMainWindow& window_;

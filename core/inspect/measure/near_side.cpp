@@ -17,6 +17,8 @@ constexpr int kBeyond = 4;                     // cells beyond the reach: the st
 constexpr int kRadius = kSnapReach + kBeyond;  // of the cells that are read
 constexpr int kSide = 2 * kRadius + 1;         // of their square
 constexpr int kWidestGap = 2 * kSnapReach + 1; // cells without a range between two surfaces
+constexpr int kMixedAtEnd = 2;                 // a chosen cell may be one of these
+constexpr int kAlsoNear = 2;                   // cells farther from the click than the chosen cell
 constexpr double kStair = 0.35;                // of the limit of a jump
 constexpr double kOffSurface = 0.3;            // least jumps: a cell at a rim that is this much behind its surface is a mixed pixel
 constexpr std::ptrdiff_t kFewestCells = 4;     // of a surface: fewer are dust
@@ -78,6 +80,18 @@ public:
         }
         return reached;
     }
+    /// Whether the straight way between two cells has a jump, and the surface of the second is the nearer one.
+    [[nodiscard]] bool jumpsTowards(Place from, Place to) const {
+        const int lines = to.line - from.line, beams = to.beam - from.beam, steps = std::max(std::abs(lines), std::abs(beams));
+        std::vector<double> row;
+        for (int n = -kBeyond; n <= steps + kBeyond; ++n) {
+            const auto part = [&](int cells) { return static_cast<int>(std::lround(static_cast<double>(n * cells) / steps)); };
+            row.push_back(rangeM(from.by(part(lines), part(beams))));
+        }
+        return std::ranges::any_of(jumpsAlong(row, kWidestGap, kStair), [&](const RowJump& jump) {
+            return jump.from >= kBeyond - kMixedAtEnd && jump.to <= kBeyond + steps && jump.to > kBeyond && jump.stepM < 0.0;
+        });
+    }
     [[nodiscard]] static std::size_t index(Place at) { return static_cast<std::size_t>(at.line * kSide + at.beam); }
 
 private:
@@ -111,7 +125,7 @@ int squareAway(Place at) {
     const int di = at.line - kRadius, dj = at.beam - kRadius;
     return di * di + dj * dj;
 }
-bool isWithinReach(Place at) { return std::abs(at.line - kRadius) <= kSnapReach && std::abs(at.beam - kRadius) <= kSnapReach; }
+int cellsAway(Place at) { return std::max(std::abs(at.line - kRadius), std::abs(at.beam - kRadius)); }
 
 /// The measured cell nearest to the click; of several the one with the shortest range.
 std::optional<Place> nearestMeasured(const Square& square) {
@@ -132,7 +146,7 @@ std::optional<Place> rimInFront(const Square& square, Place at) {
     std::optional<Place> best;
     const auto order = [&](Place rim) { return std::tuple(squareAway(rim), square.rangeM(rim), Square::index(rim)); };
     for (const Rim& rim : square.rims()) {
-        if (!isWithinReach(rim.at) || surface[Square::index(rim.at)] || square.isMixed(rim.at)) continue;
+        if (cellsAway(rim.at) > kSnapReach || surface[Square::index(rim.at)] || square.isMixed(rim.at)) continue;
         // In the middle between two surfaces a cell is on neither of them.
         const double limit = square.isMixed(at) ? square.rangeM(rim.at) : (square.rangeM(rim.at) + rim.behindM) / 2;
         if (rangeM <= limit || (best && order(*best) <= order(rim.at))) continue;
@@ -154,6 +168,20 @@ Place soundCell(const Square& square, Place at) {
     return at;
 }
 
+/// The nearest rim of a surface in front of the chosen cell: a jump towards the scanner is between them. Not much farther from the click
+/// than the chosen cell is.
+std::optional<Place> rimBeforeChosen(const Square& square, Place chosen) {
+    const double nearEnough = square.rangeM(chosen) - kStair * leastJumpM(square.rangeM(chosen));
+    const int reach = std::min(kSnapReach, cellsAway(chosen) + kAlsoNear);
+    std::optional<Place> best;
+    for (const Rim& rim : square.rims()) {
+        if (cellsAway(rim.at) > reach || rim.at == chosen || square.rangeM(rim.at) > nearEnough) continue;
+        if (best && squareAway(*best) <= squareAway(rim.at)) continue;
+        if (square.jumpsTowards(chosen, rim.at) && std::ranges::count(square.surfaceOf(rim.at), true) >= kFewestCells) best = rim.at;
+    }
+    return best;
+}
+
 } // namespace
 
 MeantCell meantCell(const Scan& scan, std::uint32_t k) {
@@ -164,7 +192,9 @@ MeantCell meantCell(const Scan& scan, std::uint32_t k) {
     if (meant.moved()) meant.reason = SnapReason::NoRange;
     const std::optional<Place> rim = rimInFront(square, *start);
     if (rim && !meant.moved()) meant.reason = square.isMixed(*start) ? SnapReason::MixedPixel : SnapReason::BehindAnEdge;
-    meant.cell = square.cellOf(soundCell(square, rim.value_or(*start)));
+    const Place chosen = soundCell(square, rim.value_or(*start));
+    meant.cell = square.cellOf(chosen);
+    if (const auto other = rimBeforeChosen(square, chosen)) meant.alsoNear = square.cellOf(*other);
     if (meant.moved() && meant.reason == SnapReason::AsClicked) meant.reason = SnapReason::MixedPixel;
     if (scan.state[k] == CellState::Valid) meant.nearerM = static_cast<double>(scan.rangeMm[k] - scan.rangeMm[meant.cell]) / 1000.0;
     return meant;

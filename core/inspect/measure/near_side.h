@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace edgescan::inspect {
 
@@ -23,6 +24,8 @@ struct MeantCell {
     std::uint32_t clicked = 0;
     SnapReason reason = SnapReason::AsClicked;
     double nearerM = 0.0; ///< how much nearer than the clicked cell; 0 if that has no range
+    /// On another surface in front of `cell`, also within reach of the click: the click may have meant that one.
+    std::optional<std::uint32_t> alsoNear{};
 
     [[nodiscard]] bool moved() const { return cell != clicked; }
     /// False: nothing was measured within kSnapReach of the click.

@@ -118,10 +118,14 @@ public:
         const inspect::MeasuredLength& length = measured->lengths.front();
         const double trueM = (truePoint(a, from) - truePoint(b, to)).norm();
         const double beyondM = length.isBelow ? trueM - length.smallestM : std::abs(length.valueM - trueM);
+        const auto isDoubtful = [](const Click& click, std::uint32_t cell) { return cell == click.meant.cell && click.meant.alsoNear; };
+        const bool isWarned = measured->behindM > 0.0 || isDoubtful(a, from) || isDoubtful(b, to);
+        lengths.warned += isWarned ? 1 : 0;
+        lengths.offSilently += beyondM > length.toleranceM && !isWarned ? 1 : 0;
         lengths.off += beyondM > length.toleranceM ? 1 : 0;
         if (!isBehind(a, from) && !isBehind(b, to)) return;
         ++lengths.behind;
-        lengths.silent += measured->behindM > 0.0 ? 0 : 1;
+        lengths.silent += isWarned ? 0 : 1;
     }
 
 private:
@@ -162,6 +166,8 @@ ClickedLengths& ClickedLengths::operator+=(const ClickedLengths& other) {
     refused += other.refused;
     measured += other.measured;
     off += other.off;
+    offSilently += other.offSilently;
+    warned += other.warned;
     behind += other.behind;
     silent += other.silent;
     return *this;

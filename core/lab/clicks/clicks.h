@@ -9,11 +9,13 @@ namespace edgescan::lab {
 
 /// Lengths between one click and the next.
 struct ClickedLengths {
-    std::size_t refused = 0;  ///< one of the two clicks has no range, and so the operator gets a sentence
-    std::size_t measured = 0; ///< all others
-    std::size_t off = 0;      ///< number of these that differ from the true length by more than their ±
-    std::size_t behind = 0;   ///< number of these with an end on a surface behind the one that was meant
-    std::size_t silent = 0;   ///< number of these without a warning
+    std::size_t refused = 0;     ///< one of the two clicks has no range, and so the operator gets a sentence
+    std::size_t measured = 0;    ///< all others
+    std::size_t off = 0;         ///< number of these that differ from the true length by more than their ±
+    std::size_t offSilently = 0; ///< number of these without a warning
+    std::size_t warned = 0; ///< number of all with a warning: an end is behind an edge, or another near side is within reach of a click
+    std::size_t behind = 0; ///< number of these with an end on a surface behind the one that was meant
+    std::size_t silent = 0; ///< number of these without a warning
     [[nodiscard]] double shareOff() const { return measured == 0 ? 0.0 : static_cast<double>(off) / static_cast<double>(measured); }
 
     ClickedLengths& operator+=(const ClickedLengths& other);

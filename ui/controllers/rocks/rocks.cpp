@@ -46,6 +46,9 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     });
     connect(&table_, &RockTable::jumpRequested, this, &Rocks::jumpTo);
     connect(&table_, &RockTable::exportRequested, this, &Rocks::askExport);
+    connect(&table_, &RockTable::menuRequested, this, [this](std::uint32_t label, const QPoint& position) {
+        views_.openMenu(position, inspect::exactly(picture_->rock(label)->cell));
+    });
     RockCard& card = panel_.card();
     connect(&card, &RockCard::closeRequested, this, [this] { select({}); });
     connect(&card, &RockCard::splitRequested, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
@@ -272,10 +275,20 @@ std::optional<std::size_t> Rocks::rockCellAt(const inspect::MeantCell& click) co
 }
 
 /// Other controllers add what they do with a rock: they find the menu by its name.
-void Rocks::addToMenu(QMenu& menu, std::size_t cell) {
-    const auto at = rockCellAt(views_.meant(cell));
-    if (!at || behind()) return;
-    cell = *at;
+void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
+    if (!picture_ || behind()) return;
+    const auto at = rockCellAt(click);
+    const std::size_t cell = at.value_or(click.cell);
+    const auto callIt = [this, cell](bool rock) {
+        return [this, cell, rock] {
+            select({cell});
+            callSelected(rock);
+        };
+    };
+    if (!at) {
+        menu.addAction(tr("This Is a Roc&k"), this, callIt(true))->setEnabled(picture_->regionAt(cell) != nullptr);
+        return;
+    }
     const std::uint32_t label = picture_->labelAt(cell);
     QMenu* rock = menu.addMenu(tr("&Rock %1").arg(label));
     rock->setObjectName(kRockMenu);
@@ -289,10 +302,7 @@ void Rocks::addToMenu(QMenu& menu, std::size_t cell) {
                     })
         ->setEnabled(std::ranges::any_of(selected_, isOther));
     rock->addAction(tr("&Split Here"), this, [this, cell] { splitAt(cell); });
-    rock->addAction(tr("&No Rock, or a Rock after All"), this, [this, cell] {
-        select({cell});
-        toggleSelected();
-    });
+    rock->addAction(tr("&Wall, Not a Rock"), this, callIt(false));
     rock->addAction(tr("&Export Rocks…"), this, &Rocks::askExport);
 }
 

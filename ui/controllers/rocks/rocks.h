@@ -118,7 +118,7 @@ private:
     void showSelection();
     void forget();
     void point(std::optional<std::size_t> cell, const QObject* from);
-    void addToMenu(QMenu& menu, std::size_t cell);
+    void addToMenu(QMenu& menu, const inspect::MeantCell& click);
     void followPin(std::optional<std::size_t> cell);
     void click(const inspect::MeantCell& click);
     void splitAt(std::size_t cell);

@@ -39,14 +39,14 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice) : vi
         if (views_.tool() != Tool::Measure) stop();
     });
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
-        forgetPicked(); // cells of the old scan have no meaning in the new one
+        picked_.clear(); // cells of the old scan have no meaning in the new one
         if (kind_) show();
     });
 }
 
 void Measures::start(inspect::MeasureKind kind) {
     kind_ = kind;
-    forgetPicked();
+    picked_.clear();
     views_.setTool(Tool::Measure);
     show();
     emit kindChanged();
@@ -60,7 +60,7 @@ void Measures::startAt(std::size_t cell) {
 void Measures::stop() {
     if (!kind_) return;
     kind_.reset();
-    forgetPicked();
+    picked_.clear();
     if (views_.tool() == Tool::Measure) views_.setTool(Tool::Pin);
     targets_.showDraft({});
     emit asked(QString());
@@ -70,7 +70,6 @@ void Measures::stop() {
 bool Measures::removeLastPick() {
     if (picked_.empty()) return false;
     picked_.pop_back();
-    clicked_.pop_back();
     show();
     return true;
 }
@@ -82,20 +81,18 @@ void Measures::pick(const inspect::MeantCell& click) {
                                .arg(inspect::kSnapReach));
         return;
     }
-    picked_.push_back(click.cell);
-    clicked_.push_back(click.clicked);
+    picked_.push_back(click);
     if (picked_.size() == inspect::traitsOf(*kind_).cells) keepPicked();
     show();
 }
 
-void Measures::forgetPicked() {
-    picked_.clear();
-    clicked_.clear();
-}
-
 void Measures::keepPicked() {
-    std::vector<std::uint32_t> cells = std::exchange(picked_, {});
-    std::vector<std::uint32_t> clicked = std::exchange(clicked_, {});
+    const std::vector<inspect::MeantCell> clicks = std::exchange(picked_, {});
+    std::vector<std::uint32_t> cells, clicked;
+    for (const inspect::MeantCell& click : clicks) {
+        cells.push_back(click.cell);
+        clicked.push_back(click.clicked);
+    }
     const Scan& scan = *views_.shown()->detection->scan;
     if (kind_ == inspect::MeasureKind::Throat) {
         const auto ends = inspect::narrowestBetween(scan, CartesianTables(scan), cells[0], cells[1]);
@@ -109,16 +106,19 @@ void Measures::keepPicked() {
     if (clicked == cells) clicked.clear();
     const auto measured = inspect::measureCells(scan, {}, *kind_, cells);
     targets_.keepMeasure({*kind_, std::move(cells), std::move(clicked)});
-    if (!measured || !(measured->behindM > 0.0)) return;
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("An end of this measurement is %1 m behind the surface under its line: check where its "
-                                                    "ends are, and click again on the near side if that was meant.")
-                                                     .arg(measured->behindM, 0, 'f', 2));
+    if (measured && measured->behindM > 0.0)
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("An end of this measurement is %1 m behind the surface under its line: check where its "
+                              "ends are, and click again on the near side if that was meant.")
+                               .arg(measured->behindM, 0, 'f', 2));
 }
 
 void Measures::show() {
     MeasureMark draft;
-    draft.cells.assign(picked_.begin(), picked_.end());
-    draft.clicked.assign(clicked_.begin(), clicked_.end());
+    for (const inspect::MeantCell& click : picked_) {
+        draft.cells.push_back(click.cell);
+        draft.clicked.push_back(click.clicked);
+    }
     for (const auto& link : inspect::linksOf(*kind_)) {
         if (link.first < picked_.size() && link.second < picked_.size()) draft.links.push_back(link);
     }

@@ -28,7 +28,7 @@ public:
     void stop();
     /// Empty while no measurement is active.
     [[nodiscard]] std::optional<inspect::MeasureKind> kind() const { return kind_; }
-    [[nodiscard]] const std::vector<std::uint32_t>& picked() const { return picked_; }
+    [[nodiscard]] const std::vector<inspect::MeantCell>& picked() const { return picked_; }
     /// Removes the last picked cell; false: there was none.
     bool removeLastPick();
 
@@ -40,7 +40,6 @@ signals:
 
 private:
     void pick(const inspect::MeantCell& click);
-    void forgetPicked();
     void keepPicked();
     void show();
 
@@ -48,7 +47,7 @@ private:
     Targets& targets_;
     NoticeBar& notice_;
     std::optional<inspect::MeasureKind> kind_;
-    std::vector<std::uint32_t> picked_, clicked_;
+    std::vector<inspect::MeantCell> picked_;
 };
 
 } // namespace edgescan::ui

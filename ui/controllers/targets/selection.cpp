@@ -201,11 +201,12 @@ QString Selection::words() const {
     return words;
 }
 
-void Selection::addToMenu(QMenu& menu, std::size_t cell) {
+void Selection::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
     if (!views_.shown()) return;
+    const std::size_t cell = click.clicked;
     if (auto* rock = menu.findChild<QMenu*>(kRockMenu)) {
-        rock->addAction(tr("&Isolate"), this, [this, cell] {
-            selectRockAt(rocks_.rockCellAt(views_.meant(cell)).value_or(cell));
+        rock->addAction(tr("&Isolate"), this, [this, click] {
+            selectRockAt(rocks_.rockCellAt(click).value_or(click.clicked));
             isolateSelected();
         });
     }

@@ -75,7 +75,7 @@ private:
     void change(const QString& what, State after);
     void use(const State& state);
     void show();
-    void addToMenu(QMenu& menu, std::size_t cell);
+    void addToMenu(QMenu& menu, const inspect::MeantCell& click);
     [[nodiscard]] bool needSelection();
     void reportGrowth();
     void hideToo(const QString& what, const inspect::CellSet& cells);

@@ -38,14 +38,14 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
         const auto target = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
         if (target != notebook_.targets.end() && !target->locked) remove(target->number);
     });
-    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, std::size_t cell) {
+    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
         auto* rock = menu.findChild<QMenu*>(kRockMenu);
         if (rock == nullptr) return;
-        rock->addAction(tr("Na&me…"), this, [this, cell] { // the name is that of a target on it
-            views_.pinByClick(views_.meant(cell));
+        rock->addAction(tr("Na&me…"), this, [this, click] { // the name is that of a target on it
+            views_.pinByClick(click);
             panel_.card().name()->setFocus();
         });
-        rock->addAction(tr("Meas&ure from Here"), this, [this, cell] { emit measureRequested(views_.meant(cell).cell); });
+        rock->addAction(tr("Meas&ure from Here"), this, [this, click] { emit measureRequested(click.cell); });
     });
     connect(&rocks_, &Rocks::rocksShown, this, &Targets::showCard);
     connect(&rocks_, &Rocks::shownChanged, this, &Targets::showCard);

@@ -15,6 +15,23 @@
 namespace edgescan::ui {
 namespace {
 
+/// The click that an end of a measurement comes from, if it is where such a click is measured.
+std::optional<inspect::MeantCell> clickAtEnd(const Scan& scan, const inspect::StoredMeasure& measure, std::size_t n) {
+    const std::uint32_t clicked = n < measure.clicked.size() ? measure.clicked[n] : measure.cells[n];
+    if (clicked >= scan.cells()) return std::nullopt;
+    const inspect::MeantCell click = inspect::meantCell(scan, clicked);
+    return click.cell == measure.cells[n] ? std::optional(click) : std::nullopt;
+}
+
+/// True if a nearer surface is within reach of a click.
+bool isDoubtful(const Scan& scan, const inspect::StoredMeasure& measure) {
+    for (std::size_t n = 0; n < measure.cells.size(); ++n) {
+        const auto click = clickAtEnd(scan, measure, n);
+        if (click && click->alsoNear) return true;
+    }
+    return false;
+}
+
 QString movedText(const inspect::StoredMeasure& measure) {
     int moved = 0;
     for (std::size_t n = 0; n < measure.clicked.size(); ++n) moved += measure.clicked[n] != measure.cells[n] ? 1 : 0;
@@ -68,7 +85,7 @@ CellMarks Targets::marks() const {
         marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown, target.clicked});
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
-        const bool warned = now != nullptr && now->behindM > 0.0;
+        const bool warned = now != nullptr && (now->behindM > 0.0 || isDoubtful(*known_.picture->detection->scan, measure));
         marks.measures.push_back({{measure.cells.begin(), measure.cells.end()},
                                   inspect::linksOf(measure.kind),
                                   (warned ? "▲ " : "") + (now != nullptr ? shownText(inspect::measureText(*now)) : QString("–")),
@@ -97,6 +114,8 @@ void Targets::show() {
         const QString value = now != nullptr ? shownText(inspect::measureText(*now)) : tr("a cell of it has no range");
         QString basis = now != nullptr ? shownText(inspect::measureBasis(*now)) : QString();
         if (!measure.clicked.empty()) basis += (basis.isEmpty() ? "" : "; ") + movedText(measure);
+        if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
+            basis += (basis.isEmpty() ? "" : "; ") + tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
         lines.push_back({tr(inspect::traitsOf(measure.kind).label) + "  " + value + (basis.isEmpty() ? QString() : "\n" + basis), basis});
     }
     panel_.showMeasures(lines);

@@ -38,7 +38,7 @@ void LinkedViews::linkImages() {
         connect(view, &ImageView::outlined, this, &LinkedViews::imageOutlined);
         connect(view, &ImageView::cleared, this, &LinkedViews::clearPin);
         connect(view, &ImageView::menuRequested, this,
-                [this](int line, int beam, const QPoint& position) { showCellMenu(position, cellAt(line, beam)); });
+                [this](int line, int beam, const QPoint& position) { openMenuAt(position, cellAt(line, beam)); });
         connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
         connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeRangeWindow);
     }
@@ -52,23 +52,26 @@ void LinkedViews::linkCloud() {
             [this] { QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden."), &cloud_); });
     connect(&cloud_, &CloudView::outlined, this, &LinkedViews::cloudOutlined);
     connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
-        showCellMenu(position, cell >= 0 ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
+        openMenuAt(position, cell >= 0 ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
     });
 }
 
-// The same menu in every view: the actions for a cell do not depend on the view.
-void LinkedViews::showCellMenu(const QPoint& position, std::optional<std::size_t> cell) {
+void LinkedViews::openMenuAt(const QPoint& position, std::optional<std::size_t> cell) {
+    openMenu(position, cell ? std::optional(meant(*cell)) : std::nullopt);
+}
+
+void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click) {
     QMenu menu;
     menu.setObjectName("cell-menu");
-    if (cell) {
-        emit cellMenuOpens(menu, *cell);
-        const inspect::MeantCell click = meant(*cell);
-        if (pinned_ == cell || pinned_ == click.cell)
+    if (click) {
+        const std::size_t cell = click->clicked;
+        emit cellMenuOpens(menu, *click);
+        if (pinned_ == cell || pinned_ == click->cell)
             menu.addAction(tr("&Let go of this cell"), this, &LinkedViews::clearPin);
         else
-            menu.addAction(tr("&Pin this cell"), this, [this, click] { pinByClick(click); });
-        QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(*cell)); });
-        fly->setEnabled(shown() && shown()->cloud->drawable(*cell));
+            menu.addAction(tr("&Pin this cell"), this, [this, click] { pinByClick(*click); });
+        QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(cell)); });
+        fly->setEnabled(shown() && shown()->cloud->drawable(cell));
         menu.addSeparator();
     }
     menu.addAction(tr("View from &scanner"), &cloud_, &CloudView::viewFromScanner);

@@ -52,6 +52,8 @@ public:
     void pinByClick(const inspect::MeantCell& click);
     /// With the tool in use.
     void click(const inspect::MeantCell& click);
+    /// The menu of a cell, the same in every view and in lists of cells; empty: only what concerns no cell.
+    void openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click);
     /// While pinChanged() is emitted: the click that pins.
     [[nodiscard]] const std::optional<inspect::MeantCell>& pinningClick() const { return byClick_; }
     /// Clears the pinned cell and the box.
@@ -117,15 +119,15 @@ signals:
     void rangeWindowChanged();
     /// An image has new content: other ranges or edges, or other colours.
     void picturesChanged();
-    /// The menu of a cell is about to open in one of the views: receivers may add actions.
-    void cellMenuOpens(QMenu& menu, std::size_t cell);
+    /// The menu of a cell is about to open: receivers may add actions.
+    void cellMenuOpens(QMenu& menu, const edgescan::inspect::MeantCell& click);
     /// Text about the content of the box that was dragged over an image.
     void boxed(const QString& words);
 
 private:
     void linkImages();
     void linkCloud();
-    void showCellMenu(const QPoint& position, std::optional<std::size_t> cell);
+    void openMenuAt(const QPoint& position, std::optional<std::size_t> cell);
     void clickAt(std::size_t cell);
     void lookAtBox(const QRect& cells);
     void draw();

@@ -1,6 +1,7 @@
 // The table of rocks.
 #include "ui/panels/rocks/rock_table.h"
 
+#include "ui/base/flow_layout.h"
 #include "ui/panels/rocks/size_curve_view.h"
 
 #include <QCheckBox>
@@ -20,14 +21,16 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kRowHeight = 24;
+constexpr int kWide = 560;     // px: from here on the size curve is at the side of the table
+constexpr int kHigh = 460;     // px: from here on it has room below the table
 constexpr int kSpanColumn = 1; // column of the length a, the initial order
 
 } // namespace
 
 RockTable::RockTable(QWidget* parent)
     : QWidget(parent), model_(new RockTableModel(this)), shown_(new ShownRocks(this)), table_(new QTableView), curve_(new SizeCurveView),
-      smallest_(new QDoubleSpinBox), sureOnly_(new QCheckBox(tr("no doubtful ones"))), export_(new QPushButton(tr("Export…"))),
-      count_(new QLabel) {
+      sides_(new QSplitter), bar_(new QBoxLayout(QBoxLayout::LeftToRight)), smallest_(new QDoubleSpinBox),
+      sureOnly_(new QCheckBox(tr("no doubtful ones"))), export_(new QPushButton(tr("Export…"))), count_(new QLabel) {
     setObjectName("rock-table");
     shown_->setSourceModel(model_);
     table_->setModel(shown_);
@@ -52,24 +55,26 @@ RockTable::RockTable(QWidget* parent)
     smallest_->setToolTip(tr("Rocks whose visible b is smaller are left out of the table, not out of the pictures"));
     sureOnly_->setToolTip(tr("Rocks with p below 0.85, which are hatched, are left out of the table"));
 
-    auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(8, 2, 8, 2);
-    bar->setSpacing(8);
-    bar->addWidget(count_, 1);
-    bar->addWidget(new QLabel(tr("b at least")));
-    bar->addWidget(smallest_);
-    bar->addWidget(sureOnly_);
-    bar->addWidget(export_);
+    count_->setWordWrap(true);
+    count_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* tools = new FlowLayout;
+    tools->setContentsMargins(8, 2, 8, 2);
+    tools->setSpacing(8);
+    tools->addWidget(new QLabel(tr("b at least")));
+    for (QWidget* each : std::initializer_list<QWidget*>{smallest_, sureOnly_, export_}) tools->addWidget(each);
+    bar_->setContentsMargins(8, 2, 0, 0);
+    bar_->setSpacing(0);
+    bar_->addWidget(count_, 1);
+    bar_->addLayout(tools, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(bar);
-    auto* sides = new QSplitter(Qt::Horizontal);
-    sides->addWidget(table_);
-    sides->addWidget(curve_);
-    sides->setStretchFactor(0, 1);
-    sides->setCollapsible(0, false);
-    column->addWidget(sides, 1);
+    column->addLayout(bar_);
+    sides_->addWidget(table_);
+    sides_->addWidget(curve_);
+    sides_->setStretchFactor(0, 1);
+    sides_->setCollapsible(0, false);
+    column->addWidget(sides_, 1);
 
     connect(smallest_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double metres) {
         shown_->setSmallest(metres);
@@ -81,9 +86,27 @@ RockTable::RockTable(QWidget* parent)
     });
     connect(export_, &QPushButton::clicked, this, &RockTable::exportRequested);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RockTable::emitChosen);
-    connect(table_, &QTableView::doubleClicked, this,
-            [this](const QModelIndex& index) { emit jumpRequested(static_cast<std::uint32_t>(shown_->mapToSource(index).row()) + 1); });
+    connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) { emit jumpRequested(labelOf(index)); });
+    table_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(table_, &QTableView::customContextMenuRequested, this, [this](const QPoint& at) {
+        const QModelIndex index = table_->indexAt(at);
+        if (index.isValid()) emit menuRequested(labelOf(index), table_->viewport()->mapToGlobal(at));
+    });
     showCount();
+}
+
+/// In a narrow panel the parts are one below the other, the columns have the width of their content, and in a low one the rows come first.
+void RockTable::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool wide = width() >= kWide;
+    bar_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    sides_->setOrientation(wide ? Qt::Horizontal : Qt::Vertical);
+    curve_->setVisible(wide || height() >= kHigh);
+    table_->horizontalHeader()->setSectionResizeMode(wide ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+}
+
+std::uint32_t RockTable::labelOf(const QModelIndex& index) const {
+    return static_cast<std::uint32_t>(shown_->mapToSource(index).row()) + 1;
 }
 
 void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QString& remark) {
@@ -139,8 +162,7 @@ void RockTable::markOnCurve(const std::vector<std::uint32_t>& labels) {
 
 std::vector<std::uint32_t> RockTable::selected() const {
     std::vector<std::uint32_t> labels;
-    for (const QModelIndex& index : table_->selectionModel()->selectedRows())
-        labels.push_back(static_cast<std::uint32_t>(shown_->mapToSource(index).row()) + 1);
+    for (const QModelIndex& index : table_->selectionModel()->selectedRows()) labels.push_back(labelOf(index));
     return labels;
 }
 

@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <vector>
 
+class QBoxLayout;
 class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QSplitter;
 class QTableView;
 
 namespace edgescan::ui {
@@ -37,15 +39,22 @@ public:
     [[nodiscard]] QString remark() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {600, 234}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 120}; }
 
 signals:
     /// The operator selected these rows; labels.
     void chosen(const std::vector<std::uint32_t>& labels);
     /// The operator double-clicked a row.
     void jumpRequested(std::uint32_t label);
+    /// Right click on a row, with its position on the screen.
+    void menuRequested(std::uint32_t label, const QPoint& position);
     void exportRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    [[nodiscard]] std::uint32_t labelOf(const QModelIndex& index) const;
     void showCount();
     void emitChosen();
     void markOnCurve(const std::vector<std::uint32_t>& labels);
@@ -54,6 +63,8 @@ private:
     ShownRocks* shown_;
     QTableView* table_;
     SizeCurveView* curve_;
+    QSplitter* sides_;
+    QBoxLayout* bar_;
     QDoubleSpinBox* smallest_;
     QCheckBox* sureOnly_;
     QPushButton* export_;

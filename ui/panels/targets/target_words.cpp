@@ -108,7 +108,9 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
 
 } // namespace
 
-QString clickText(const inspect::MeantCell& click) {
+namespace {
+
+QString moveText(const inspect::MeantCell& click) {
     switch (click.reason) {
     case inspect::SnapReason::AsClicked:
         return {};
@@ -121,6 +123,15 @@ QString clickText(const inspect::MeantCell& click) {
     }
     return click.moved() ? QObject::tr("nothing was measured there; measured at the nearest cell")
                          : QObject::tr("nothing was measured within %1 cells").arg(inspect::kSnapReach);
+}
+
+} // namespace
+
+QString clickText(const inspect::MeantCell& click) {
+    QString text = moveText(click);
+    if (!click.alsoNear) return text;
+    if (!text.isEmpty()) text += "; ";
+    return text + QObject::tr("▲ a nearer surface is also within %1 cells: zoom in if that was meant").arg(inspect::kSnapReach);
 }
 
 QString distanceText(const inspect::CellTarget& target) {

@@ -37,7 +37,8 @@ struct TargetRow {
     bool known = true;    ///< false: not computed yet, not to be stored
 };
 
-/// "8.13 m behind an edge; measured on its near side, 2 cells away"; empty if the click was not moved.
+/// "8.13 m behind an edge; measured on its near side, 2 cells away". Empty if the click was not moved and no
+/// other surface is in front of it.
 [[nodiscard]] QString clickText(const inspect::MeantCell& click);
 /// "4.911 m", "no return".
 [[nodiscard]] QString distanceText(const inspect::CellTarget& target);

@@ -170,6 +170,18 @@ TEST(NearSide, TheRimOfAVoidIsNotTheWallBehindIt) {
     }
 }
 
+TEST(NearSide, BetweenTwoSurfacesTheNearerOneIsNamedToo) {
+    const Scan scan = test::makeScan(30, 30, [](int, int j) { return j < 14 ? 5000.0 : j < 18 ? 18000.0 : 4000.0; });
+    const auto at = [&](int j) { return static_cast<std::uint32_t>(scan.rangeMm.index(12, j)); };
+    EXPECT_EQ(meantCell(scan, at(15)).cell, at(13));
+    EXPECT_EQ(meantCell(scan, at(15)).alsoNear, at(18));
+    EXPECT_EQ(meantCell(scan, at(17)).cell, at(18));
+    for (const int j : {5, 17, 18, 20}) EXPECT_EQ(meantCell(scan, at(j)).alsoNear, std::nullopt) << "beam " << j;
+    // A slope has no surface in front of itself, also at its near end.
+    const Scan slope = test::makeScan(30, 30, [](int, int j) { return j < 15 ? 9000.0 : 6000.0 - 60.0 * (j - 15); });
+    for (int j = 15; j < 25; ++j) EXPECT_EQ(meantCell(slope, at(j)).alsoNear, std::nullopt) << "beam " << j;
+}
+
 TEST(NearSide, AMixedPixelMeansTheSurfaceInFront) {
     const Scan scan = test::makeScan(30, 30, [](int, int j) { return j < 15 ? 5000.0 : j == 15 ? 6400.0 : 8000.0; });
     const MeantCell meant = meantCell(scan, static_cast<std::uint32_t>(scan.rangeMm.index(12, 15)));

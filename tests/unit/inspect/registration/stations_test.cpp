@@ -16,20 +16,18 @@ TEST(Stations, AScanFromAnotherStationIsOfTheSameScene) {
     const test::Stations stations = test::twoStations(3, 1.0, 0.0, 0.0);
     const auto distances = cloudDistances(stations.moved.pointsM, PointIndex(stations.fixed.pointsM), 1.0);
     EXPECT_LT(distanceHistogram(distances, 1.0, 50).medianM, 0.06); // half of the spacing of the points
-    const test::Stations wrong = test::twoStations(3, 1.0, 0.4, 4.0);
-    const auto off = cloudDistances(wrong.moved.pointsM, PointIndex(wrong.fixed.pointsM), 1.0);
+    const PlacedScan wrong = corrected(stations.moved, {rotationRpyDeg({0, 4, 0}), Eigen::Vector3d(0.4, 0, 0)});
+    const auto off = cloudDistances(wrong.pointsM, PointIndex(stations.fixed.pointsM), 1.0);
     EXPECT_GT(distanceHistogram(off, 1.0, 50).medianM, 0.1);
 }
 
 TEST(Stations, SurfacesCorrectAWrongPose) {
-    for (const std::uint64_t seed : {1, 2, 3}) {
-        const test::Stations stations = test::twoStations(seed, 1.5, 0.15, 1.5);
-        const auto aligned = alignScans(stations.fixed, stations.moved, 0.5);
-        ASSERT_TRUE(aligned) << aligned.error().sentence();
-        EXPECT_LT(stations.leftM(aligned->correction), 0.02) << seed << ": " << stations.leftM(RigidTransform{}) << " m before";
-        EXPECT_LT(stations.leftDeg(aligned->correction), 0.2) << seed;
-        EXPECT_LT(aligned->residualM, aligned->residualBeforeM);
-    }
+    const test::Stations stations = test::twoStations(1, 1.5, 0.15, 1.5);
+    const auto aligned = alignScans(stations.fixed, stations.moved, 0.5);
+    ASSERT_TRUE(aligned) << aligned.error().sentence();
+    EXPECT_LT(stations.leftM(aligned->correction), 0.02) << stations.leftM(RigidTransform{}) << " m before";
+    EXPECT_LT(stations.leftDeg(aligned->correction), 0.2);
+    EXPECT_LT(aligned->residualM, aligned->residualBeforeM);
 }
 
 TEST(Stations, ThreePairsGiveTheTransform) {
@@ -48,7 +46,7 @@ TEST(Stations, ThreePairsGiveTheTransform) {
 
 TEST(Stations, ALayerIsPlacedByThreePointsAndThenByItsSurfaces) {
     const RigidTransform place{rotationRpyDeg({8, -6, 35}), Eigen::Vector3d(1.2, -0.5, 0.1)};
-    const auto first = test::scanFrom({}, 4, 0, 130, 160), other = test::scanFrom(place, 4, 1, 130, 160);
+    const auto first = test::scanFrom({}, 4, 0, 100, 120), other = test::scanFrom(place, 4, 1, 100, 120);
     StationRequest wish;
     for (const Eigen::Vector3d& p : {Eigen::Vector3d(1.5, 0.5, 6), Eigen::Vector3d(-1.5, 1, 5), Eigen::Vector3d(0, -2, 6)})
         wish.pairs.push_back({p + 0.1 * Eigen::Vector3d(p.y(), p.x(), 1).normalized(), inverse(place) * p}); // clicks are 10 cm off
