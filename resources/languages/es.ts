@@ -66,6 +66,67 @@
 <message><source>close other programs or open a smaller scan</source><translation>cierre otros programas o abra un escaneo más pequeño</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>se canceló, así que no se escribió nada</translation></message>
 <message><source>save it again</source><translation>guárdelo otra vez</translation></message>
+<message><source>the file cannot be read: </source><translation>no se puede leer el archivo: </translation></message>
+<message><source>check the disk and the path</source><translation>compruebe el disco y la ruta</translation></message>
+<message><source>there is not enough memory for this file</source><translation>no hay memoria suficiente para este archivo</translation></message>
+<message><source>close other programs or open a smaller file</source><translation>cierre otros programas o abra un archivo más pequeño</translation></message>
+<message><source>this is a web page (HTML), not a scan</source><translation>es una página web (HTML), no un escaneo</translation></message>
+<message><source>this is a JPEG picture, not a scan</source><translation>es una imagen JPEG, no un escaneo</translation></message>
+<message><source>this is a picture or film, not a scan</source><translation>es una imagen o una película, no un escaneo</translation></message>
+<message><source>this is a PDF document, not a scan</source><translation>es un documento PDF, no un escaneo</translation></message>
+<message><source>this is a ZIP archive, not a scan</source><translation>es un archivo comprimido ZIP, no un escaneo</translation></message>
+<message><source>this is a program, not a scan</source><translation>es un programa, no un escaneo</translation></message>
+<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>quizá un sitio la envió en lugar del archivo: descargue de nuevo el archivo o elija un archivo de escaneo</translation></message>
+<message><source>choose a scan file</source><translation>elija un archivo de escaneo</translation></message>
+<message><source>unpack it and open the scan in it</source><translation>descomprímalo y abra el escaneo que contiene</translation></message>
+<message><source>copy the file again, it may be cut off</source><translation>copie de nuevo el archivo, puede estar cortado</translation></message>
+<message><source>copy the file again</source><translation>copie de nuevo el archivo</translation></message>
+<message><source>export the file again</source><translation>exporte de nuevo el archivo</translation></message>
+<message><source>the folder to write into does not exist</source><translation>la carpeta de destino no existe</translation></message>
+<message><source>make the folder or choose another</source><translation>cree la carpeta o elija otra</translation></message>
+<message><source>the folder to write into is not a folder</source><translation>la carpeta de destino no es una carpeta</translation></message>
+<message><source>writing here is not allowed</source><translation>no está permitido escribir aquí</translation></message>
+<message><source>choose another folder or ask for the right to write</source><translation>elija otra carpeta o pida permiso para escribir</translation></message>
+<message><source>the disk can only be read</source><translation>el disco es de solo lectura</translation></message>
+<message><source>the disk is full, so this file was not written</source><translation>el disco está lleno, por eso este archivo no se ha escrito</translation></message>
+<message><source>free some space or choose another disk</source><translation>libere espacio o elija otro disco</translation></message>
+<message><source>the file cannot be written: </source><translation>no se puede escribir el archivo: </translation></message>
+<message><source>choose another folder or disk</source><translation>elija otra carpeta u otro disco</translation></message>
+<message><source>choose another folder</source><translation>elija otra carpeta</translation></message>
+<message><source>the file name is too long</source><translation>el nombre del archivo es demasiado largo</translation></message>
+<message><source>choose a shorter name</source><translation>elija un nombre más corto</translation></message>
+<message><source>give a file name</source><translation>indique un nombre de archivo</translation></message>
+<message><source>this file is read-only, so it was not replaced</source><translation>este archivo es de solo lectura, por eso no se ha sustituido</translation></message>
+<message><source>allow writing with chmod u+w, or choose another name</source><translation>permita la escritura con chmod u+w o elija otro nombre</translation></message>
+<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>este archivo pertenece a otro usuario, que no permite escribir en él; por eso no se ha sustituido</translation></message>
+<message><source>choose another name, or ask its owner</source><translation>elija otro nombre o pregunte a su propietario</translation></message>
+<message><source>this file was read as an input</source><translation>este archivo se leyó como entrada</translation></message>
+<message><source>this is the file that was read as an input under the name </source><translation>es el archivo que se leyó como entrada con el nombre </translation></message>
+<message><source>choose another name</source><translation>elija otro nombre</translation></message>
+<message><source>nothing answers there</source><translation>nada responde en esa dirección</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>compruebe la alimentación, el cable y la dirección, y que este equipo esté en la red del escáner</translation></message>
+<message><source>the connection is refused</source><translation>la conexión es rechazada</translation></message>
+<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>compruebe el puerto (2111 o 2112) y que ningún otro programa ocupe el escáner</translation></message>
+<message><source>there is no way to this address</source><translation>no hay ruta hacia esta dirección</translation></message>
+<message><source>check the cable and the network settings of this computer</source><translation>compruebe el cable y los ajustes de red de este equipo</translation></message>
+<message><source>check the address and the network settings of this computer</source><translation>compruebe la dirección y los ajustes de red de este equipo</translation></message>
+<message><source>cannot connect (%1)</source><translation>no se puede conectar (%1)</translation></message>
+<message><source>no scanner is given</source><translation>no se ha indicado ningún escáner</translation></message>
+<message><source>give its IP address or host name</source><translation>indique su dirección IP o su nombre de host</translation></message>
+<message><source>the host name is not known</source><translation>el nombre de host es desconocido</translation></message>
+<message><source>check its spelling or use the scanner's IP address</source><translation>compruebe cómo está escrito o use la dirección IP del escáner</translation></message>
+<message><source>the name server does not answer</source><translation>el servidor de nombres no responde</translation></message>
+<message><source>the name has no address</source><translation>el nombre no tiene dirección</translation></message>
+<message><source>use the scanner's IP address</source><translation>use la dirección IP del escáner</translation></message>
+<message><source>the scanner closed the connection</source><translation>el escáner cerró la conexión</translation></message>
+<message><source>the connection broke (%1)</source><translation>la conexión se interrumpió (%1)</translation></message>
+<message><source>no line was received</source><translation>no se recibió ninguna línea</translation></message>
+<message><source>check cable, address and port</source><translation>compruebe el cable, la dirección y el puerto</translation></message>
+<message><source>check the cable and whether the scanner's mirror turns</source><translation>compruebe el cable y que el espejo del escáner gire</translation></message>
+<message><source>the scanner refuses to send scans: </source><translation>el escáner se niega a enviar escaneos: </translation></message>
+<message><source>check what else uses it</source><translation>compruebe qué más lo usa</translation></message>
+<message><source>a recording is being written already</source><translation>ya se está escribiendo una grabación</translation></message>
+<message><source>stop it first</source><translation>deténgala primero</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>los puntos detrás de otros del diálogo de exportación</translation></message>

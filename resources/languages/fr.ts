@@ -66,6 +66,67 @@
 <message><source>close other programs or open a smaller scan</source><translation>fermez d'autres programmes ou ouvrez un scan plus petit</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>c'était annulé, donc rien n'a été écrit</translation></message>
 <message><source>save it again</source><translation>enregistrez-le de nouveau</translation></message>
+<message><source>the file cannot be read: </source><translation>le fichier ne peut pas être lu : </translation></message>
+<message><source>check the disk and the path</source><translation>vérifiez le disque et le chemin</translation></message>
+<message><source>there is not enough memory for this file</source><translation>la mémoire ne suffit pas pour ce fichier</translation></message>
+<message><source>close other programs or open a smaller file</source><translation>fermez d'autres programmes ou ouvrez un fichier plus petit</translation></message>
+<message><source>this is a web page (HTML), not a scan</source><translation>c'est une page web (HTML), pas un scan</translation></message>
+<message><source>this is a JPEG picture, not a scan</source><translation>c'est une image JPEG, pas un scan</translation></message>
+<message><source>this is a picture or film, not a scan</source><translation>c'est une image ou un film, pas un scan</translation></message>
+<message><source>this is a PDF document, not a scan</source><translation>c'est un document PDF, pas un scan</translation></message>
+<message><source>this is a ZIP archive, not a scan</source><translation>c'est une archive ZIP, pas un scan</translation></message>
+<message><source>this is a program, not a scan</source><translation>c'est un programme, pas un scan</translation></message>
+<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>un site l'a peut-être envoyée à la place du fichier : téléchargez à nouveau le fichier, ou choisissez un fichier de scan</translation></message>
+<message><source>choose a scan file</source><translation>choisissez un fichier de scan</translation></message>
+<message><source>unpack it and open the scan in it</source><translation>décompressez-la et ouvrez le scan qu'elle contient</translation></message>
+<message><source>copy the file again, it may be cut off</source><translation>copiez à nouveau le fichier, il est peut-être coupé</translation></message>
+<message><source>copy the file again</source><translation>copiez à nouveau le fichier</translation></message>
+<message><source>export the file again</source><translation>exportez à nouveau le fichier</translation></message>
+<message><source>the folder to write into does not exist</source><translation>le dossier de destination n'existe pas</translation></message>
+<message><source>make the folder or choose another</source><translation>créez le dossier ou choisissez-en un autre</translation></message>
+<message><source>the folder to write into is not a folder</source><translation>le dossier de destination n'est pas un dossier</translation></message>
+<message><source>writing here is not allowed</source><translation>il n'est pas permis d'écrire ici</translation></message>
+<message><source>choose another folder or ask for the right to write</source><translation>choisissez un autre dossier ou demandez le droit d'écrire</translation></message>
+<message><source>the disk can only be read</source><translation>le disque est en lecture seule</translation></message>
+<message><source>the disk is full, so this file was not written</source><translation>le disque est plein, ce fichier n'a donc pas été écrit</translation></message>
+<message><source>free some space or choose another disk</source><translation>libérez de la place ou choisissez un autre disque</translation></message>
+<message><source>the file cannot be written: </source><translation>le fichier ne peut pas être écrit : </translation></message>
+<message><source>choose another folder or disk</source><translation>choisissez un autre dossier ou disque</translation></message>
+<message><source>choose another folder</source><translation>choisissez un autre dossier</translation></message>
+<message><source>the file name is too long</source><translation>le nom du fichier est trop long</translation></message>
+<message><source>choose a shorter name</source><translation>choisissez un nom plus court</translation></message>
+<message><source>give a file name</source><translation>donnez un nom de fichier</translation></message>
+<message><source>this file is read-only, so it was not replaced</source><translation>ce fichier est en lecture seule, il n'a donc pas été remplacé</translation></message>
+<message><source>allow writing with chmod u+w, or choose another name</source><translation>permettez l'écriture avec chmod u+w, ou choisissez un autre nom</translation></message>
+<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>ce fichier appartient à un autre utilisateur, qui ne permet pas d'y écrire ; il n'a donc pas été remplacé</translation></message>
+<message><source>choose another name, or ask its owner</source><translation>choisissez un autre nom, ou demandez à son propriétaire</translation></message>
+<message><source>this file was read as an input</source><translation>ce fichier a été lu comme entrée</translation></message>
+<message><source>this is the file that was read as an input under the name </source><translation>c'est le fichier lu comme entrée sous le nom </translation></message>
+<message><source>choose another name</source><translation>choisissez un autre nom</translation></message>
+<message><source>nothing answers there</source><translation>rien ne répond à cette adresse</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>vérifiez l'alimentation, le câble et l'adresse, et que cet ordinateur est dans le réseau du scanner</translation></message>
+<message><source>the connection is refused</source><translation>la connexion est refusée</translation></message>
+<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>vérifiez le port (2111 ou 2112) et qu'aucun autre programme n'occupe le scanner</translation></message>
+<message><source>there is no way to this address</source><translation>aucun chemin ne mène à cette adresse</translation></message>
+<message><source>check the cable and the network settings of this computer</source><translation>vérifiez le câble et les réglages réseau de cet ordinateur</translation></message>
+<message><source>check the address and the network settings of this computer</source><translation>vérifiez l'adresse et les réglages réseau de cet ordinateur</translation></message>
+<message><source>cannot connect (%1)</source><translation>connexion impossible (%1)</translation></message>
+<message><source>no scanner is given</source><translation>aucun scanner n'est indiqué</translation></message>
+<message><source>give its IP address or host name</source><translation>donnez son adresse IP ou son nom d'hôte</translation></message>
+<message><source>the host name is not known</source><translation>le nom d'hôte est inconnu</translation></message>
+<message><source>check its spelling or use the scanner's IP address</source><translation>vérifiez son orthographe ou utilisez l'adresse IP du scanner</translation></message>
+<message><source>the name server does not answer</source><translation>le serveur de noms ne répond pas</translation></message>
+<message><source>the name has no address</source><translation>ce nom n'a pas d'adresse</translation></message>
+<message><source>use the scanner's IP address</source><translation>utilisez l'adresse IP du scanner</translation></message>
+<message><source>the scanner closed the connection</source><translation>le scanner a fermé la connexion</translation></message>
+<message><source>the connection broke (%1)</source><translation>la connexion s'est interrompue (%1)</translation></message>
+<message><source>no line was received</source><translation>aucune ligne n'a été reçue</translation></message>
+<message><source>check cable, address and port</source><translation>vérifiez le câble, l'adresse et le port</translation></message>
+<message><source>check the cable and whether the scanner's mirror turns</source><translation>vérifiez le câble et que le miroir du scanner tourne</translation></message>
+<message><source>the scanner refuses to send scans: </source><translation>le scanner refuse d'envoyer des scans : </translation></message>
+<message><source>check what else uses it</source><translation>vérifiez ce qui l'utilise aussi</translation></message>
+<message><source>a recording is being written already</source><translation>un enregistrement est déjà en cours</translation></message>
+<message><source>stop it first</source><translation>arrêtez-le d'abord</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>les points derrière d'autres dans le dialogue d'exportation</translation></message>

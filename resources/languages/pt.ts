@@ -66,6 +66,67 @@
 <message><source>close other programs or open a smaller scan</source><translation>feche outros programas ou abra um scan menor</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>foi cancelado, por isso nada foi escrito</translation></message>
 <message><source>save it again</source><translation>salve outra vez</translation></message>
+<message><source>the file cannot be read: </source><translation>o arquivo não pode ser lido: </translation></message>
+<message><source>check the disk and the path</source><translation>verifique o disco e o caminho</translation></message>
+<message><source>there is not enough memory for this file</source><translation>não há memória suficiente para este arquivo</translation></message>
+<message><source>close other programs or open a smaller file</source><translation>feche outros programas ou abra um arquivo menor</translation></message>
+<message><source>this is a web page (HTML), not a scan</source><translation>é uma página web (HTML), não uma varredura</translation></message>
+<message><source>this is a JPEG picture, not a scan</source><translation>é uma imagem JPEG, não uma varredura</translation></message>
+<message><source>this is a picture or film, not a scan</source><translation>é uma imagem ou um filme, não uma varredura</translation></message>
+<message><source>this is a PDF document, not a scan</source><translation>é um documento PDF, não uma varredura</translation></message>
+<message><source>this is a ZIP archive, not a scan</source><translation>é um arquivo compactado ZIP, não uma varredura</translation></message>
+<message><source>this is a program, not a scan</source><translation>é um programa, não uma varredura</translation></message>
+<message><source>it may be what a site sent instead of the file: download the file again, or choose a scan file</source><translation>talvez um site a tenha enviado no lugar do arquivo: baixe de novo o arquivo ou escolha um arquivo de varredura</translation></message>
+<message><source>choose a scan file</source><translation>escolha um arquivo de varredura</translation></message>
+<message><source>unpack it and open the scan in it</source><translation>descompacte-o e abra a varredura que contém</translation></message>
+<message><source>copy the file again, it may be cut off</source><translation>copie de novo o arquivo, pode estar cortado</translation></message>
+<message><source>copy the file again</source><translation>copie de novo o arquivo</translation></message>
+<message><source>export the file again</source><translation>exporte de novo o arquivo</translation></message>
+<message><source>the folder to write into does not exist</source><translation>a pasta de destino não existe</translation></message>
+<message><source>make the folder or choose another</source><translation>crie a pasta ou escolha outra</translation></message>
+<message><source>the folder to write into is not a folder</source><translation>a pasta de destino não é uma pasta</translation></message>
+<message><source>writing here is not allowed</source><translation>não é permitido escrever aqui</translation></message>
+<message><source>choose another folder or ask for the right to write</source><translation>escolha outra pasta ou peça permissão para escrever</translation></message>
+<message><source>the disk can only be read</source><translation>o disco é somente leitura</translation></message>
+<message><source>the disk is full, so this file was not written</source><translation>o disco está cheio, por isso este arquivo não foi escrito</translation></message>
+<message><source>free some space or choose another disk</source><translation>libere espaço ou escolha outro disco</translation></message>
+<message><source>the file cannot be written: </source><translation>o arquivo não pode ser escrito: </translation></message>
+<message><source>choose another folder or disk</source><translation>escolha outra pasta ou outro disco</translation></message>
+<message><source>choose another folder</source><translation>escolha outra pasta</translation></message>
+<message><source>the file name is too long</source><translation>o nome do arquivo é longo demais</translation></message>
+<message><source>choose a shorter name</source><translation>escolha um nome mais curto</translation></message>
+<message><source>give a file name</source><translation>indique um nome de arquivo</translation></message>
+<message><source>this file is read-only, so it was not replaced</source><translation>este arquivo é somente leitura, por isso não foi substituído</translation></message>
+<message><source>allow writing with chmod u+w, or choose another name</source><translation>permita a escrita com chmod u+w ou escolha outro nome</translation></message>
+<message><source>this file belongs to another user, who does not allow writing, so it was not replaced</source><translation>este arquivo pertence a outro usuário, que não permite escrever nele; por isso não foi substituído</translation></message>
+<message><source>choose another name, or ask its owner</source><translation>escolha outro nome ou pergunte ao seu proprietário</translation></message>
+<message><source>this file was read as an input</source><translation>este arquivo foi lido como entrada</translation></message>
+<message><source>this is the file that was read as an input under the name </source><translation>é o arquivo que foi lido como entrada com o nome </translation></message>
+<message><source>choose another name</source><translation>escolha outro nome</translation></message>
+<message><source>nothing answers there</source><translation>nada responde nesse endereço</translation></message>
+<message><source>check power, cable and the address, and that this computer is in the scanner's network</source><translation>verifique a alimentação, o cabo e o endereço, e se este computador está na rede do scanner</translation></message>
+<message><source>the connection is refused</source><translation>a conexão é recusada</translation></message>
+<message><source>check the port (2111 or 2112) and that no other program holds the scanner</source><translation>verifique a porta (2111 ou 2112) e se nenhum outro programa ocupa o scanner</translation></message>
+<message><source>there is no way to this address</source><translation>não há caminho para este endereço</translation></message>
+<message><source>check the cable and the network settings of this computer</source><translation>verifique o cabo e as configurações de rede deste computador</translation></message>
+<message><source>check the address and the network settings of this computer</source><translation>verifique o endereço e as configurações de rede deste computador</translation></message>
+<message><source>cannot connect (%1)</source><translation>não é possível conectar (%1)</translation></message>
+<message><source>no scanner is given</source><translation>nenhum scanner foi indicado</translation></message>
+<message><source>give its IP address or host name</source><translation>indique o seu endereço IP ou nome de host</translation></message>
+<message><source>the host name is not known</source><translation>o nome de host é desconhecido</translation></message>
+<message><source>check its spelling or use the scanner's IP address</source><translation>verifique como está escrito ou use o endereço IP do scanner</translation></message>
+<message><source>the name server does not answer</source><translation>o servidor de nomes não responde</translation></message>
+<message><source>the name has no address</source><translation>o nome não tem endereço</translation></message>
+<message><source>use the scanner's IP address</source><translation>use o endereço IP do scanner</translation></message>
+<message><source>the scanner closed the connection</source><translation>o scanner fechou a conexão</translation></message>
+<message><source>the connection broke (%1)</source><translation>a conexão foi interrompida (%1)</translation></message>
+<message><source>no line was received</source><translation>nenhuma linha foi recebida</translation></message>
+<message><source>check cable, address and port</source><translation>verifique o cabo, o endereço e a porta</translation></message>
+<message><source>check the cable and whether the scanner's mirror turns</source><translation>verifique o cabo e se o espelho do scanner roda</translation></message>
+<message><source>the scanner refuses to send scans: </source><translation>o scanner recusa enviar varreduras: </translation></message>
+<message><source>check what else uses it</source><translation>verifique o que mais o usa</translation></message>
+<message><source>a recording is being written already</source><translation>uma gravação já está em andamento</translation></message>
+<message><source>stop it first</source><translation>pare-a primeiro</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>os pontos atrás de outros na caixa de exportação</translation></message>

@@ -40,7 +40,7 @@ TEST(LostLines, CostMemoryInProportionToTheFile) {
         ASSERT_NO_FATAL_FAILURE(writeRecording(recording, claim));
         const auto perFile = static_cast<int>(std::filesystem::file_size(recording) * 100 / 1'000'000);
         for (const auto& [command, megabytes] :
-             {std::pair{"info", 110}, {"detect", 160}, {"why --line 0 --beam 10", 160}, {"thumbnail", 110}}) {
+             {std::pair{"info", 110}, {"detect", 160}, {"why --cell 0,10", 160}, {"thumbnail", 110}}) {
             const bool picture = std::string(command) == "thumbnail";
             const std::string asked = std::string(command) + ' ' + recording + (picture ? ' ' + (folder / "small.png").string() : "");
             const auto run = runWithin(megabytes + perFile, asked);
@@ -53,7 +53,7 @@ TEST(LostLines, TheFilesOfTheSharedFolder) {
     EDGESCAN_NEEDS_SHARED("data/hostile");
     const std::filesystem::path hostile = test::sharedFolder() / "data/hostile";
     for (const char* name : {"lost_lines_100.mcap", "lost_lines_1141.mcap"}) {
-        for (const char* command : {"detect ", "why --line 0 --beam 10 "}) {
+        for (const char* command : {"detect ", "why --cell 0,10 "}) {
             const auto run = runWithin(170, command + (hostile / name).string());
             EXPECT_EQ(run.code, 0) << name << ": " << run.err;
         }

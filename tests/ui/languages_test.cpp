@@ -3,8 +3,10 @@
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
 #include "core/files/live_feed/live_health.h"
+#include "core/files/open_save/open_scan.h"
 #include "core/rocks/selection/rock_settings.h"
 #include "core/scan/grid/reading_options.h"
+#include "core/scanner/cola/link.h"
 #include "tests/support/folders.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
@@ -349,6 +351,37 @@ private slots:
         QVERIFY2(same.isEmpty(), qPrintable(QStringList(same.values()).join('\n')));
         useLanguage("en");
         QCOMPARE(coreWords("LOST 12 s"), QString("LOST 12 s"));
+    }
+
+    // What opening, saving and connecting refuse: both the fault and its remedy are in the language of the window.
+    void refusalsAreInTheLanguageOfTheWindow() {
+        const auto in = [&](const char* name) { return folder_ / name; };
+        QVERIFY(bool(writeWholeFile(in("page.json"), "<!doctype html><html></html>")));
+        QVERIFY(bool(writeWholeFile(in("photo.png"), "\xff\xd8\xff\xe0 a picture")));
+        std::vector<Error> refused;
+        for (const auto& path : {in("absent.json"), std::filesystem::path(folder_ / ""), in("page.json"), in("photo.png")}) {
+            const auto opened = files::openScan(path);
+            QVERIFY2(!opened, path.c_str());
+            refused.push_back(opened.error());
+        }
+        const auto notWritten = writeWholeFile(in("absent") / "scan.json", "");
+        QVERIFY(!notWritten);
+        refused.push_back(notWritten.error());
+        scanner::ColaLink link({});
+        for (const char* host : {"127.0.0.1", ""}) {
+            const auto connected = link.connect(host, 1, std::chrono::seconds(5)); // a port on which no program listens
+            QVERIFY(!connected);
+            refused.push_back(connected.error());
+        }
+        for (const char* language : {"fr", "es", "pt"}) {
+            QVERIFY(useLanguage(language, kTexts));
+            for (const Error& each : refused) {
+                const QString shown = coreSentence(each.sentence());
+                QVERIFY2(!shown.contains(QString::fromStdString(each.what)), qPrintable(shown));
+                QVERIFY2(each.hint.empty() || !shown.contains(QString::fromStdString(each.hint)), qPrintable(shown));
+            }
+        }
+        useLanguage("en");
     }
 
     // Errors, warnings and remarks of the core name flags for the command line; in the window they name places of the window.
