@@ -83,7 +83,7 @@ void Docks::want(const char* name, bool on) {
     Dock& dock = named(name);
     if (std::exchange(dock.wanted, on) == on) return;
     if (!on && byHand(*dock.widget) == "open") keep(*dock.widget, QString()); // opened for what is gone
-    rail_.setWanted(dock.widget, on);
+    if (dock.side == Side::Right) rail_.setWanted(dock.widget, on); // the table has its tab: a rail for it would take the images' room
     emit changed();
     if (on && !dock.widget->isHidden()) dock.widget->raise();
 }

@@ -29,7 +29,7 @@ namespace websocket = beast::websocket;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
-constexpr std::size_t kMostQueued = 64; ///< messages queued for a client that does not read; beyond this, messages are lost
+constexpr std::size_t kMostQueued = 4096; ///< messages queued for a client that does not read; beyond this, messages are lost
 constexpr std::size_t kMostConnected = 8, kLongestRequest = std::size_t{1} << 20U;
 constexpr double kUsualPeriodS = 0.04;
 
