@@ -38,7 +38,7 @@ private slots:
                 QVERIFY2(bool(edges::checkSettings(read)), bytes.c_str());
                 kept += read.jumpMm == 55 ? 1 : 0;
                 QVERIFY2(preferences.recentFiles().size() < 1000, bytes.c_str());
-                for (const char* key : {"language", "view/mouse", "live/sweep", "window/panel-width"}) (void)preferences.text(key);
+                for (const char* key : {"language", "view/mouse", "live/sweep", "window/panel-dragged"}) (void)preferences.text(key);
                 for (const char* key : {"window/geometry", "window/state", "window/views"}) (void)preferences.bytes(key);
                 (void)preferences.flag("view/cab", false);
                 QVERIFY2(!preferences.folder("exports").isEmpty(), bytes.c_str());
@@ -62,7 +62,7 @@ private:
             preferences.keep("view/cab", true);
             preferences.keep("view/mouse", QString("fly"));
             preferences.keep("live/sweep", QString("sweep 0.18"));
-            preferences.keep("window/panel-width", QString("321"));
+            preferences.keep("window/panel-dragged", QString("321"));
             for (const char* key : {"window/geometry", "window/state", "window/views"}) preferences.keep(key, QByteArray(120, '\x9d'));
             for (int n = 0; n < 10; ++n) preferences.keepRecentFile(QString("/scans/%1, \"bell\" é.pcd").arg(n));
             preferences.keepFolder("exports", exactText(path));

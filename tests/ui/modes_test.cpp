@@ -1,5 +1,6 @@
-// Every mode of the window at every size and in the language with the longest words: no widget is cut off, squeezed or covered. With
-// EDGESCAN_LOOK=FOLDER the pictures are saved for inspection.
+// The window in its modes x sizes x languages x states of a scanner, on the desk and in a cab: no widget is cut off, squeezed or covered,
+// nothing is larger than the screen, and the cloud has its share. Every pair of two of them is tested; with EDGESCAN_EVERY_STATE=1 the
+// whole product. With EDGESCAN_LOOK=FOLDER the pictures are saved for inspection.
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
 #include "tests/support/folders.h"
@@ -8,14 +9,15 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
-#include "ui/controllers/files/calibrating.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/hold_button.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/timeline.h"
 #include "ui/panels/start/start_page.h"
 #include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/status_line.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/pane_places.h"
 #include "ui/window/start.h"
 #include "ui/window/theme.h"
 
@@ -25,14 +27,219 @@
 #include <QDir>
 #include <QPainter>
 #include <QScreen>
-#include <QTimer>
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <memory>
 #include <vector>
 
 using namespace edgescan;
 using namespace edgescan::ui;
+
+namespace {
+
+constexpr std::array kSizes{QSize(853, 533),  QSize(1024, 768),  QSize(1280, 800), QSize(1366, 768),
+                            QSize(1600, 900), QSize(1920, 1080), QSize(2560, 1440)};
+constexpr double kCloudShare = 0.55; // of the width, on the desk
+
+/// A window, a scanner that sends to it, and where the test is in the product.
+struct Desk {
+    std::string after; ///< a later scan of the same place
+    QString recordings;
+    scanner::SweepSettings sweep;
+    std::unique_ptr<scanner::EmulatedScanner> emulated;
+    WindowFixture on;
+    bool cab = false;
+};
+
+struct State {
+    const char* name;
+    std::function<bool(Desk&)> enter;
+    std::function<bool(Desk&)> leave = [](Desk&) { return true; };
+};
+
+bool stay(Desk&) { return true; }
+
+bool pressed(Desk& desk, int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QTest::keyClick(&desk.on.window, static_cast<Qt::Key>(key), modifiers);
+    return desk.on.settled();
+}
+
+QDialog* dialogOf(const QWidget& window) {
+    for (auto* dialog : window.findChildren<QDialog*>()) {
+        if (dialog->isVisible()) return dialog;
+    }
+    return nullptr;
+}
+
+bool pinEdge(Desk& desk) {
+    WindowFixture& on = desk.on;
+    on.viewer.views.pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
+    return eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.active() != nullptr; });
+}
+
+bool showRocks(Desk& desk) {
+    desk.on.viewer.rocks.setShown(true);
+    return eventually([&] { return desk.on.viewer.rocks.picture() != nullptr; });
+}
+
+bool hideRocks(Desk& desk) {
+    desk.on.viewer.rocks.setShown(false);
+    return desk.on.settled();
+}
+
+bool showNotices(Desk& desk) {
+    NoticeBar& notice = desk.on.viewer.notice;
+    for (const char* text : {"one", "two"})
+        notice.showNotice(NoticeBar::Kind::Warning, QString(text) + QString(" /a/long/path/without/blanks").repeated(9));
+    notice.offer(QObject::tr("Does this look right?"), [] {});
+    return true;
+}
+
+bool showWork(Desk& desk) {
+    const QString title = "Opening a file of a long name", stage = "reading its lines and beams";
+    desk.on.window.cab().frame().head().showWork(title + ": " + stage + ", 40 %");
+    desk.on.viewer.statusLine.showWork(title, stage, 0.4);
+    return desk.cab || eventually([&] { return desk.on.window.findChild<QWidget*>("cancel-work")->isVisible(); });
+}
+
+bool endWork(Desk& desk) {
+    desk.on.window.cab().frame().head().showWork(QString());
+    desk.on.viewer.statusLine.endWork();
+    return true;
+}
+
+/// In their order: each adds to what is on the screen.
+std::vector<State> modes(bool cab, bool live) {
+    std::vector<State> all{
+        {"plain", stay},
+        {"notices", showNotices,
+         [](Desk& desk) {
+             desk.on.viewer.notice.hide();
+             return true;
+         }},
+        {"work", showWork, endWork},
+        {"pin", pinEdge},
+        {"rocks", showRocks, hideRocks},
+    };
+    if (cab || live) return all;
+    all.push_back({"why",
+                   [](Desk& desk) {
+                       return pinEdge(desk) && pressed(desk, Qt::Key_W) && eventually([&] { return dialogOf(desk.on.window) != nullptr; });
+                   },
+                   [](Desk& desk) {
+                       while (QDialog* dialog = dialogOf(desk.on.window)) dialog->reject();
+                       return desk.on.activate();
+                   }});
+    all.push_back({"confidence",
+                   [](Desk& desk) {
+                       return pressed(desk, Qt::Key_W, Qt::ShiftModifier) &&
+                              eventually([&] { return desk.on.viewer.confidence.made() != nullptr; });
+                   },
+                   [](Desk& desk) { return pressed(desk, Qt::Key_W, Qt::ShiftModifier); }});
+    all.push_back({"compare", [](Desk& desk) {
+                       return pressed(desk, Qt::Key_A, Qt::ShiftModifier) && desk.on.open(desk.after) && eventually([&] {
+                                  return desk.on.viewer.comparing.settled() && desk.on.viewer.comparing.comparison() != nullptr;
+                              });
+                   }});
+    all.push_back({"images first", [](Desk& desk) { return pressed(desk, Qt::Key_M, Qt::ControlModifier); },
+                   [](Desk& desk) { return pressed(desk, Qt::Key_M, Qt::ControlModifier); }});
+    return all;
+}
+
+bool connectTo(Desk& desk) {
+    desk.on.viewer.live.connectTo("127.0.0.1", desk.emulated->port(), desk.sweep);
+    return eventually([&] { return desk.on.viewer.live.grows() && desk.on.picture().detection->edges->size() > 0; });
+}
+
+bool record(Desk& desk) {
+    Live& live = desk.on.viewer.live;
+    if (!connectTo(desk)) return false;
+    live.record(true);
+    return eventually([&] { return !live.scanner().health().recording.empty(); });
+}
+
+bool held(Desk& desk) {
+    return record(desk) && eventually([&] { return !desk.on.viewer.live.scanner().following() && desk.on.viewer.notice.isVisible(); });
+}
+
+QStringList recorded(const Desk& desk) { return QDir(desk.recordings).entryList({"sweep_*.mcap"}); }
+
+bool stopped(Desk& desk) {
+    if (!held(desk)) return false;
+    desk.on.viewer.live.scanner().disconnectScanner();
+    return eventually([&] { return !desk.on.viewer.live.scanner().recording() && recorded(desk).size() == 1; });
+}
+
+struct LiveState {
+    const char* name;
+    double linesPerSecond; ///< of the scanner
+    bool (*enter)(Desk&);
+};
+const std::vector<LiveState> kLive{
+    {"growing", 4, connectTo},
+    {"recording", 4, record},
+    {"held", 300, held},
+    {"another picture", 300, [](Desk& desk) { return record(desk) && desk.on.open(desk.after); }},
+    {"stopped", 300, stopped},
+    {"played", 300,
+     [](Desk& desk) {
+         return stopped(desk) && eventually([&] { return desk.on.viewer.live.scanner().recordingClosed(); }) &&
+                desk.on.open(QDir(desk.recordings).filePath(recorded(desk).front()).toStdString()) &&
+                eventually([&] { return desk.on.viewer.live.timeline().isVisible(); });
+     }},
+};
+
+QImage pictureOf(WindowFixture& on) {
+    QImage picture = on.window.screenshot().convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&picture);
+    if (QDialog* dialog = dialogOf(on.window))
+        painter.drawPixmap(dialog->mapToGlobal(QPoint()) - on.window.mapToGlobal(QPoint()), dialog->grab());
+    return picture;
+}
+
+QStringList faultsNow(Desk& desk, QSize size) {
+    MainWindow& window = desk.on.window;
+    QStringList faults;
+    if (window.size() != size) faults << QString("it is %1 x %2").arg(window.width()).arg(window.height());
+    if (desk.cab) {
+        const QWidget& locked = *window.cab().frame().head().locked();
+        if (!locked.isVisible() || !window.rect().contains(QRect(locked.mapTo(&window, QPoint()), locked.size())))
+            faults << "Locked is off the screen";
+    } else if (const int wide = desk.on.viewer.cloud.width(); !window.places().imagesFirst() && wide < kCloudShare * window.width() - 1) {
+        faults << QString("the cloud is %1 wide").arg(wide);
+    }
+    // No empty row below the visible switches.
+    int lowest = 0;
+    for (const auto* box : desk.on.viewer.legend.findChildren<QCheckBox*>())
+        lowest = std::max(lowest, box->isVisible() ? box->geometry().bottom() : 0);
+    if (desk.cab && lowest > 0 && desk.on.viewer.legend.height() - lowest >= 36) faults << "the legend has an empty row";
+    faults << faultsIn(window);
+    if (const QDialog* dialog = dialogOf(window)) {
+        for (const QString& fault : faultsIn(*dialog)) faults << "dialog: " + fault;
+    }
+    return faults;
+}
+
+/// Faults, each with the state in which it was found.
+QStringList faultsAt(Desk& desk, QSize size, const QString& where) {
+    MainWindow& window = desk.on.window;
+    QStringList faults{"not looked at"};
+    // What folds on the way makes room for a smaller window, layouts wait, and a number of the scanner may just have changed.
+    for (int n = 0; n < 40 && !faults.isEmpty(); ++n) {
+        window.resize(size);
+        for (int events = 0; events < 5; ++events) QApplication::processEvents();
+        faults = faultsNow(desk, size);
+    }
+    const QString folder = qEnvironmentVariable("EDGESCAN_LOOK");
+    if (!folder.isEmpty()) pictureOf(desk.on).save(folder + "/" + QString(where).replace(' ', '-') + ".png");
+    for (QString& fault : faults) fault = where + ": " + fault;
+    return faults;
+}
+
+} // namespace
 
 class ModesTest : public QObject {
     Q_OBJECT
@@ -40,98 +247,24 @@ class ModesTest : public QObject {
     std::string bell_, after_;
     Scan live_;
 
-    struct Mode {
-        const char* name;
-        std::function<bool(WindowFixture&)> enter, leave;
-    };
-
-    static bool pressed(WindowFixture& on, int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        QTest::keyClick(&on.window, static_cast<Qt::Key>(key), modifiers);
-        return on.settled();
-    }
-    static bool nothing(WindowFixture&) { return true; }
-    static QDialog* dialogOf(WindowFixture& on) {
-        for (auto* dialog : on.window.findChildren<QDialog*>()) {
-            if (dialog->isVisible()) return dialog;
-        }
-        return nullptr;
-    }
-    static bool closeDialogs(WindowFixture& on) {
-        while (QDialog* dialog = dialogOf(on)) dialog->reject();
-        return on.activate();
-    }
-    static bool trigger(WindowFixture& on, const char* name) {
-        auto* action = on.window.findChild<QAction*>(name);
-        if (action == nullptr) return false;
-        action->trigger();
-        return on.settled();
-    }
-
-    static std::vector<Mode> modes(const std::string& after) {
-        return {
-            {"plain", nothing, nothing},
-            {"pin",
-             [](WindowFixture& on) {
-                 on.viewer.views.pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
-                 return eventually([&] { return on.viewer.targets.settled(); }) && eventually([&] {
-                            return on.viewer.targets.around(on.viewer.targets.active()->cell).confidence.state ==
-                                   ShownConfidence::State::Known;
-                        });
-             },
-             nothing},
-            {"why", [](WindowFixture& on) { return pressed(on, Qt::Key_W) && eventually([&] { return dialogOf(on) != nullptr; }); },
-             closeDialogs},
-            {"confidence",
-             [](WindowFixture& on) {
-                 return pressed(on, Qt::Key_W, Qt::ShiftModifier) && eventually([&] { return on.viewer.confidence.made() != nullptr; });
-             },
-             [](WindowFixture& on) { return pressed(on, Qt::Key_W, Qt::ShiftModifier); }},
-            {"rocks",
-             [](WindowFixture& on) {
-                 return pressed(on, Qt::Key_K) && eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }) &&
-                        (on.viewer.views.pinByClick(inspect::exactly(on.viewer.rocks.picture()->study.rocks.front().cell)), true) &&
-                        eventually([&] { return on.viewer.targets.settled(); });
-             },
-             [](WindowFixture& on) { return pressed(on, Qt::Key_K); }},
-            {"compare",
-             [after](WindowFixture& on) {
-                 return pressed(on, Qt::Key_A, Qt::ShiftModifier) && on.open(after) &&
-                        eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison(); });
-             },
-             nothing},
-        };
-    }
-
-    static QImage pictureOf(WindowFixture& on) {
-        QImage picture = on.window.screenshot().convertToFormat(QImage::Format_RGB32);
-        QPainter painter(&picture);
-        if (QDialog* dialog = dialogOf(on))
-            painter.drawPixmap(dialog->mapToGlobal(QPoint()) - on.window.mapToGlobal(QPoint()), dialog->grab());
-        return picture;
-    }
-    /// The title of the cloud says how much of it is drawn. Waits only once for a cloud that never rests, and not at every size.
-    static bool atRest(WindowFixture& on) {
-        static bool ever = true;
-        ever = ever && eventually([&] { return on.viewer.views.cloud().atRest(); });
-        return ever;
-    }
-    /// Faults, each with the mode in which it was found.
-    static QStringList look(WindowFixture& on, const QString& where) {
-        QStringList found;
-        if (!atRest(on)) return {where + ": the cloud is never at rest"};
-        for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
-        for (const QString& fault : faultsIn(on.window)) found << where + ": " + fault;
-        if (const QDialog* dialog = dialogOf(on)) {
-            for (const QString& fault : faultsIn(*dialog)) found << where + ", dialog: " + fault;
-        }
-        const QString folder = qEnvironmentVariable("EDGESCAN_LOOK");
-        if (!folder.isEmpty()) pictureOf(on).save(folder + "/" + where + ".png");
-        return found;
-    }
-    /// False if the window needs more room than that.
-    static bool resizedTo(WindowFixture& on, QSize size) {
-        on.window.resize(size);
-        return eventually([&] { return on.window.size() == size.expandedTo(on.window.minimumSizeHint()); }) && on.window.size() == size;
+    [[nodiscard]] std::unique_ptr<Desk> deskOf(const QString& row, double linesPerSecond) {
+        auto desk = std::make_unique<Desk>();
+        desk->after = after_;
+        desk->recordings = QString::fromStdString((folder_ / row.toStdString()).string());
+        desk->sweep.expectedLines = live_.lines();
+        desk->sweep.degPerLine = 180.0 / live_.lines();
+        desk->sweep.firstLineDeg = -90;
+        desk->sweep.axis = Axis::Sweep;
+        scanner::EmulatedScannerSettings settings;
+        settings.linesPerSecond = linesPerSecond;
+        auto telegrams = scanner::telegramsOf(live_);
+        if (!telegrams) return nullptr;
+        auto emulated =
+            scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
+        if (!emulated) return nullptr;
+        desk->emulated = std::move(*emulated);
+        desk->on.viewer.live.setRecordingFolder(desk->recordings);
+        return desk;
     }
 
 private slots:
@@ -142,41 +275,66 @@ private slots:
         settings.lines = 300;
         settings.beams = 343;
         bell_ = (folder_ / "bell.json").string();
-        Scan scan = sim::simulate(settings)->scan;
-        QVERIFY(bool(files::saveScan(scan, bell_)));
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, bell_)));
         settings.afterBlast = true;
         after_ = (folder_ / "after.json").string();
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, after_)));
         sim::SimulationSettings ofScanner;
         ofScanner.lines = 120;
         ofScanner.beams = 381;
         live_ = sim::simulate(ofScanner)->scan;
-        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, after_)));
     }
-    void cleanup() { useLanguage("en"); }
+    void cleanup() {
+        useLanguage("en");
+        useTheme(*qApp, false); // a cab leaves its large widgets
+    }
 
-    void nothingIsCutInAnyMode_data() {
-        QTest::addColumn<QString>("language");
-        for (const char* code : {"en", "fr"}) QTest::newRow(code) << QString(code);
-    }
-    void nothingIsCutInAnyMode() {
-        QFETCH(QString, language);
-        QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
-        WindowFixture on;
-        on.window.resize(1280, 800);
-        QVERIFY(on.showWith(bell_) && on.activate());
-        on.viewer.notice.hide();
-        QStringList faults;
-        for (const Mode& mode : modes(after_)) {
-            QVERIFY2(mode.enter(on), mode.name);
-            for (const QSize size :
-                 {QSize(853, 533), QSize(1280, 800), QSize(1366, 768), QSize(1600, 900), QSize(1920, 1080), QSize(2560, 1440)}) {
-                if (!resizedTo(on, size)) { // on a high screen panels are one above the other and need its height
-                    QVERIFY2(size.height() < 800, qPrintable(QString("%1: %2 x %3").arg(mode.name).arg(size.width()).arg(size.height())));
-                    continue;
+    void everythingFits_data() {
+        QTest::addColumn<int>("language");
+        QTest::addColumn<bool>("cab");
+        QTest::addColumn<int>("live"); // -1: no scanner
+        const bool every = qEnvironmentVariableIsSet("EDGESCAN_EVERY_STATE");
+        const int languages = static_cast<int>(std::size(kLanguages));
+        for (int language = 0; language < languages; ++language) {
+            for (const bool cab : {false, true}) {
+                for (int live = -1; live < static_cast<int>(kLive.size()); ++live) {
+                    if (!every && live >= 0 && (live + 2 * (cab ? 1 : 0)) % languages != language) continue;
+                    const QString name = QString("%1-%2-%3")
+                                             .arg(kLanguages[language].code, cab ? "cab" : "desk",
+                                                  live < 0 ? "file" : kLive[static_cast<std::size_t>(live)].name);
+                    QTest::newRow(qPrintable(QString(name).replace(' ', '-'))) << language << cab << live;
                 }
-                faults << look(on, QString("%1-%2x%3-%4").arg(language).arg(size.width()).arg(size.height()).arg(mode.name));
             }
-            QVERIFY2(mode.leave(on), mode.name);
+        }
+    }
+    void everythingFits() {
+        QFETCH(int, language);
+        QFETCH(bool, cab);
+        QFETCH(int, live);
+        QVERIFY(useLanguage(kLanguages[language].code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+        const QString row = QTest::currentDataTag();
+        const LiveState* state = live < 0 ? nullptr : &kLive[static_cast<std::size_t>(live)];
+        const auto desk = deskOf(row, state == nullptr ? 0.0 : state->linesPerSecond);
+        QVERIFY(desk != nullptr);
+        desk->on.window.resize(1280, 800);
+        QVERIFY(desk->on.showWith(bell_) && desk->on.activate());
+        desk->on.viewer.notice.hide();
+        desk->cab = cab;
+        desk->on.window.cab().set(cab);
+        QVERIFY(state == nullptr || state->enter(*desk));
+        QStringList faults;
+        int number = 0;
+        for (const State& mode : modes(cab, state != nullptr)) {
+            QVERIFY2(mode.enter(*desk), mode.name);
+            for (std::size_t n = 0; n < kSizes.size(); ++n) {
+                // Without a scanner two languages share the sizes of a mode.
+                const bool here = state != nullptr || qEnvironmentVariableIsSet("EDGESCAN_EVERY_STATE") ||
+                                  (static_cast<int>(n) + language + number) % 2 == 0;
+                const QString where = QString("%1-%2-%3x%4").arg(row, mode.name).arg(kSizes[n].width()).arg(kSizes[n].height());
+                if (here) faults << faultsAt(*desk, kSizes[n], where);
+            }
+            QVERIFY2(mode.leave(*desk), mode.name);
+            ++number;
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
     }
@@ -188,7 +346,8 @@ private slots:
         StartPage* page = showStart(on.window, on.preferences);
         QTRY_VERIFY(page->isVisible());
         for (const QSize size : {QSize(1280, 800), QSize(1600, 900), QSize(1366, 768), QSize(1900, 1000)}) {
-            QVERIFY(resizedTo(on, size));
+            on.window.resize(size);
+            QTRY_COMPARE(on.window.size(), size);
             const QPoint corner = page->mapToGlobal(QPoint());
             int worst = 0;
             const auto painted = [&] {
@@ -203,137 +362,6 @@ private slots:
             };
             QTRY_VERIFY2(painted(), qPrintable(QString("%1 black pixels in a column at %2").arg(worst).arg(size.width())));
         }
-    }
-
-    // Live, recording, rocks, the end of a sweep, notices, work that can be cancelled, a recording that is played: in a cab nothing is
-    // larger than the screen, and Locked, the only way out, is on it.
-    void noStateOfACabIsLargerThanTheScreen_data() {
-        QTest::addColumn<QString>("language");
-        for (const Language& language : kLanguages) QTest::newRow(language.code) << QString(language.code);
-    }
-    void noStateOfACabIsLargerThanTheScreen() {
-        QFETCH(QString, language);
-        QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
-        scanner::EmulatedScannerSettings settings;
-        settings.linesPerSecond = 150;
-        auto telegrams = scanner::telegramsOf(live_);
-        QVERIFY(bool(telegrams));
-        const auto emulated =
-            scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
-        QVERIFY(bool(emulated));
-        scanner::SweepSettings sweep;
-        sweep.expectedLines = live_.lines();
-        sweep.degPerLine = 180.0 / live_.lines();
-        sweep.firstLineDeg = -90;
-        sweep.axis = Axis::Sweep;
-        WindowFixture on;
-        Live& live = on.viewer.live;
-        const QString folder = QString::fromStdString((folder_ / ("cab-" + language.toStdString())).string());
-        live.setRecordingFolder(folder);
-        QVERIFY(on.showWith(bell_) && on.activate());
-        on.window.cab().set(true);
-        const auto recorded = [&] { return QDir(folder).entryList({"sweep_*.mcap"}); };
-        const std::vector<std::pair<const char*, std::function<bool()>>> states{
-            {"connected",
-             [&] {
-                 live.connectTo("127.0.0.1", (*emulated)->port(), sweep);
-                 return eventually([&] { return live.grows(); });
-             }},
-            {"recording",
-             [&] {
-                 live.record(true);
-                 return eventually([&] { return !live.scanner().health().recording.empty(); });
-             }},
-            {"rocks",
-             [&] {
-                 on.viewer.rocks.setShown(true);
-                 return eventually([&] { return on.viewer.rocks.picture() != nullptr; });
-             }},
-            {"held at the end", [&] { return eventually([&] { return !live.scanner().following() && on.viewer.notice.isVisible(); }); }},
-            {"notices",
-             [&] {
-                 for (const char* text : {"one", "two"})
-                     on.viewer.notice.showNotice(NoticeBar::Kind::Warning,
-                                                 QString(text) + QString(" /a/long/path/without/blanks").repeated(9));
-                 on.viewer.notice.offer(QObject::tr("Does this look right?"), [] {});
-                 return true;
-             }},
-            {"target",
-             [&] {
-                 on.viewer.views.pin(on.picture().detection->edges->front());
-                 return eventually([&] { return on.viewer.targets.settled(); });
-             }},
-            {"work",
-             [&] {
-                 on.window.cab().frame().head().showWork(QString("Opening a file of a long name: stage, 40 % ").repeated(4));
-                 return true;
-             }},
-            {"another picture", [&] { return on.open(bell_); }},
-            {"stopped",
-             [&] {
-                 live.scanner().disconnectScanner();
-                 return eventually([&] { return !live.scanner().recording() && recorded().size() == 1; });
-             }},
-            {"played",
-             [&] {
-                 on.viewer.rocks.setShown(false);
-                 return eventually([&] { return live.scanner().recordingClosed(); }) &&
-                        on.open(QDir(folder).filePath(recorded().front()).toStdString()) &&
-                        eventually([&] { return live.timeline().isVisible(); });
-             }},
-        };
-        QStringList faults;
-        for (const auto& [name, enter] : states) {
-            QVERIFY2(enter(), name);
-            for (const QSize size : {QSize(1280, 800), QSize(1024, 768), QSize(853, 533)}) {
-                // What folds on the way makes room for a smaller window.
-                const bool shrunk = eventually([&] {
-                    on.window.resize(size);
-                    QApplication::processEvents();
-                    return on.window.size() == size.expandedTo(on.window.minimumSizeHint());
-                });
-                QVERIFY2(shrunk, name);
-                for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
-                const QString where = QString("%1, %2 at %3 x %4: ").arg(language, name).arg(size.width()).arg(size.height());
-                if (on.window.size() != size) faults << where + QString("it is %1 x %2").arg(on.window.width()).arg(on.window.height());
-                const QWidget& locked = *on.window.cab().frame().head().locked();
-                if (!locked.isVisible() || !on.window.rect().contains(QRect(locked.mapTo(&on.window, QPoint()), locked.size())))
-                    faults << where + "Locked is off the screen";
-                QStringList cut = faultsIn(on.window);
-                for (int n = 0; n < 20 && !cut.isEmpty(); ++n) { // a number of the scanner may just have changed
-                    QApplication::processEvents();
-                    cut = faultsIn(on.window);
-                }
-                for (const QString& fault : cut) faults << where + fault;
-                const QString pictures = qEnvironmentVariable("EDGESCAN_LOOK");
-                if (!pictures.isEmpty())
-                    pictureOf(on).save(
-                        QString("%1/cab-%2-%3-%4.png").arg(pictures, language, QString(name).replace(' ', '-')).arg(size.width()));
-            }
-        }
-        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
-    }
-
-    void nothingIsCutInACab_data() { nothingIsCutInAnyMode_data(); }
-    void nothingIsCutInACab() {
-        QFETCH(QString, language);
-        QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
-        WindowFixture on;
-        QVERIFY(on.showWith(bell_) && on.activate());
-        on.window.cab().set(true);
-        on.viewer.views.pin(on.picture().detection->edges->front());
-        QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
-        QStringList faults;
-        for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1920, 1080)}) {
-            QVERIFY(resizedTo(on, size));
-            // No empty row below the visible switches.
-            int lowest = 0;
-            for (const auto* box : on.viewer.legend.findChildren<QCheckBox*>())
-                lowest = std::max(lowest, box->isVisible() ? box->geometry().bottom() : 0);
-            QVERIFY2(on.viewer.legend.height() - lowest < 36, qPrintable(QString::number(on.viewer.legend.height() - lowest)));
-            faults << look(on, QString("%1-%2x%3-cab").arg(language).arg(size.width()).arg(size.height()));
-        }
-        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
     }
 };
 

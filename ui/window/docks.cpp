@@ -130,23 +130,35 @@ int Docks::usualWidth(const QDockWidget& dock) const {
     return std::max(std::clamp(usual, kLeastPanel, kMostPanel), dock.minimumSizeHint().width());
 }
 
-int Docks::setWidths(int most) {
-    int panels = 0, usual = 0;
+std::vector<QDockWidget*> Docks::openAtRight() const {
     std::vector<QDockWidget*> open;
     for (const Dock& dock : docks_) {
-        if (sideOf(dock) != Side::Right || dock.widget->isHidden() || dock.widget->isFloating()) continue;
-        open.push_back(dock.widget);
-        usual = std::max(usual, usualWidth(*dock.widget));
-        panels = std::max(panels, dock.widget->width());
+        if (sideOf(dock) == Side::Right && !dock.widget->isHidden() && !dock.widget->isFloating()) open.push_back(dock.widget);
+    }
+    return open;
+}
+
+int Docks::setWidths(int most) {
+    const std::vector<QDockWidget*> open = openAtRight();
+    const int rail = rail_.isHidden() ? 0 : rail_.sizeHint().width();
+    if (open.empty()) return rail;
+    int usual = 0, now = 0;
+    for (const QDockWidget* dock : open) {
+        usual = std::max(usual, usualWidth(*dock));
+        now = std::max(now, dock->width());
     }
     // no operator wants a panel that cuts off text, or one that takes the cloud's room
-    const bool follows = arranged_ == 0 || std::abs(panels - arranged_) <= kSamePx || panels < kLeastPanel || panels > most;
-    if (!open.empty() && follows) {
-        arranged_ = panels = usual;
-        for (QDockWidget* dock : open) window_.resizeDocks({dock}, {usual}, Qt::Horizontal); // its width changes later
+    arranged_ = dragged_ >= kLeastPanel && dragged_ <= most ? dragged_ : usual;
+    if (std::abs(now - arranged_) > kSamePx) {
+        for (QDockWidget* dock : open) window_.resizeDocks({dock}, {arranged_}, Qt::Horizontal); // its width changes later
     }
-    if (!open.empty()) panels += window_.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window_);
-    return panels + (rail_.isHidden() ? 0 : rail_.sizeHint().width());
+    return arranged_ + rail + window_.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window_);
+}
+
+void Docks::noteDrag() {
+    int now = 0;
+    for (const QDockWidget* dock : openAtRight()) now = std::max(now, dock->width());
+    if (now > 0 && arranged_ > 0 && std::abs(now - arranged_) > kSamePx) dragged_ = now;
 }
 
 void Docks::place() {
@@ -177,7 +189,7 @@ void Docks::stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea ot
 
 void Docks::reset() {
     for (const Dock& dock : docks_) keep(*dock.widget, QString());
-    arranged_ = 0;
+    dragged_ = 0;
     place();
     emit changed();
 }

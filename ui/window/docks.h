@@ -31,12 +31,14 @@ public:
     void wantOpen();
     /// While locked all are hidden and nothing opens one.
     void setLocked(bool on);
-    /// After fit(): gives the open docks at the right their usual width, except where the operator dragged them to another one. Returns px
-    /// of the window's width that they take, with the rail.
+    /// After fit(): gives the open docks at the right the width to which the operator dragged them, else their usual one. Returns px of the
+    /// window's width that they take, with the rail.
     int setWidths(int most);
-    /// For the settings memory: the width that setWidths() gave last.
-    [[nodiscard]] int arrangedWidth() const { return arranged_; }
-    void setArrangedWidth(int width) { arranged_ = width; }
+    /// The operator let go of the edge of a dock.
+    void noteDrag();
+    /// For the settings memory; 0: it was never dragged.
+    [[nodiscard]] int draggedWidth() const { return dragged_; }
+    void setDraggedWidth(int width) { dragged_ = width; }
 
 signals:
     /// A dock is wanted, or the operator opened or folded one: fit() is needed.
@@ -57,6 +59,7 @@ private:
     [[nodiscard]] Side sideOf(const Dock& dock) const;
     [[nodiscard]] bool isOpenAt(const Dock& dock, int width, int most) const;
     [[nodiscard]] int usualWidth(const QDockWidget& dock) const;
+    [[nodiscard]] std::vector<QDockWidget*> openAtRight() const;
     void place();
     void stack();
     void stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise);
@@ -67,7 +70,8 @@ private:
     Preferences& preferences_;
     std::vector<Dock> docks_; // in their order from top to bottom
     bool locked_ = false;
-    int arranged_ = 0; // width set by setWidths(): a dock that still has this width follows the window
+    int arranged_ = 0; // width set by setWidths()
+    int dragged_ = 0;  // 0: the width follows the window
 };
 
 } // namespace edgescan::ui

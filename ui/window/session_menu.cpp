@@ -67,6 +67,7 @@ std::map<std::string, std::string> MainWindow::layoutKept() const {
             {"views", text(splitter_->saveState())},
             {"pictures", text(images_->saveState())},
             {"large", text(places_->text().toUtf8())},
+            {"panel", text(QByteArray::number(docks_->draggedWidth()))},
             {"alone", text(alone)}};
 }
 
@@ -78,6 +79,7 @@ void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
     if (cab_->on() || layout.empty()) return;
     restoreState(bytes("docks"));
     docks_->wantOpen();
+    docks_->setDraggedWidth(bytes("panel").toInt());
     places_->use(QString::fromUtf8(bytes("large")));
     splitter_->restoreState(bytes("views"));
     images_->restoreState(bytes("pictures"));

@@ -102,7 +102,7 @@ void MainWindow::remember() {
     viewer_.preferences.keep("window/views", splitter_->saveState());
     viewer_.preferences.keep("window/images", images_->saveState());
     viewer_.preferences.keep("window/images-width", QString::number(arrangedImages_));
-    viewer_.preferences.keep("window/panel-width", QString::number(docks_->arrangedWidth()));
+    viewer_.preferences.keep("window/panel-dragged", QString::number(docks_->draggedWidth()));
 }
 
 void MainWindow::restoreLayout() {
@@ -116,7 +116,7 @@ void MainWindow::restoreLayout() {
     places_->use(viewer_.preferences.text("window/large-view"));
     splitter_->restoreState(viewer_.preferences.bytes("window/views"));
     arrangedImages_ = viewer_.preferences.text("window/images-width").toInt();
-    docks_->setArrangedWidth(viewer_.preferences.text("window/panel-width").toInt());
+    docks_->setDraggedWidth(viewer_.preferences.text("window/panel-dragged").toInt());
     // A window on a screen that no longer exists is moved back; a window of a larger screen is shrunk.
     const QScreen* at = nullptr;
     for (const QScreen* each : QGuiApplication::screens()) {
@@ -159,6 +159,13 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (watched == splitter_ && event->type() == QEvent::Resize)
         QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
     return QMainWindow::eventFilter(watched, event);
+}
+
+/// The window itself gets the mouse only at the edges of its docks.
+bool MainWindow::event(QEvent* event) {
+    const bool done = QMainWindow::event(event);
+    if (event->type() == QEvent::MouseButtonRelease) docks_->noteDrag();
+    return done;
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

@@ -40,7 +40,7 @@ void CornerPicture::setWords(const QString& words) {
     update();
 }
 
-/// At most a quarter of the available space, in the aspect ratio of the image.
+/// At most a quarter of the available space, in the aspect ratio of the image. A low view has no room for the words of a picture.
 void CornerPicture::place() {
     const QSize room = parentWidget()->size();
     int width = std::min(kWidest, std::max(kNarrowest, room.width() / 4));
@@ -49,7 +49,9 @@ void CornerPicture::place() {
         const double shape = static_cast<double>(image_->height()) / image_->width();
         height = static_cast<int>(std::min(width * shape, room.height() * 0.4));
     }
-    const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + wordsHeight(width));
+    const bool enough = height < kFewestForWords || wordsHeight(width) <= room.height() * 0.4;
+    words_ = enough ? std::min(wordsHeight(width), std::max(kFewestForWords, room.height() - 2 * kFromEdge - height)) : 0;
+    const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + words_);
     if (at.size() != size()) scaled_ = QPixmap();
     const int before = reach();
     setGeometry(at);
@@ -78,7 +80,7 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), QColor(0x1b, 0x1d, 0x1f));
-    const QRect above = rect().adjusted(0, 0, 0, -wordsHeight(width()));
+    const QRect above = rect().adjusted(0, 0, 0, -words_);
     if (image_ && !image_->isNull() && above.height() > 0) {
         if (scaled_.isNull()) {
             const QSize pixels = image_->size().scaled(above.size() * devicePixelRatioF(), Qt::KeepAspectRatio);
@@ -95,7 +97,9 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
         }
     }
     painter.setPen(QColor(0xe8, 0xe8, 0xe8));
-    painter.drawText(rect().adjusted(kMargin, above.height(), -kMargin, 0), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text());
+    if (words_ > 0)
+        painter.drawText(rect().adjusted(kMargin, above.height(), -kMargin, 0), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+                         text());
     painter.setPen(QPen(hasFocus() ? QColor(0x6c, 0xb2, 0xff) : QColor(0x63, 0x68, 0x6e), hasFocus() ? 2.0 : 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));

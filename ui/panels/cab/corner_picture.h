@@ -40,6 +40,7 @@ private:
     std::shared_ptr<const QImage> image_;
     std::optional<QPoint> marked_;
     QPixmap scaled_;
+    int words_ = 0; // px of its height
 };
 
 } // namespace edgescan::ui

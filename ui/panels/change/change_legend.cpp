@@ -6,16 +6,21 @@
 #include "ui/panels/change/distance_view.h"
 
 #include <QCheckBox>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPixmap>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace edgescan::ui {
 namespace {
 
 constexpr int kLongestName = 30; // characters
+constexpr int kAround = 32;      // px: of the plate and of the view
+constexpr int kBeforeName = 70;  // px of a row: switch, colour, gaps
 
 QString nameOf(ChangeRow row) {
     switch (row) {
@@ -36,6 +41,25 @@ QString nameOf(ChangeRow row) {
 
 QString thousands(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
+/// Breaks lines that are wider, at blanks.
+QString broken(const QString& text, const QFontMetrics& letters, int width) {
+    QString result;
+    for (const QString& line : text.split('\n')) {
+        QString begun;
+        for (const QString& word : line.split(' ')) {
+            const QString longer = begun.isEmpty() ? word : begun + ' ' + word;
+            if (begun.isEmpty() || letters.horizontalAdvance(longer) <= width) {
+                begun = longer;
+                continue;
+            }
+            result += begun + '\n';
+            begun = word;
+        }
+        result += begun + '\n';
+    }
+    return result.chopped(1);
+}
+
 QLabel* wordsOf(QWidget* parent, const char* name) {
     auto* label = new QLabel(parent);
     label->setObjectName(name);
@@ -51,6 +75,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
       byDistance_(new QCheckBox(tr("colour by distance from A"), this)), histogram_(new DistanceView(this)),
       distances_(wordsOf(this, "change-distances")), next_(new QToolButton(this)) {
     setObjectName("change-legend");
+    for (QLabel* label : {title_, how_, region_}) words_[label] = QString();
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(8, 6, 8, 6);
@@ -63,7 +88,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     for (int n = 0; n < kChangeRows; ++n) {
         const auto row = static_cast<ChangeRow>(n);
         Row& made = rows_[static_cast<std::size_t>(n)];
-        made = {new QCheckBox(nameOf(row)), new QLabel};
+        made = {new QCheckBox, new QLabel};
         made.box->setObjectName(QString("change-%1").arg(n));
         made.box->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
         made.box->setChecked(true);
@@ -79,7 +104,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     byDistance_->setFocusPolicy(Qt::TabFocus);
     connect(byDistance_, &QCheckBox::toggled, this, &ChangeLegend::distancesRequested);
     grid->addWidget(how_, kChangeRows + 1, 0, 1, 2);
-    covered_->setText(tr("Rocks cover them in the cloud"));
+    setWords(*covered_, tr("Rocks cover them in the cloud"));
     covered_->hide();
     grid->addWidget(covered_, kChangeRows + 2, 0, 1, 2);
     next_->setText(tr("Next changed region"));
@@ -112,30 +137,61 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
                               .arg(comparison->change.differMm, 0, 'f', 0)
                               .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
-    how_->setText(how);
+    setWords(*how_, how);
     how_->setVisible(rowsShown_ || comparison == nullptr);
     const auto distances = comparison != nullptr && rowsShown_ ? comparison->distances : nullptr;
     byDistance_->setVisible(rowsShown_ && comparison != nullptr && comparison->isOfTwoScans());
     histogram_->showDistances(distances);
     distances_->setVisible(distances != nullptr);
     if (distances)
-        distances_->setText(tr("half of the points are nearer than %1\n%2 are farther than %3")
-                                .arg(shortLength(distances->histogram.medianM))
-                                .arg(thousands(distances->histogram.beyond))
-                                .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
+        setWords(*distances_, tr("half of the points are nearer than %1\n%2 are farther than %3")
+                                  .arg(shortLength(distances->histogram.medianM))
+                                  .arg(thousands(distances->histogram.beyond))
+                                  .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
     next_->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
     showRegion(QString());
     showFlipped(flipped_);
     show();
+    fit();
+}
+
+void ChangeLegend::setWords(QLabel& label, const QString& words) {
+    words_[&label] = words;
+    fit();
+}
+
+/// Breaks texts into lines that a narrow view has room for.
+void ChangeLegend::fit() {
+    if (parentWidget() == nullptr) return;
+    const int room = parentWidget()->width() - kAround;
+    for (const auto& [label, words] : words_) label->setText(broken(words, label->fontMetrics(), room));
+    int counts = 0;
+    for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
+    for (int n = 0; n < kChangeRows; ++n) {
+        QCheckBox& box = *rows_[static_cast<std::size_t>(n)].box;
+        box.setText(broken(nameOf(static_cast<ChangeRow>(n)), box.fontMetrics(), room - counts - kBeforeName));
+    }
     adjustSize();
+}
+
+bool ChangeLegend::event(QEvent* event) {
+    if (event->type() == QEvent::ParentChange && parentWidget() != nullptr) {
+        parentWidget()->installEventFilter(this);
+        fit();
+    }
+    return ViewPlate::event(event);
+}
+
+bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && watched == parentWidget()) fit();
+    return ViewPlate::eventFilter(watched, event);
 }
 
 void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
 
 void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;
-    title_->setText(flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1\nhold \\ to see it").arg(before_));
-    adjustSize();
+    setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1\nhold \\ to see it").arg(before_));
 }
 
 void ChangeLegend::showCovered(bool on) {
@@ -144,15 +200,14 @@ void ChangeLegend::showCovered(bool on) {
 }
 
 void ChangeLegend::showRegion(const QString& words) {
-    region_->setText(words);
     region_->setVisible(!words.isEmpty());
-    adjustSize();
+    setWords(*region_, words);
 }
 
 QString ChangeLegend::counted(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].count->text(); }
-QString ChangeLegend::howText() const { return how_->text(); }
-QString ChangeLegend::titleText() const { return title_->text(); }
-QString ChangeLegend::regionText() const { return region_->text(); }
+QString ChangeLegend::howText() const { return words_.at(how_); }
+QString ChangeLegend::titleText() const { return words_.at(title_); }
+QString ChangeLegend::regionText() const { return words_.at(region_); }
 
 void ChangeLegend::setRows(const ChangeRows& rows) {
     for (std::size_t n = 0; n < rows.size(); ++n) rows_[n].box->setChecked(rows[n]);

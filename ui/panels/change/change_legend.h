@@ -4,6 +4,9 @@
 #include "ui/base/view_plate.h"
 #include "ui/panels/change/comparison.h"
 
+#include <array>
+#include <map>
+
 class QCheckBox;
 class QLabel;
 class QToolButton;
@@ -48,6 +51,10 @@ private:
         QCheckBox* box = nullptr;
         QLabel* count = nullptr;
     };
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void setWords(QLabel& label, const QString& words);
+    void fit();
     void emitRows();
 
     QLabel *title_, *how_, *covered_, *region_;
@@ -56,6 +63,7 @@ private:
     DistanceView* histogram_;
     QLabel* distances_;
     QToolButton* next_;
+    std::map<QLabel*, QString> words_; // before they are broken into lines
     QString before_;
     bool flipped_ = false;
     bool rowsShown_ = true;
