@@ -244,6 +244,35 @@ inline void addBridgeSeeds(std::vector<SeedFile>& seeds, const Scan& scan) {
     seeds.push_back({"bridge", "", std::string("\1\1\3\0\0\0\0\0\0\0\0\0\0\0payload", 21)});
 }
 
+/// A VLP-16's datagram, an Ouster's metadata, and a datagram of two columns of three pixels.
+inline void addSpinningSeeds(std::vector<SeedFile>& seeds) {
+    std::string velodyne(1, '\0');
+    for (int block = 0; block < 12; ++block) {
+        putAt(velodyne, velodyne.size(), std::uint16_t{0xEEFF});
+        putAt(velodyne, velodyne.size(), static_cast<std::uint16_t>(40 * block)); // hundredths of a degree
+        for (int shot = 0; shot < 32; ++shot) {
+            putAt(velodyne, velodyne.size(), static_cast<std::uint16_t>(3000 + 10 * shot)); // 2 mm
+            velodyne += '\x20';
+        }
+    }
+    putAt(velodyne, velodyne.size(), std::uint32_t{1000000}); // microseconds of the hour
+    seeds.push_back({"spinning", "", velodyne + "\x37\x22"});
+    seeds.push_back(
+        {"spinning", "", R"({"beam_altitude_angles":[2,1,0],"beam_azimuth_angles":[0,0,0],"lidar_mode":"1024x10","prod_line":"OS-1"})"});
+    seeds.back().bytes.insert(0, 1, '\1');
+    std::string ouster(1, '\2');
+    for (std::uint16_t column = 0; column < 2; ++column) {
+        putAt(ouster, ouster.size(), std::uint64_t{100000} * column); // ns
+        putAt(ouster, ouster.size(), column);
+        putAt(ouster, ouster.size(), std::uint16_t{0});
+        putAt(ouster, ouster.size(), std::uint32_t{88} * column);
+        for (std::uint32_t pixel = 0; pixel < 3; ++pixel)
+            for (const std::uint32_t word : {5000 + pixel, 20U, 0U}) putAt(ouster, ouster.size(), word);
+        putAt(ouster, ouster.size(), std::uint32_t{0xFFFFFFFF});
+    }
+    seeds.push_back({"spinning", "", ouster});
+}
+
 /// The same, and seeds of files that are not scans: telegrams, recordings (without their magic bytes), poses, calibrations, and the files
 /// that the programs write for themselves.
 inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
@@ -279,6 +308,7 @@ inline std::vector<SeedFile> seedsOfEveryFuzzer(int lines = 6, int beams = 11) {
         seeds.push_back({"ros_message", "", (cdr ? '\1' : '\0') + length + definition + text(messages.messages.back().bytes)});
     }
     addBridgeSeeds(seeds, scan);
+    addSpinningSeeds(seeds);
     seeds.push_back({"notebook", "", smallNotebook()});
     seeds.push_back({"journal", "", smallJournal()});
     return seeds;

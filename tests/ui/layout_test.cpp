@@ -137,7 +137,20 @@ private slots:
                 for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
                 const CloudView& cloud = on.viewer.views.cloud();
                 const QString where = QString("%1 at %2 x %3: ").arg(name).arg(window.width()).arg(window.height());
-                if (cloud.width() < 0.55 * window.width() - 1) faults << where + QString("cloud %1").arg(cloud.width());
+                if (cloud.width() < 0.55 * window.width() - 1) {
+                    QString docks;
+                    for (const auto* each : window.findChildren<QDockWidget*>())
+                        if (each->isVisible())
+                            docks += QString(", %1 %2 (at least %3)")
+                                         .arg(each->objectName())
+                                         .arg(each->width())
+                                         .arg(each->minimumSizeHint().width());
+                    faults << where +
+                                  QString("cloud %1, images %2")
+                                      .arg(cloud.width())
+                                      .arg(on.viewer.views.gray().isVisible() ? on.viewer.views.gray().width() : 0) +
+                                  docks;
+                }
                 for (const auto* each : window.findChildren<QDockWidget*>()) {
                     if (!each->isVisible() || each->visibleRegion().isEmpty()) continue; // behind another tab
                     if (!each->widget()->isVisible() || each->widget()->height() < 40 || each->widget()->width() < 100)

@@ -200,10 +200,23 @@ QImage pictureOf(WindowFixture& on) {
     return picture;
 }
 
+/// The innermost widgets that demand more than half of a width.
+QString demanding(const QWidget& window, int width) {
+    QStringList names;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        const int least = std::max(widget->minimumWidth(), widget->minimumSizeHint().width());
+        const bool hidden = !widget->isVisible() || widget->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
+        if (!hidden && least > width / 2 && widget->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly).isEmpty())
+            names << QString("%1 %2 (%3)").arg(widget->metaObject()->className(), widget->objectName()).arg(least);
+    }
+    return names.join(", ");
+}
+
 QStringList faultsNow(Desk& desk, QSize size) {
     MainWindow& window = desk.on.window;
     QStringList faults;
-    if (window.size() != size) faults << QString("it is %1 x %2").arg(window.width()).arg(window.height());
+    if (window.size() != size)
+        faults << QString("it is %1 x %2; %3").arg(window.width()).arg(window.height()).arg(demanding(window, size.width()));
     if (desk.cab) {
         const QWidget& locked = *window.cab().frame().head().locked();
         if (!locked.isVisible() || !window.rect().contains(QRect(locked.mapTo(&window, QPoint()), locked.size())))

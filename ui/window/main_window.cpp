@@ -163,7 +163,7 @@ void MainWindow::layOutViews() {
         splitter->setHandleWidth(5);
         connect(splitter, &QSplitter::splitterMoved, this, [this] { rememberTimer_.start(); });
     }
-    splitter_->installEventFilter(this);
+    for (QWidget* widget : {static_cast<QWidget*>(splitter_), pictures_}) widget->installEventFilter(this);
     splitter_->setStretchFactor(0, 0); // additional width goes to the cloud
     splitter_->setStretchFactor(1, 1);
     places_ = new PanePlaces(*splitter_, *images_, panes_, this);

@@ -154,9 +154,9 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     rememberTimer_.start();
 }
 
-/// A dock, a notice or the strip takes room of the views, or gives it back.
+/// A dock, a notice or the strip takes room of the views, or gives it back; images that are shown again come back at their old width.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == splitter_ && event->type() == QEvent::Resize)
+    if ((watched == splitter_ || watched == pictures_) && event->type() == QEvent::Resize)
         QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
     return QMainWindow::eventFilter(watched, event);
 }
