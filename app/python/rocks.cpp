@@ -60,7 +60,7 @@ struct AsPython {
     py::object operator()(std::span<const std::uint32_t> list) const {
         py::list rocks;
         for (const std::uint32_t rock : list) rocks.append(rock);
-        return std::move(rocks);
+        return rocks;
     }
     template <class Value>
     py::object operator()(const Value& value) const {

@@ -39,8 +39,7 @@ TEST(LostLines, CostMemoryInProportionToTheFile) {
         const std::string recording = (folder / (std::to_string(claim.telegrams) + "x" + std::to_string(claim.beams) + ".mcap")).string();
         ASSERT_NO_FATAL_FAILURE(writeRecording(recording, claim));
         const auto perFile = static_cast<int>(std::filesystem::file_size(recording) * 100 / 1'000'000);
-        for (const auto& [command, megabytes] :
-             {std::pair{"info", 110}, {"detect", 160}, {"why --cell 0,10", 160}, {"thumbnail", 110}}) {
+        for (const auto& [command, megabytes] : {std::pair{"info", 110}, {"detect", 160}, {"why --cell 0,10", 160}, {"thumbnail", 110}}) {
             const bool picture = std::string(command) == "thumbnail";
             const std::string asked = std::string(command) + ' ' + recording + (picture ? ' ' + (folder / "small.png").string() : "");
             const auto run = runWithin(megabytes + perFile, asked);

@@ -235,7 +235,11 @@ void MainWindow::showOrigin() {
     const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(viewer_.origin.text() + "\n" + origin.more);
-    viewer_.tools.reserve(viewer_.origin.parentWidget()->sizeHint().width());
+    const QWidget& place = *viewer_.origin.parentWidget();
+    const QStyle& looks = *style();
+    const int around = 2 * (looks.pixelMetric(QStyle::PM_ToolBarItemMargin) + looks.pixelMetric(QStyle::PM_ToolBarFrameWidth));
+    constexpr int kLeastFrame = 8; // px, of its bar
+    viewer_.tools.reserve(place.sizeHint().width() + std::max(kLeastFrame, around));
     arrange(); // the badge has another width
     viewer_.targets.setSource(origin.badge);
     emit originShown();

@@ -81,7 +81,7 @@ void StateBadge::showState(Sign sign, const QString& text) {
 
 QSize StateBadge::sizeHint() const {
     const QFontMetrics metrics(font());
-    return {kMargin + kShape + kMargin + metrics.horizontalAdvance(text_) + kMargin, std::max(metrics.height(), kShape) + kMargin};
+    return {kMargin + kShape + kMargin + metrics.horizontalAdvance(text_) + kMargin / 2 + 1, std::max(metrics.height(), kShape) + kMargin};
 }
 
 QSize StateBadge::minimumSizeHint() const {
