@@ -1,4 +1,4 @@
-// Bags as nobody wrote them for a test: random names, namespaces, orders of fields, byte orders, containers, sources of angles, jitter,
+// Bags that were not written for a test: random names, namespaces, orders of fields, byte orders, containers, sources of angles, jitter,
 // gaps, other lasers and other topics, clocks that were set. The scan and its edges are those of the grid that was sent.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/files/open_save/open_scan.h"
