@@ -236,9 +236,9 @@ private slots:
         QVERIFY(on.ready);
         on.click("calibration-start");
         QVERIFY(on.card->working());
-        on.click("calibration-start"); // the button is "Give Up" now
+        on.click("calibration-start"); // the button is "Stop" now
         QVERIFY(!on.card->working());
-        QCOMPARE(on.card->verdict(), QString("✕ given up"));
+        QCOMPARE(on.card->verdict(), QString("✕ stopped"));
         on.click("calibration-start");
         QVERIFY(on.found()); // the cancelled question has no effect
         QVERIFY(on.open(half_));
