@@ -254,7 +254,7 @@ private slots:
         on.viewer.files.openDemo();
         QVERIFY(on.settled());
         calibrateAction(on.window)->trigger();
-        QVERIFY(on.viewer.notice.text().contains("comes from no file"));
+        QVERIFY(on.viewer.notice.text().contains("does not come from a file"));
     }
 };
 
