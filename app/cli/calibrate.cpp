@@ -150,7 +150,7 @@ Result<Done> calibrate(const Calibrate& asked) {
     }
     if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", report));
     if (!isStandardOutput(asked.out))
-        printResult(tableOf(*found) + seamLine(report) + "Nothing is applied by itself: give the file with --calibration.\n");
+        printResult(tableOf(*found) + seamLine(report) + "Nothing is applied automatically: give the file with --calibration.\n");
     return Done{};
 }
 

@@ -268,9 +268,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The calibration could not be saved (%1).</source><translation>No se pudo guardar la calibración (%1).</translation></message>
 <message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Este escaneo se abrió sin pose, así que no tiene un lugar que la calibración pueda corregir: indique ambas en Escaneo &gt; Cómo se lee el escaneo.</translation></message>
 <message><source>Apply Calibration</source><translation>Aplicar la calibración</translation></message>
-<message><source>lever arm t1, in the plane of the beams</source><translation>brazo de palanca t1, en el plano de los haces</translation></message>
-<message><source>lever arm t2, across that plane</source><translation>brazo de palanca t2, transversal a ese plano</translation></message>
-<message><source>tilt of the plane of the beams</source><translation>inclinación del plano de los haces</translation></message>
+<message><source>lever arm t1, in the scan plane</source><translation>brazo de palanca t1, en el plano de barrido</translation></message>
+<message><source>lever arm t2, across the plane</source><translation>brazo de palanca t2, transversal al plano</translation></message>
+<message><source>tilt of the scan plane</source><translation>inclinación del plano de barrido</translation></message>
 <message><source>beam index</source><translation>índice de los haces</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
 <message><source>unchanged</source><translation>sin cambio</translation></message>

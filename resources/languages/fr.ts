@@ -268,9 +268,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The calibration could not be saved (%1).</source><translation>L'étalonnage n'a pas pu être enregistré (%1).</translation></message>
 <message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Ce scan a été ouvert sans pose, il n'a donc pas de position que l'étalonnage pourrait corriger : donnez les deux dans Scan &gt; Comment le scan est lu.</translation></message>
 <message><source>Apply Calibration</source><translation>Appliquer l'étalonnage</translation></message>
-<message><source>lever arm t1, in the plane of the beams</source><translation>bras de levier t1, dans le plan des faisceaux</translation></message>
-<message><source>lever arm t2, across that plane</source><translation>bras de levier t2, en travers de ce plan</translation></message>
-<message><source>tilt of the plane of the beams</source><translation>inclinaison du plan des faisceaux</translation></message>
+<message><source>lever arm t1, in the scan plane</source><translation>bras de levier t1, dans le plan de balayage</translation></message>
+<message><source>lever arm t2, across the plane</source><translation>bras de levier t2, en travers du plan</translation></message>
+<message><source>tilt of the scan plane</source><translation>inclinaison du plan de balayage</translation></message>
 <message><source>beam index</source><translation>index des faisceaux</translation></message>
 <message><source>turn at 180°</source><translation>rotation à 180°</translation></message>
 <message><source>unchanged</source><translation>inchangé</translation></message>

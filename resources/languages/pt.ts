@@ -268,9 +268,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The calibration could not be saved (%1).</source><translation>Não foi possível salvar a calibração (%1).</translation></message>
 <message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Esta varredura foi aberta sem pose, então não tem um lugar que a calibração pudesse corrigir: dê as duas em Varredura &gt; Como a varredura é lida.</translation></message>
 <message><source>Apply Calibration</source><translation>Aplicar a calibração</translation></message>
-<message><source>lever arm t1, in the plane of the beams</source><translation>braço de alavanca t1, no plano dos feixes</translation></message>
-<message><source>lever arm t2, across that plane</source><translation>braço de alavanca t2, transversal a esse plano</translation></message>
-<message><source>tilt of the plane of the beams</source><translation>inclinação do plano dos feixes</translation></message>
+<message><source>lever arm t1, in the scan plane</source><translation>braço de alavanca t1, no plano de varredura</translation></message>
+<message><source>lever arm t2, across the plane</source><translation>braço de alavanca t2, transversal ao plano</translation></message>
+<message><source>tilt of the scan plane</source><translation>inclinação do plano de varredura</translation></message>
 <message><source>beam index</source><translation>índice dos feixes</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
 <message><source>unchanged</source><translation>inalterado</translation></message>

@@ -19,9 +19,9 @@ CalibrationShown calibrationWords(const inspect::SelfCalibration& found) {
     const AssemblyErrors& sd = found.sd;
     CalibrationShown shown;
     const QString mm = "mm", deg = "°";
-    shown.rows = {errorRow(QObject::tr("lever arm t1, in the plane of the beams"), e.t1Mm(), sd.t1Mm(), mm, 2),
-                  errorRow(QObject::tr("lever arm t2, across that plane"), e.t2Mm(), sd.t2Mm(), mm, 2),
-                  errorRow(QObject::tr("tilt of the plane of the beams"), e.tiltDeg(), sd.tiltDeg(), deg, 4),
+    shown.rows = {errorRow(QObject::tr("lever arm t1, in the scan plane"), e.t1Mm(), sd.t1Mm(), mm, 2),
+                  errorRow(QObject::tr("lever arm t2, across the plane"), e.t2Mm(), sd.t2Mm(), mm, 2),
+                  errorRow(QObject::tr("tilt of the scan plane"), e.tiltDeg(), sd.tiltDeg(), deg, 4),
                   errorRow(QObject::tr("beam index"), e.indexDeg(), sd.indexDeg(), deg, 4),
                   found.turnIsEstimated
                       ? errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)
