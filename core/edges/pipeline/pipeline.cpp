@@ -86,7 +86,7 @@ void Pipeline::decide(Detection& d) {
     const Decision& decision = rowOf(d.settings.method).decision;
     const bool onlyThreshold = last_ && !last_->classes && sameUpTo(Stage::Edges, last_->settings, d.settings);
     if (onlyThreshold) {
-        const auto map = upToDate(thresholds_, Stage::Edges, "threshold map", d, [&] { return SweptEdges(decision.thresholds(d, 0.0)); });
+        const auto map = upToDate(thresholds_, Stage::Edges, "threshold map", d, [&] { return SweptEdges(decision.thresholds(d)); });
         timed(d, Stage::Threshold, "threshold", [&] {
             const double threshold = sweptParameter(d.settings.method).get(d.settings);
             d.mask = std::make_shared<const Grid<std::uint8_t>>(map->at(threshold));
