@@ -759,7 +759,7 @@ mantenga \ para verla</translation></message>
 <message><source>cells</source><translation>celdas</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
-<message><source>hide uncertain ones</source><translation>ocultar las inciertas</translation></message>
+<message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
 <message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con p menor que 0.85, que están achuradas, se omiten en la tabla</translation></message>
@@ -983,6 +983,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>

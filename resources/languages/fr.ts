@@ -759,7 +759,7 @@ tenez \ pour la voir</translation></message>
 <message><source>cells</source><translation>cellules</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
-<message><source>hide uncertain ones</source><translation>masquer les incertains</translation></message>
+<message><source>hide uncertain</source><translation>masquer incertains</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
 <message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs de p inférieur à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
@@ -983,6 +983,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;ouleur du nuage</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>

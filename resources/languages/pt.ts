@@ -759,7 +759,7 @@ segure \ para vê-la</translation></message>
 <message><source>cells</source><translation>células</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
-<message><source>hide uncertain ones</source><translation>ocultar as incertas</translation></message>
+<message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
 <message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com p menor que 0.85, que estão hachuradas, ficam fora da tabela</translation></message>
@@ -983,6 +983,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>

@@ -180,7 +180,7 @@ TargetNumbers CabMode::numbers() const {
         rows(*cell.probe.mineM, {"E", "N", "RL"});
     else
         rows(cell.probe.pointM, {"X", "Y", "Z"});
-    if (!cell.probe.mineM) values.pose = tr("▲ no pose: no mine coordinates");
+    if (!cell.probe.mineM) values.pose = tr("▲ no pose: no E N RL");
     for (const TargetRow& row : targetRows(cell, around)) {
         if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) values.rows.emplace_back(row.name, row.value);
     }

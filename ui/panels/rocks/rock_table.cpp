@@ -30,7 +30,7 @@ constexpr int kSpanColumn = 1; // column of the length a, the initial order
 RockTable::RockTable(QWidget* parent)
     : QWidget(parent), model_(new RockTableModel(this)), shown_(new ShownRocks(this)), table_(new QTableView), curve_(new SizeCurveView),
       sides_(new QSplitter), bar_(new QBoxLayout(QBoxLayout::LeftToRight)), smallest_(new QDoubleSpinBox),
-      sureOnly_(new QCheckBox(tr("hide uncertain ones"))), export_(new QPushButton(tr("Export…"))), count_(new QLabel) {
+      sureOnly_(new QCheckBox(tr("hide uncertain"))), export_(new QPushButton(tr("Export…"))), count_(new QLabel) {
     setObjectName("rock-table");
     shown_->setSourceModel(model_);
     table_->setModel(shown_);
