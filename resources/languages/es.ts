@@ -218,6 +218,36 @@ The strongest cell of its chain is ringed in both images; zoomed in, the chain i
 La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
 <message><source>Clicked</source><translation>Clic</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primero apunte a una celda o haga clic en ella; luego Por qué dice qué la decide.</translation></message>
+<message><source>the demo after the blast</source><translation>la demo tras la voladura</translation></message>
+<message><source>%1, scan %2</source><translation>%1, escaneo %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>el primero: los demás se colocan respecto a él</translation></message>
+<message><source>registered, residual %1 mm</source><translation>registrado, residuo %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>colocado por objetivos, separación %1 mm</translation></message>
+<message><source>placed by pose</source><translation>colocado por la pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>No se pudo leer la capa (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>¿Dónde está ahora la capa?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Este punto es de la capa %1: actívela para medir en ella.</translation></message>
+<message><source>Make Active</source><translation>Activar</translation></message>
+<message><source>Add scans as layers</source><translation>Añadir escaneos como capas</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>Las capas son escaneos de archivos: abra el primero, o grabe el barrido y abra la grabación.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Una nube tiene como máximo %1 capas: quite alguna primero.</translation></message>
+<message><source>Add a Layer</source><translation>Añadir una capa</translation></message>
+<message><source>Remove the Layer</source><translation>Quitar la capa</translation></message>
+<message><source>Show the Layer</source><translation>Mostrar la capa</translation></message>
+<message><source>Hide the Layer</source><translation>Ocultar la capa</translation></message>
+<message><source>Locate the Layer</source><translation>Localizar la capa</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>Hacen falta tres lugares visibles en ambos escaneos: márquelos aquí como objetivos 1, 2 y 3, active %1, marque allí los mismos lugares en el mismo orden y vuelva.</translation></message>
+<message><source>Reading the layer %1</source><translation>Leyendo la capa %1</translation></message>
+<message><source>Cancelled</source><translation>Cancelado</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>El mismo escaneo ya es una capa: quite una de las dos.</translation></message>
+<message><source>Layer %1: %2</source><translation>Capa %1: %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 puntos · %2 de memoria</translation></message>
+<message><source>active</source><translation>activa</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ activa, sin colocar</translation></message>
+<message><source>▲ not placed</source><translation>▲ sin colocar</translation></message>
+<message><source>▲ not read</source><translation>▲ no leída</translation></message>
+<message><source>being read</source><translation>leyendo</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ sin colocar respecto a la activa</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
@@ -685,6 +715,11 @@ mantenga \ para verla</translation></message>
 <message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
 <message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Añadir un escaneo como capa…</translation></message>
+<message><source>Remove</source><translation>Quitar</translation></message>
+<message><source>Place by Targets</source><translation>Colocar por objetivos</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Muestra la imagen y los bordes de este escaneo; los demás quedan en la nube</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque los mismos tres lugares en ambos escaneos como objetivos con los mismos números: llevan la capa a su sitio</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
 <message><source>Scanner</source><translation>Escáner</translation></message>
@@ -781,6 +816,7 @@ mantenga \ para verla</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
@@ -864,7 +900,6 @@ mantenga \ para verla</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
-<message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The measurement that is chosen</source><translation>La medición elegida</translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, logarítmico. Achurado: el tramo más largo en que no desaparece más de un quinto de ellas. La línea vertical es el umbral en uso.</translation></message>
@@ -988,6 +1023,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
+<message><source>By &amp;Intensity</source><translation>Por &amp;intensidad</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidad (este escaneo no la tiene)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
@@ -1005,6 +1042,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
@@ -1083,6 +1121,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Escaneo &amp;anterior</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Añadir un escaneo como capa…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Grabar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar el último minuto</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar la imagen al final del barrido</translation></message>

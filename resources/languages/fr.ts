@@ -218,6 +218,36 @@ The strongest cell of its chain is ringed in both images; zoomed in, the chain i
 La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
 <message><source>Clicked</source><translation>Cliqué</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
+<message><source>the demo after the blast</source><translation>la démo après le tir</translation></message>
+<message><source>%1, scan %2</source><translation>%1, scan %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>le premier : les autres sont placés par rapport à lui</translation></message>
+<message><source>registered, residual %1 mm</source><translation>recalé, résidu %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>placé par cibles, écart %1 mm</translation></message>
+<message><source>placed by pose</source><translation>placé par la pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>La couche n'a pas pu être lue (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>Où est la couche maintenant ?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Ce point est de la couche %1 : activez-la pour y mesurer.</translation></message>
+<message><source>Make Active</source><translation>Activer</translation></message>
+<message><source>Add scans as layers</source><translation>Ajouter des scans comme couches</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>Les couches sont des scans de fichiers : ouvrez le premier, ou enregistrez le balayage et ouvrez l'enregistrement.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Un nuage a au plus %1 couches : retirez-en d'abord.</translation></message>
+<message><source>Add a Layer</source><translation>Ajouter une couche</translation></message>
+<message><source>Remove the Layer</source><translation>Retirer la couche</translation></message>
+<message><source>Show the Layer</source><translation>Afficher la couche</translation></message>
+<message><source>Hide the Layer</source><translation>Masquer la couche</translation></message>
+<message><source>Locate the Layer</source><translation>Localiser la couche</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>Il faut trois endroits visibles dans les deux scans : marquez-les ici comme cibles 1, 2 et 3, activez %1, marquez-y les mêmes endroits dans le même ordre, puis revenez.</translation></message>
+<message><source>Reading the layer %1</source><translation>Lecture de la couche %1</translation></message>
+<message><source>Cancelled</source><translation>Annulé</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>Le même scan est déjà une couche : retirez l'une des deux.</translation></message>
+<message><source>Layer %1: %2</source><translation>Couche %1 : %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 points · %2 de mémoire</translation></message>
+<message><source>active</source><translation>active</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ active, non placée</translation></message>
+<message><source>▲ not placed</source><translation>▲ non placée</translation></message>
+<message><source>▲ not read</source><translation>▲ non lue</translation></message>
+<message><source>being read</source><translation>en cours de lecture</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ non placée par rapport à l'active</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
@@ -685,6 +715,11 @@ tenez \ pour la voir</translation></message>
 <message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
 <message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
 <message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Ajouter un scan comme couche…</translation></message>
+<message><source>Remove</source><translation>Supprimer</translation></message>
+<message><source>Place by Targets</source><translation>Placer par cibles</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Affiche l'image et les arêtes de ce scan ; les autres restent dans le nuage</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marquez les trois mêmes endroits dans les deux scans comme cibles de mêmes numéros : elles mettent la couche à sa place</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
@@ -781,6 +816,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
@@ -864,7 +900,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
-<message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The measurement that is chosen</source><translation>La mesure choisie</translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, logarithmique. Hachuré : le plus long intervalle sur lequel pas plus d'un cinquième d'entre elles disparaît. Le trait vertical est le seuil utilisé.</translation></message>
@@ -988,6 +1023,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
+<message><source>By &amp;Intensity</source><translation>Par &amp;intensité</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Par &amp;intensité (ce scan n'en a pas)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;ouleur du nuage</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>
@@ -1005,6 +1042,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
@@ -1083,6 +1121,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
 <message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Scan &amp;précédent</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Ajouter un scan comme couche…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Enregistrer</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conserver la dernière minute</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>&amp;Figer l'image à la fin du balayage</translation></message>

@@ -218,6 +218,36 @@ The strongest cell of its chain is ringed in both images; zoomed in, the chain i
 A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
 <message><source>Clicked</source><translation>Clique</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primeiro aponte para uma célula ou clique nela; depois Por quê diz o que a decide.</translation></message>
+<message><source>the demo after the blast</source><translation>a demonstração após o desmonte</translation></message>
+<message><source>%1, scan %2</source><translation>%1, varredura %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>o primeiro: os outros são posicionados em relação a ele</translation></message>
+<message><source>registered, residual %1 mm</source><translation>registrado, resíduo %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>posicionado por alvos, afastamento %1 mm</translation></message>
+<message><source>placed by pose</source><translation>posicionado pela pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>Não foi possível ler a camada (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>Onde está a camada agora?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Este ponto é da camada %1: ative-a para medir nela.</translation></message>
+<message><source>Make Active</source><translation>Ativar</translation></message>
+<message><source>Add scans as layers</source><translation>Adicionar varreduras como camadas</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>As camadas são varreduras de arquivos: abra a primeira, ou grave a varredura e abra a gravação.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Uma nuvem tem no máximo %1 camadas: remova algumas antes.</translation></message>
+<message><source>Add a Layer</source><translation>Adicionar uma camada</translation></message>
+<message><source>Remove the Layer</source><translation>Remover a camada</translation></message>
+<message><source>Show the Layer</source><translation>Mostrar a camada</translation></message>
+<message><source>Hide the Layer</source><translation>Ocultar a camada</translation></message>
+<message><source>Locate the Layer</source><translation>Localizar a camada</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>São precisos três lugares visíveis nas duas varreduras: marque-os aqui como alvos 1, 2 e 3, ative %1, marque lá os mesmos lugares na mesma ordem e volte.</translation></message>
+<message><source>Reading the layer %1</source><translation>Lendo a camada %1</translation></message>
+<message><source>Cancelled</source><translation>Cancelado</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>A mesma varredura já é uma camada: remova uma das duas.</translation></message>
+<message><source>Layer %1: %2</source><translation>Camada %1: %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 pontos · %2 de memória</translation></message>
+<message><source>active</source><translation>ativa</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ ativa, não posicionada</translation></message>
+<message><source>▲ not placed</source><translation>▲ não posicionada</translation></message>
+<message><source>▲ not read</source><translation>▲ não lida</translation></message>
+<message><source>being read</source><translation>sendo lida</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ não posicionada em relação à ativa</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
@@ -685,6 +715,11 @@ segure \ para vê-la</translation></message>
 <message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
 <message><source>the cell cursor</source><translation>o cursor de células</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Adicionar varredura como camada…</translation></message>
+<message><source>Remove</source><translation>Remover</translation></message>
+<message><source>Place by Targets</source><translation>Posicionar por alvos</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Mostra a imagem e as bordas desta varredura; as outras ficam na nuvem</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque os mesmos três lugares nas duas varreduras como alvos com os mesmos números: eles põem a camada no lugar</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
@@ -781,6 +816,7 @@ segure \ para vê-la</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
@@ -864,7 +900,6 @@ segure \ para vê-la</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
-<message><source>Remove</source><translation>Remover</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The measurement that is chosen</source><translation>A medição escolhida</translation></message>
 <message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de células de borda em cada limiar, logarítmico. Hachurado: o trecho mais longo em que não desaparece mais de um quinto delas. A linha vertical é o limiar em uso.</translation></message>
@@ -988,6 +1023,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
+<message><source>By &amp;Intensity</source><translation>Por &amp;intensidade</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidade (esta varredura não tem)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
@@ -1005,6 +1042,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
@@ -1083,6 +1121,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
 <message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Varredura &amp;anterior</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Adicionar varredura como camada…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Gravar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar o último minuto</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar a imagem no fim da varredura</translation></message>
