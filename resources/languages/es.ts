@@ -127,6 +127,64 @@
 <message><source>check what else uses it</source><translation>compruebe qué más lo usa</translation></message>
 <message><source>a recording is being written already</source><translation>ya se está escribiendo una grabación</translation></message>
 <message><source>stop it first</source><translation>deténgala primero</translation></message>
+<message><source>the file ends within its E57 header</source><translation>el archivo termina dentro de su cabecera E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>esta es la versión %1 de E57, y se conoce la versión 1</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>expórtelo como E57 versión 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>la cabecera E57 indica páginas de %1 bytes</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>la cabecera E57 anuncia %1 bytes y el archivo contiene </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>las columnas de puntos de este archivo E57 están demasiado anidadas</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>los límites de la columna %1 de este archivo E57 no son posibles</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>el escaneo %1 de este archivo E57 no indica dónde están sus puntos ni cuántos son</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>según la cabecera E57, la parte XML está en el byte %1 y tiene </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>no se puede leer la parte XML de este archivo E57: </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>la parte XML de este archivo E57 no tiene e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la página %1 de %2 de este archivo E57 está dañada: su suma de control no coincide</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>este archivo E57 termina antes de algo que nombra</translation></message>
+<message><source>this E57 file holds no scan</source><translation>este archivo E57 no contiene ningún escaneo</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>el archivo contiene %1 escaneos y se pidió el número %2</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>el escaneo %1 de este archivo E57 no contiene puntos</translation></message>
+<message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
+<message><source>choose another file</source><translation>elija otro archivo</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>los puntos empezarían en el byte %1, que no está en el archivo</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>ninguna lista de puntos empieza donde indica el archivo E57</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>la cabecera de los puntos no corresponde al archivo</translation></message>
+<message><source>a packet of points </source><translation>un paquete de puntos </translation></message>
+<message><source>the file promises %1 points and </source><translation>el archivo anuncia %1 puntos y </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>este archivo ZIP no tiene directorio al final</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>el directorio de este archivo ZIP está dañado</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este archivo ZIP no empieza donde indica su directorio: hay otros bytes delante o dentro</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>esta parte del archivo está cifrada</translation></message>
+<message><source>save it without a password</source><translation>guárdelo sin contraseña</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>esta parte del archivo está comprimida con el método %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>comprímalo con DEFLATE, como es habitual</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>esta parte del archivo no está donde indica su directorio</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descomprimido son %1, mucho más de lo que puede ser un escaneo de ese tamaño</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>descomprímalo a mano y revíselo</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte del archivo está dañada: su longitud o su suma de control no coincide</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>es un bag de ROS de una versión distinta de 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>conviértalo con «rosbag migrate»</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada o dañada: no se pueden leer sus tablas</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite no es un bag de ROS: no tiene tabla de topics</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>no se puede abrir esta base SQLite</translation></message>
+<message><source>copy it again</source><translation>cópiela de nuevo</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>no es una grabación MCAP de una versión conocida</translation></message>
+<message><source>choose a recording</source><translation>elija una grabación</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>esta carpeta contiene %1 archivos de un bag</translation></message>
+<message><source>open one of them, as </source><translation>abra uno de ellos, por ejemplo </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>ningún topic de este %1 es de un láser</translation></message>
+<message><source>choose another bag</source><translation>elija otro bag</translation></message>
+<message><source>the bag has no topic </source><translation>el bag no tiene el topic </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>el topic %1 no contiene ningún escaneo</translation></message>
+<message><source>choose one of them with </source><translation>elija uno con </translation></message>
+<message><source>choose one of </source><translation>elija uno de </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>el láser no giró mientras medía</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>elija otro topic o indique la articulación que lo gira</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>no se pudo colocar ninguna línea del topic %1</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>ningún mensaje del topic %1 es una línea de distancias</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>ninguna transformación gira el sistema %1 del láser mientras mide</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>ninguna articulación giró mientras el láser medía</translation></message>
+<message><source>there is no joint called </source><translation>no hay ninguna articulación llamada </translation></message>
+<message><source>choose another topic</source><translation>elija otro topic</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>los puntos detrás de otros del diálogo de exportación</translation></message>
@@ -1044,6 +1102,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
 <message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
+<message><source>Fold</source><translation>Plegar</translation></message>
 <message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>

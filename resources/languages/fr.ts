@@ -127,6 +127,64 @@
 <message><source>check what else uses it</source><translation>vérifiez ce qui l'utilise aussi</translation></message>
 <message><source>a recording is being written already</source><translation>un enregistrement est déjà en cours</translation></message>
 <message><source>stop it first</source><translation>arrêtez-le d'abord</translation></message>
+<message><source>the file ends within its E57 header</source><translation>le fichier finit dans son en-tête E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>c'est la version %1 d'E57, et la version 1 est connue</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>exportez-le en E57 version 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>l'en-tête E57 donne des pages de %1 octets</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>l'en-tête E57 annonce %1 octets et le fichier en contient </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>les colonnes de points de ce fichier E57 sont trop imbriquées</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>les limites de la colonne %1 de ce fichier E57 sont impossibles</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>le scan %1 de ce fichier E57 n'indique ni où sont ses points ni combien il y en a</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>selon l'en-tête E57, la partie XML est à l'octet %1 et a </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>la partie XML de ce fichier E57 est illisible : </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>la partie XML de ce fichier E57 n'a pas d'e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la page %1 sur %2 de ce fichier E57 est endommagée : sa somme de contrôle est fausse</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>ce fichier E57 finit avant ce qu'il annonce</translation></message>
+<message><source>this E57 file holds no scan</source><translation>ce fichier E57 ne contient aucun scan</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>le fichier contient %1 scans, et le numéro %2 était demandé</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>le scan %1 de ce fichier E57 ne contient aucun point</translation></message>
+<message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
+<message><source>choose another file</source><translation>choisissez un autre fichier</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>les points commenceraient à l'octet %1, qui n'est pas dans le fichier</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>aucune liste de points ne commence là où le fichier E57 l'indique</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>l'en-tête des points ne correspond pas au fichier</translation></message>
+<message><source>a packet of points </source><translation>un paquet de points </translation></message>
+<message><source>the file promises %1 points and </source><translation>le fichier annonce %1 points et </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>cette archive ZIP n'a pas de répertoire à sa fin</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>le répertoire de cette archive ZIP est endommagé</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>cette archive ZIP ne commence pas là où son répertoire l'indique : d'autres octets la précèdent ou s'y trouvent</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>cette partie de l'archive est chiffrée</translation></message>
+<message><source>save it without a password</source><translation>enregistrez-la sans mot de passe</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>cette partie de l'archive est compressée par la méthode %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>compressez-la avec DEFLATE, comme d'habitude</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>cette partie de l'archive n'est pas là où son répertoire l'indique</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>décompressé, cela fait %1, bien plus qu'un scan de cette taille</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>décompressez-la à la main et regardez-la</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>cette partie de l'archive est endommagée : sa longueur ou sa somme de contrôle est fausse</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>c'est un bag ROS d'une autre version que 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>convertissez-le avec « rosbag migrate »</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>cette base SQLite est tronquée ou endommagée : ses tables sont illisibles</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>cette base SQLite n'est pas un bag ROS : elle n'a pas de table de topics</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>cette base SQLite ne peut pas être ouverte</translation></message>
+<message><source>copy it again</source><translation>copiez-la à nouveau</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>ce n'est pas un enregistrement MCAP d'une version connue</translation></message>
+<message><source>choose a recording</source><translation>choisissez un enregistrement</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>ce dossier contient %1 fichiers d'un bag</translation></message>
+<message><source>open one of them, as </source><translation>ouvrez-en un, par exemple </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>aucun topic de ce %1 n'est d'un laser</translation></message>
+<message><source>choose another bag</source><translation>choisissez un autre bag</translation></message>
+<message><source>the bag has no topic </source><translation>le bag n'a pas de topic </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>le topic %1 ne contient aucun scan</translation></message>
+<message><source>choose one of them with </source><translation>choisissez-en un avec </translation></message>
+<message><source>choose one of </source><translation>choisissez parmi </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>le laser n'a pas tourné pendant la mesure</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>choisissez un autre topic, ou donnez l'articulation qui le tourne</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>aucune ligne du topic %1 n'a pu être placée</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>aucun message du topic %1 n'est une ligne de distances</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>aucune transformation ne tourne le repère %1 du laser pendant la mesure</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>aucune articulation n'a tourné pendant la mesure du laser</translation></message>
+<message><source>there is no joint called </source><translation>il n'y a pas d'articulation nommée </translation></message>
+<message><source>choose another topic</source><translation>choisissez un autre topic</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>les points derrière d'autres dans le dialogue d'exportation</translation></message>
@@ -1044,6 +1102,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
 <message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
+<message><source>Fold</source><translation>Replier</translation></message>
 <message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>

@@ -127,6 +127,64 @@
 <message><source>check what else uses it</source><translation>verifique o que mais o usa</translation></message>
 <message><source>a recording is being written already</source><translation>uma gravação já está em andamento</translation></message>
 <message><source>stop it first</source><translation>pare-a primeiro</translation></message>
+<message><source>the file ends within its E57 header</source><translation>o arquivo termina dentro do cabeçalho E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>esta é a versão %1 do E57, e a versão 1 é conhecida</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>exporte-o como E57 versão 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>o cabeçalho E57 indica páginas de %1 bytes</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>o cabeçalho E57 anuncia %1 bytes e o arquivo contém </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>as colunas de pontos deste arquivo E57 estão aninhadas demais</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>os limites da coluna %1 deste arquivo E57 não são possíveis</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>a varredura %1 deste arquivo E57 não indica onde estão seus pontos nem quantos são</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>segundo o cabeçalho E57, a parte XML está no byte %1 e tem </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>não é possível ler a parte XML deste arquivo E57: </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>a parte XML deste arquivo E57 não tem e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>a página %1 de %2 deste arquivo E57 está danificada: a soma de verificação não confere</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>este arquivo E57 termina antes de algo que nomeia</translation></message>
+<message><source>this E57 file holds no scan</source><translation>este arquivo E57 não contém nenhuma varredura</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>o arquivo contém %1 varreduras e foi pedido o número %2</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>a varredura %1 deste arquivo E57 não contém pontos</translation></message>
+<message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
+<message><source>choose another file</source><translation>escolha outro arquivo</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>os pontos começariam no byte %1, que não está no arquivo</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>nenhuma lista de pontos começa onde o arquivo E57 indica</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>o cabeçalho dos pontos não corresponde ao arquivo</translation></message>
+<message><source>a packet of points </source><translation>um pacote de pontos </translation></message>
+<message><source>the file promises %1 points and </source><translation>o arquivo anuncia %1 pontos e </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>este arquivo ZIP não tem diretório no final</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>o diretório deste arquivo ZIP está danificado</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este arquivo ZIP não começa onde seu diretório indica: há outros bytes antes ou dentro dele</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>esta parte do arquivo está criptografada</translation></message>
+<message><source>save it without a password</source><translation>salve-o sem senha</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>esta parte do arquivo está compactada com o método %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>compacte-o com DEFLATE, como de costume</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>esta parte do arquivo não está onde seu diretório indica</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descompactado são %1, muito mais do que uma varredura desse tamanho pode ter</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>descompacte-o à mão e verifique-o</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte do arquivo está danificada: o comprimento ou a soma de verificação não confere</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>é um bag do ROS de versão diferente de 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>converta-o com "rosbag migrate"</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada ou danificada: não é possível ler suas tabelas</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite não é um bag do ROS: não tem tabela de tópicos</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>não é possível abrir esta base SQLite</translation></message>
+<message><source>copy it again</source><translation>copie-a novamente</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>não é uma gravação MCAP de versão conhecida</translation></message>
+<message><source>choose a recording</source><translation>escolha uma gravação</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>esta pasta contém %1 arquivos de um bag</translation></message>
+<message><source>open one of them, as </source><translation>abra um deles, por exemplo </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>nenhum tópico deste %1 é de um laser</translation></message>
+<message><source>choose another bag</source><translation>escolha outro bag</translation></message>
+<message><source>the bag has no topic </source><translation>o bag não tem o tópico </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>o tópico %1 não contém nenhuma varredura</translation></message>
+<message><source>choose one of them with </source><translation>escolha um com </translation></message>
+<message><source>choose one of </source><translation>escolha um de </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>o laser não girou enquanto media</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>escolha outro tópico ou indique a junta que o gira</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>não foi possível posicionar nenhuma linha do tópico %1</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>nenhuma mensagem do tópico %1 é uma linha de distâncias</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>nenhuma transformação gira o referencial %1 do laser enquanto mede</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>nenhuma junta girou enquanto o laser media</translation></message>
+<message><source>there is no joint called </source><translation>não há nenhuma junta chamada </translation></message>
+<message><source>choose another topic</source><translation>escolha outro tópico</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>os pontos atrás de outros na caixa de exportação</translation></message>
@@ -1044,6 +1102,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
 <message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
+<message><source>Fold</source><translation>Recolher</translation></message>
 <message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>

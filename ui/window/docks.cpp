@@ -17,6 +17,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QStyle>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -119,13 +120,15 @@ void Docks::fit(int most) {
     showTitles();
 }
 
-/// A tab says the title already.
+/// A tab says the title already: the row below it names its button.
 void Docks::showTitles() {
     for (const Dock& dock : docks_) {
         const auto others = window_.tabifiedDockWidgets(dock.widget);
         const bool tab = std::ranges::any_of(others, [](const QDockWidget* other) { return !other->isHidden(); });
+        const bool below = tab && !dock.widget->isHidden();
         if (auto* title = dock.widget->titleBarWidget()->findChild<QLabel*>())
-            title->setText(tab && !dock.widget->isHidden() ? QString() : dock.widget->windowTitle());
+            title->setText(below ? QString() : dock.widget->windowTitle());
+        if (auto* fold = dock.widget->titleBarWidget()->findChild<QToolButton*>()) fold->setText(below ? tr("Fold") + " »" : QString("»"));
     }
 }
 
