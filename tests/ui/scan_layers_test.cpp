@@ -13,7 +13,9 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -167,13 +169,19 @@ private slots:
         WindowFixture on;
         QVERIFY(showBoth(on));
         CloudView& cloud = on.viewer.cloud;
-        const QPointF middle = QRectF(cloud.rect()).center();
-        QVERIFY(cloud.cellAt(middle));
+        std::vector<QPoint> places;
+        for (int y = 40; y < cloud.height() - 40; y += 20) {
+            for (int x = 40; x < cloud.width() - 40; x += 20) {
+                if (cloud.cellAt(QPointF(x, y)) && cloud.childAt(x, y) == nullptr) places.emplace_back(x, y);
+            }
+        }
         CloudLayer layer = cloud.layers().front();
         layer.toShown.translationM -= cloud.camera().forward(); // 1 m nearer to the eye
         QSignalSpy clicked(&cloud, &CloudView::clicked), covered(&cloud, &CloudView::layerClicked);
         cloud.setLayers({layer});
-        QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, middle.toPoint());
+        const auto place = std::ranges::find_if(places, [&](const QPoint& at) { return !cloud.cellAt(at); });
+        QVERIFY(place != places.end());
+        QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, *place);
         QCOMPARE(clicked.count(), 0);
         QCOMPARE(covered.count(), 1);
         QVERIFY2(on.viewer.notice.text().contains("make it active"), qPrintable(on.viewer.notice.text()));

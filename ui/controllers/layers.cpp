@@ -35,6 +35,16 @@ bool isSameFile(const inspect::SessionScan& a, const inspect::SessionScan& b) {
     return a.kind == b.kind && a.path == b.path && a.reading.scanIndex == b.reading.scanIndex;
 }
 
+/// The layer of the scan that is shown; by content if its file was renamed.
+template <class List, class Of>
+auto findShown(List& list, const std::optional<inspect::SessionScan>& shown, Of of) {
+    const auto found = [&](auto is) { return std::ranges::find_if(list, [&](const auto& each) { return shown && is(of(each)); }); };
+    const auto same = found([&](const inspect::SessionScan& each) { return inspect::isSame(each.identity, shown->identity); });
+    if (same != std::end(list)) return same;
+    return found(
+        [&](const inspect::SessionScan& each) { return each.path != shown->path && isSameContent(each.identity, shown->identity); });
+}
+
 QString nameOf(const inspect::SessionScan& scan) {
     if (!inspect::hasPath(scan.kind))
         return scan.kind == inspect::SessionScan::Kind::Demo ? Layers::tr("the demo") : Layers::tr("the demo after the blast");
@@ -126,11 +136,10 @@ void Layers::change(const QString& what, std::vector<inspect::Layer> after) {
 
 /// False: the scan on the screen is not one of them.
 bool Layers::use(const std::vector<inspect::Layer>& layers) {
-    const Scan* shown = shownScan();
-    const auto isShown = [&](const inspect::Layer& layer) {
-        return shown != nullptr && inspect::isSame(layer.scan.identity, inspect::notebookScan(*shown));
-    };
-    if (!layers.empty() && std::ranges::none_of(layers, isShown)) return false;
+    const Scan* scan = shownScan();
+    const auto shown = scan != nullptr ? files_.scanShown(*scan) : std::nullopt;
+    const auto isShown = findShown(layers, shown, [](const inspect::Layer& layer) -> const inspect::SessionScan& { return layer.scan; });
+    if (!layers.empty() && isShown == layers.end()) return false;
     std::vector<Held> next;
     for (const inspect::Layer& layer : layers) {
         Held held{layer};
@@ -154,13 +163,15 @@ void Layers::followPicture() {
     if (layers_.empty() || !engine_.picture()) return;
     const Picture& picture = *engine_.picture();
     const std::shared_ptr<const Scan>& scan = picture.detection->scan;
-    const inspect::NotebookScan now = inspect::notebookScan(*scan);
-    const auto shown = std::ranges::find_if(layers_, [&](const Held& held) { return inspect::isSame(held.layer.scan.identity, now); });
+    const auto scanShown = files_.scanShown(*scan);
+    const auto shown = findShown(layers_, scanShown, [](const Held& held) -> const inspect::SessionScan& { return held.layer.scan; });
     if (shown == layers_.end()) return (void)use({}); // another place: the layers are in the session of their scans
+    const inspect::NotebookScan now = scanShown->identity;
     const bool readAgain = active_ && inspect::isSame(*active_, now) && activeScan_.lock() != scan;
     if (active_ && !inspect::isSame(*active_, now)) notice_.hide();
     active_ = now;
     activeScan_ = scan;
+    shown->layer.scan = *scanShown; // its file may have moved, or is read in another way
     shown->cloud = picture.cloud;
     shown->trouble.clear();
     if (readAgain) placeAgain();

@@ -76,7 +76,7 @@ Result<LoadedLayer> loadLayer(const LayerAsked& asked, const Asker& asker) {
         LoadedLayer loaded{asked.layer, nullptr, inputs.claims(), std::nullopt};
         const inspect::NotebookScan now = inspect::notebookScan(*scan);
         const inspect::NotebookScan& before = asked.layer.scan.identity;
-        if (!before.sha256.empty() && !inspect::isSame(before, now))
+        if (!before.sha256.empty() && !isSameContent(before, now))
             return Error{"the layer has another content than when it was placed", path, "remove it and add it again"};
         loaded.layer.scan.identity = now;
         if (auto enough = checkMemory(productOf({scan->cells(), kBytesToDraw}), path); !enough) return enough.error();

@@ -30,6 +30,11 @@ struct LoadedLayer {
     std::optional<Error> trouble;
 };
 
+/// The same ranges, whatever the name of the file.
+[[nodiscard]] inline bool isSameContent(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
+    return !a.sha256.empty() && a.sha256 == b.sha256 && a.lines == b.lines && a.beams == b.beams;
+}
+
 /// Bytes that the window holds of it.
 [[nodiscard]] std::uint64_t bytesOf(const CloudGeometry& cloud);
 
