@@ -231,7 +231,7 @@ private slots:
         section->lines = {near, far};
         SectionPlot plot;
         plot.resize(640, 420);
-        plot.show();
+        plot.setVisible(true);
         QVERIFY(QTest::qWaitForWindowExposed(&plot));
         const auto perM = [&plot] { return plot.placeOf({1.0, 0.0}).x() - plot.placeOf({0.0, 0.0}).x(); };
         plot.show(section);
