@@ -17,9 +17,8 @@ namespace {
 constexpr double kNever = -1.0;
 constexpr double kAlways = std::numeric_limits<double>::infinity();
 constexpr float kFloatBeyondAll = std::numeric_limits<float>::infinity();
-constexpr double kBeyondAll = 1e9;     // larger than every maximum of the parameter table
-constexpr double kGuessError = 1e-6;   // relative
-constexpr std::size_t kSortedPart = 4; // share of all cells, a fourth: more are not sorted
+constexpr double kBeyondAll = 1e9;   // larger than every maximum of the parameter table
+constexpr double kGuessError = 1e-6; // relative
 
 EDGESCAN_INLINE void takeEdgesAt(const double* highest, std::size_t cells, double threshold, std::uint8_t* __restrict mask) {
     for (std::size_t k = 0; k < cells; ++k) mask[k] = threshold <= highest[k] ? 255 : 0;
@@ -81,10 +80,12 @@ struct Offset {
 constexpr std::array<Offset, 4> kBefore{{{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}}};
 
 template <class Visit>
-void forNeighbours(const Grid<double>& grid, int line, int beam, Visit visit) {
-    for (int i = std::max(line - 1, 0); i <= std::min(line + 1, grid.lines - 1); ++i) {
-        for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, grid.beams - 1); ++j) {
-            if (i != line || j != beam) visit(grid.index(i, j));
+void forNeighbours(int lines, int beams, std::size_t k, Visit visit) {
+    const auto width = static_cast<std::size_t>(beams);
+    const int line = static_cast<int>(k / width), beam = static_cast<int>(k % width);
+    for (int i = std::max(line - 1, 0); i <= std::min(line + 1, lines - 1); ++i) {
+        for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, beams - 1); ++j) {
+            if (i != line || j != beam) visit(static_cast<std::size_t>(i) * width + static_cast<std::size_t>(j));
         }
     }
 }
@@ -123,12 +124,7 @@ double highestAt(int lines, int beams, std::size_t k, std::size_t minimumLength,
         level = std::min(level, next.limits.weak);
         strong = std::max(strong, next.limits.strong);
         if (length >= minimumLength) highest = std::max(highest, std::min(level, strong));
-        const int line = static_cast<int>(next.cell / static_cast<std::size_t>(beams));
-        const int beam = static_cast<int>(next.cell % static_cast<std::size_t>(beams));
-        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, lines - 1); ++i) {
-            for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, beams - 1); ++j)
-                look(static_cast<std::size_t>(i) * static_cast<std::size_t>(beams) + static_cast<std::size_t>(j));
-        }
+        forNeighbours(lines, beams, next.cell, look);
     }
     return highest;
 }
@@ -192,9 +188,7 @@ Grid<double> reconstructed(Grid<double> marker, const Grid<double>& mask) {
     }
     for (std::size_t at = 0; at < waiting.size(); ++at) {
         const std::size_t k = waiting[at];
-        const int line = static_cast<int>(k / static_cast<std::size_t>(beams));
-        const int beam = static_cast<int>(k % static_cast<std::size_t>(beams));
-        forNeighbours(marker, line, beam, [&](std::size_t n) {
+        forNeighbours(lines, beams, k, [&](std::size_t n) {
             if (marker[n] >= marker[k] || marker[n] >= mask[n]) return;
             marker[n] = std::min(marker[k], mask[n]);
             waiting.push_back(n);
@@ -289,9 +283,7 @@ void putOffShortChains(ThresholdMap& map, int minimumLength) {
         for (; at < order.size() && order[at].level == level; ++at) {
             const std::uint32_t k = order[at].cell;
             chains.add(k);
-            const int line = static_cast<int>(k / static_cast<std::uint32_t>(highest.beams));
-            const int beam = static_cast<int>(k % static_cast<std::uint32_t>(highest.beams));
-            forNeighbours(highest, line, beam, [&](std::size_t n) {
+            forNeighbours(highest.lines, highest.beams, k, [&](std::size_t n) {
                 if (chains.has(n)) chains.join(k, static_cast<std::uint32_t>(n));
             });
         }
@@ -324,13 +316,12 @@ Limits::Pair linkedLimits(float strength, float share) { return {largestLinked(s
 
 } // namespace
 
-ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength, double least) {
+ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength) {
     const auto share = static_cast<float>(lowShare);
-    const float weakest = std::max(0.0F, static_cast<float>(least) * share);
     Grid<double> weak(strength.lines, strength.beams, kNever);
     Grid<double> strong = weak;
     for (std::size_t k = 0; k < strength.size(); ++k) {
-        if (!(strength[k] > weakest)) continue;
+        if (!(strength[k] > 0)) continue;
         const Limits::Pair limits = linkedLimits(strength[k], share);
         weak[k] = limits.weak;
         strong[k] = std::min(limits.weak, limits.strong);
@@ -366,43 +357,6 @@ double responseThresholdAt(const Grid<float>& response, std::size_t k) {
 Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold) {
     Grid<std::uint8_t> mask(map.highest.lines, map.highest.beams);
     vectorised<takeEdgesAt>(map.highest.cells.data(), mask.size(), threshold, mask.cells.data());
-    return mask;
-}
-
-SweptEdges::SweptEdges(ThresholdMap map) : map_(std::move(map)), lines_(map_.highest.lines), beams_(map_.highest.beams) {
-    const Grid<double>& highest = map_.highest;
-    std::vector<std::uint32_t> cells;
-    for (std::size_t k = 0; k < highest.size(); ++k) {
-        if (highest[k] >= 0) cells.push_back(static_cast<std::uint32_t>(k));
-        if (cells.size() > highest.size() / kSortedPart) return; // sorting would cost more than it saves
-    }
-    values_.reserve(cells.size());
-    for (const std::uint32_t k : cells) values_.push_back(highest[k]);
-    std::sort(values_.begin(), values_.end());
-    values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
-    const auto placeOf = [&](std::uint32_t k) {
-        return static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), highest[k]) - values_.begin());
-    };
-    std::vector<std::uint32_t> places;
-    places.reserve(cells.size());
-    counts_.assign(values_.size() + 1, 0); // the last one: cells that are never an edge
-    for (const std::uint32_t k : cells) {
-        places.push_back(static_cast<std::uint32_t>(placeOf(k)));
-        ++counts_[places.back()];
-    }
-    for (std::size_t n = values_.size(); n > 0; --n) counts_[n - 1] += counts_[n];
-    std::vector<std::size_t> next(counts_.begin() + 1, counts_.end()); // position of the next cell of each value
-    cells_.resize(cells.size());
-    for (std::size_t n = 0; n < cells.size(); ++n) cells_[next[places[n]]++] = cells[n];
-    map_.highest = {};
-}
-
-Grid<std::uint8_t> SweptEdges::at(double threshold) const {
-    if (map_.highest.size() != 0) return edgesAt(map_, threshold);
-    Grid<std::uint8_t> mask(lines_, beams_);
-    if (counts_.empty()) return mask;
-    const auto first = static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), threshold) - values_.begin());
-    for (std::size_t n = 0; n < counts_[first]; ++n) mask[cells_[n]] = 255;
     return mask;
 }
 

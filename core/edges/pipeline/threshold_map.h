@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 namespace edgescan::edges {
 
@@ -30,9 +29,8 @@ struct ThresholdMap {
 [[nodiscard]] ThresholdMap responseThresholdMap(const Grid<float>& response);
 
 /// For responses linked by hysteresis, swept over the high threshold: a chain is an edge if it is above `lowShare` x high throughout, above
-/// high somewhere, and at least `minimumLength` cells long (8 neighbours). Strengths and thresholds are compared as float. Cells that are
-/// an edge at no threshold from `least` on are left out: the fewer there are, the less the map costs.
-[[nodiscard]] ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength, double least = 0.0);
+/// high somewhere, and at least `minimumLength` cells long (8 neighbours). Strengths and thresholds are compared as float.
+[[nodiscard]] ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength);
 
 /// The value of one cell in these maps. It depends only on the cells that are connected with it, so no map of the scan is made.
 /// `strengthOf`: of a cell of a scan of lines x beams.
@@ -44,22 +42,6 @@ struct ThresholdMap {
 
 /// 255 where the cell is an edge at this threshold.
 [[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
-
-/// The same for many thresholds in a row, as when the user drags a slider: the cost is that of writing the edges, and cells are compared
-/// only if many of them can be edges.
-class SweptEdges {
-public:
-    explicit SweptEdges(ThresholdMap map);
-    /// edgesAt() of the map, for thresholds from 0.
-    [[nodiscard]] Grid<std::uint8_t> at(double threshold) const;
-
-private:
-    ThresholdMap map_; // without cells if they are sorted
-    int lines_, beams_;
-    std::vector<double> values_;       // values of the map, ascending, each once
-    std::vector<std::size_t> counts_;  // per value: number of cells with this value or a higher one
-    std::vector<std::uint32_t> cells_; // cells with the highest value first
-};
 
 /// The largest threshold at which `holds` is true, to the last bit. `holds` must be true for small thresholds and false for large ones.
 /// Below 0: false for all from 0; infinity: true for all. `guess` should be close.
