@@ -116,7 +116,6 @@
 <message><source>the host name is not known</source><translation>el nombre de host es desconocido</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>compruebe cómo está escrito o use la dirección IP del escáner</translation></message>
 <message><source>the name server does not answer</source><translation>el servidor de nombres no responde</translation></message>
-<message><source>the name has no address</source><translation>el nombre no tiene dirección</translation></message>
 <message><source>use the scanner's IP address</source><translation>use la dirección IP del escáner</translation></message>
 <message><source>the scanner closed the connection</source><translation>el escáner cerró la conexión</translation></message>
 <message><source>the connection broke (%1)</source><translation>la conexión se interrumpió (%1)</translation></message>

@@ -116,7 +116,6 @@
 <message><source>the host name is not known</source><translation>le nom d'hôte est inconnu</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>vérifiez son orthographe ou utilisez l'adresse IP du scanner</translation></message>
 <message><source>the name server does not answer</source><translation>le serveur de noms ne répond pas</translation></message>
-<message><source>the name has no address</source><translation>ce nom n'a pas d'adresse</translation></message>
 <message><source>use the scanner's IP address</source><translation>utilisez l'adresse IP du scanner</translation></message>
 <message><source>the scanner closed the connection</source><translation>le scanner a fermé la connexion</translation></message>
 <message><source>the connection broke (%1)</source><translation>la connexion s'est interrompue (%1)</translation></message>

@@ -116,7 +116,6 @@
 <message><source>the host name is not known</source><translation>o nome de host é desconhecido</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>verifique como está escrito ou use o endereço IP do scanner</translation></message>
 <message><source>the name server does not answer</source><translation>o servidor de nomes não responde</translation></message>
-<message><source>the name has no address</source><translation>o nome não tem endereço</translation></message>
 <message><source>use the scanner's IP address</source><translation>use o endereço IP do scanner</translation></message>
 <message><source>the scanner closed the connection</source><translation>o scanner fechou a conexão</translation></message>
 <message><source>the connection broke (%1)</source><translation>a conexão foi interrompida (%1)</translation></message>
