@@ -4,6 +4,8 @@
 #include "core/inspect/measure/jumps_along.h"
 #include "core/rocks/segmentation/cuts.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -14,6 +16,10 @@ namespace {
 
 constexpr double kNearPicked = 0.25;       // share of the distance of the two cells
 constexpr std::size_t kMostRimCells = 600; // per side; of more, evenly chosen ones
+constexpr int kCellsAtEnds = 4;            // cells before and behind, for the straight lines at a jump
+constexpr int kLeastWay = 20;              // cells that are searched for a nearer rim, also where the two picked cells are closer
+constexpr int kWidestVoid = 7;             // cells without a range between two surfaces
+constexpr int kFewestOnSurface = 4;        // of a surface: fewer are dust
 constexpr int kMostTried = 4000;           // shortest pairs; if all of these are blocked, the result is empty
 
 struct RimCell {
@@ -60,6 +66,47 @@ std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, st
     return some;
 }
 
+/// The angle between the two cells.
+double openingRad(const CartesianTables& tables, std::uint32_t a, std::uint32_t b) {
+    const Eigen::Vector3d first = tables.point(a) - tables.sensor(), second = tables.point(b) - tables.sensor();
+    return std::atan2(first.cross(second).norm(), first.dot(second));
+}
+
+/// True if the two ranges differ by more than the opening is wide there: the farther one is not at the rim of the same opening.
+bool isBehind(double rangeM, double otherM, double openingRad) { return rangeM - otherM > openingRad * std::max(rangeM, otherM); }
+
+/// The rim of the opening at the side of `end`. A surface seen through the opening ends where a nearer one begins: from `end` away from
+/// `other`, no farther than the two are apart, the first cell of a surface that is nearer by more than the opening is wide. Else `end`.
+std::uint32_t rimBefore(const Scan& scan, const CartesianTables& tables, std::uint32_t end, std::uint32_t other) {
+    const int beams = scan.beams();
+    const int line = static_cast<int>(end) / beams, beam = static_cast<int>(end) % beams;
+    const int lines = line - static_cast<int>(other) / beams, across = beam - static_cast<int>(other) % beams;
+    const int apart = std::max(std::abs(lines), std::abs(across));
+    std::vector<double> rangesM;
+    std::vector<std::uint32_t> cells;
+    for (int n = -kCellsAtEnds; n <= std::max(apart, kLeastWay) + kCellsAtEnds; ++n) {
+        const int i = line + static_cast<int>(std::lround(static_cast<double>(n) * lines / apart));
+        const int j = beam + static_cast<int>(std::lround(static_cast<double>(n) * across / apart));
+        if (!scan.rangeMm.contains(i, j)) {
+            if (n > 0) break;
+            continue;
+        }
+        cells.push_back(static_cast<std::uint32_t>(scan.rangeMm.index(i, j)));
+        rangesM.push_back(scan.state.at(i, j) == CellState::Valid ? static_cast<double>(scan.rangeMm.at(i, j)) / 1000.0 : 0.0);
+    }
+    const auto start = std::ranges::find(cells, end) - cells.begin();
+    const double rangeM = static_cast<double>(scan.rangeMm[end]) / 1000.0, wide = openingRad(tables, end, other);
+    const std::vector<RowJump> jumps = jumpsAlong(rangesM, kWidestVoid);
+    for (const RowJump& jump : jumps) {
+        const double nearM = rangesM[static_cast<std::size_t>(jump.to)];
+        if (jump.from < start || jump.stepM >= 0.0 || !isBehind(rangeM, nearM, wide)) continue;
+        const bool isDust = std::ranges::any_of(
+            jumps, [&](const RowJump& next) { return next.from >= jump.to && next.from < jump.to + kFewestOnSurface && next.stepM > 0.0; });
+        if (!isDust) return cells[static_cast<std::size_t>(jump.to)];
+    }
+    return end;
+}
+
 /// True if no cell was measured in front of the straight line between the two points, or on it.
 bool isFree(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
     const std::vector<std::uint32_t> cells = rocks::strokeCells({from.cell, to.cell}, scan.lines(), scan.beams());
@@ -86,6 +133,11 @@ std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, c
                                                              std::uint32_t b) {
     if (a >= scan.cells() || b >= scan.cells() || scan.state[a] != CellState::Valid || scan.state[b] != CellState::Valid || a == b)
         return std::nullopt;
+    const std::uint32_t pickedA = a;
+    a = rimBefore(scan, tables, a, b);
+    b = rimBefore(scan, tables, b, pickedA);
+    const double rangeA = static_cast<double>(scan.rangeMm[a]) / 1000.0, rangeB = static_cast<double>(scan.rangeMm[b]) / 1000.0;
+    if (const double wide = openingRad(tables, a, b); isBehind(rangeA, rangeB, wide) || isBehind(rangeB, rangeA, wide)) return std::nullopt;
     const double reachM = kNearPicked * (tables.point(a) - tables.point(b)).norm();
     const std::vector<RimCell> first = rimNear(scan, tables, a, reachM), second = rimNear(scan, tables, b, reachM);
     struct Pair {

@@ -8,6 +8,7 @@
 
 #include <QStringList>
 
+#include <cmath>
 #include <utility>
 
 namespace edgescan::ui {
@@ -97,8 +98,11 @@ void Measures::keepPicked() {
     if (kind_ == inspect::MeasureKind::Throat) {
         const auto ends = inspect::narrowestBetween(scan, CartesianTables(scan), cells[0], cells[1]);
         if (!ends) {
-            notice_.showNotice(NoticeBar::Kind::Warning,
-                               tr("No free way was seen between these two rims: click cells on the two borders of an opening."));
+            notice_.showNotice(
+                NoticeBar::Kind::Warning,
+                tr("No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of "
+                   "an opening.")
+                    .arg(std::abs(scan.rangeMm[cells[0]] - scan.rangeMm[cells[1]]) / 1000.0, 0, 'f', 2));
             return;
         }
         cells.assign(ends->begin(), ends->end());

@@ -99,6 +99,36 @@ TEST(SurfacePath, LiesWithinItsToleranceUnderNoise) {
     EXPECT_GE(within, all * 95 / 100) << within << " of " << all;
 }
 
+TEST(Throat, IsBetweenTheNearRimsWhateverRimOfAVoidBehindIsPicked) {
+    // A plate at 5 m with a slot from -0.5 to 0.5 m; behind it a wall at 18 m with a void, whose rim is seen through the slot.
+    const auto slot = [](const Eigen::Vector3d& d) {
+        const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
+        if (std::abs(x) > 0.5 || std::abs(y) > 0.5) return 5.0 / d.z();
+        return std::abs(x) < 0.3 && std::abs(y) < 0.3 ? 0.0 : 18.0 / d.z();
+    };
+    const Scan scan = fineScan(101, 101, slot);
+    const CartesianTables tables(scan);
+    const auto behind = [&](int line, int beam) {
+        return scan.state.at(line, beam) == CellState::Valid && scan.rangeMm.at(line, beam) > 9000.0F;
+    };
+    for (int line = 40; line <= 60; line += 5) {
+        int left = 0, right = 0; // of the void, on the wall
+        for (int beam = 1; beam < 101; ++beam) {
+            if (behind(line, beam - 1) && scan.state.at(line, beam) != CellState::Valid) left = beam - 1;
+            if (behind(line, beam) && scan.state.at(line, beam - 1) != CellState::Valid) right = beam;
+        }
+        ASSERT_LT(left, right);
+        int near = left;
+        while (behind(line, near)) --near;
+        for (const int from : {left, near}) {
+            const auto found = narrowestBetween(scan, tables, cellOf(scan, line, from), cellOf(scan, line, right));
+            ASSERT_TRUE(found) << line;
+            for (const std::uint32_t k : *found) EXPECT_LT(scan.rangeMm[k], 6000.0F) << line;
+            EXPECT_NEAR((tables.point((*found)[0]) - tables.point((*found)[1])).norm(), 1.0, 0.06) << line;
+        }
+    }
+}
+
 TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
     // A plate at 5 m with an oblique slot, behind it a wall at 9 m.
     const auto slot = [](const Eigen::Vector3d& d) {
