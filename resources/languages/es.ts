@@ -988,11 +988,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
-<message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
-<message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
-<message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
-<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
-<message><source>By &amp;Line</source><translation>Por &amp;línea</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
@@ -1036,12 +1031,6 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Redo</source><translation>&amp;Rehacer</translation></message>
 <message><source>&amp;Edit</source><translation>&amp;Edición</translation></message>
 <message><source>&amp;Copy Probe Values</source><translation>&amp;Copiar valores bajo el cursor</translation></message>
-<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
-<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Predeterminado: el central desplaza, el derecho acerca y aleja</translation></message>
-<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: el derecho desplaza, el central acerca y aleja</translation></message>
-<message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
-<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
-<message><source>The window speaks this language from its next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Puntos de borde</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
@@ -1056,8 +1045,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vistas guardadas</translation></message>
-<message><source>Store as View &amp;%1</source><translation>Guardar como vista &amp;%1</translation></message>
 <message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Guardar como vista &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nube de puntos</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
 <message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
@@ -1162,13 +1151,24 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
-<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
-<message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
-<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
 <message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
+<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
+<message><source>The window speaks this language from its next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
+<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
+<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Predeterminado: el central desplaza, el derecho acerca y aleja</translation></message>
+<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: el derecho desplaza, el central acerca y aleja</translation></message>
+<message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
+<message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
+<message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
+<message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
+<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
+<message><source>By &amp;Line</source><translation>Por &amp;línea</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
+<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
 </translation></message>

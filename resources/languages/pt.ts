@@ -988,11 +988,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
-<message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
-<message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
-<message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
-<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
-<message><source>By &amp;Line</source><translation>Por &amp;linha</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
@@ -1036,12 +1031,6 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Redo</source><translation>&amp;Refazer</translation></message>
 <message><source>&amp;Edit</source><translation>&amp;Editar</translation></message>
 <message><source>&amp;Copy Probe Values</source><translation>&amp;Copiar valores sob o cursor</translation></message>
-<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
-<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Padrão: o do meio desloca, o direito aproxima e afasta</translation></message>
-<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: o direito desloca, o do meio aproxima e afasta</translation></message>
-<message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
-<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
-<message><source>The window speaks this language from its next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Pontos de borda</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
@@ -1056,8 +1045,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vistas salvas</translation></message>
-<message><source>Store as View &amp;%1</source><translation>Salvar como vista &amp;%1</translation></message>
 <message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Salvar como vista &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nuvem de pontos</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
 <message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
@@ -1162,13 +1151,24 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
-<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
-<message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
-<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
 <message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
+<message><source>The window speaks this language from its next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
+<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
+<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Padrão: o do meio desloca, o direito aproxima e afasta</translation></message>
+<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: o direito desloca, o do meio aproxima e afasta</translation></message>
+<message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
+<message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
+<message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
+<message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
+<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
+<message><source>By &amp;Line</source><translation>Por &amp;linha</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
+<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
 </translation></message>

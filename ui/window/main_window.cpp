@@ -38,7 +38,6 @@
 #include "ui/window/pane_notes.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/session_menu.h"
-#include "ui/window/theme_menu.h"
 #include "ui/window/tool_bar.h"
 #include "ui/window/tool_buttons.h"
 #include "ui/window/warned_picture.h"
@@ -370,3 +369,4 @@ void MainWindow::escape() {
 } // namespace edgescan::ui
 
 #include "moc_main_window.cpp"
+#include "ui/window/view_choices.h"
