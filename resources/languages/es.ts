@@ -116,7 +116,6 @@
 <message><source>the host name is not known</source><translation>el nombre de host es desconocido</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>compruebe cómo está escrito o use la dirección IP del escáner</translation></message>
 <message><source>the name server does not answer</source><translation>el servidor de nombres no responde</translation></message>
-<message><source>the name has no address</source><translation>el nombre no tiene dirección</translation></message>
 <message><source>use the scanner's IP address</source><translation>use la dirección IP del escáner</translation></message>
 <message><source>the scanner closed the connection</source><translation>el escáner cerró la conexión</translation></message>
 <message><source>the connection broke (%1)</source><translation>la conexión se interrumpió (%1)</translation></message>
@@ -881,6 +880,13 @@ mantenga \ para verla</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
+<message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
@@ -896,13 +902,6 @@ mantenga \ para verla</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
-<message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
-<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>

@@ -116,7 +116,6 @@
 <message><source>the host name is not known</source><translation>le nom d'hôte est inconnu</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>vérifiez son orthographe ou utilisez l'adresse IP du scanner</translation></message>
 <message><source>the name server does not answer</source><translation>le serveur de noms ne répond pas</translation></message>
-<message><source>the name has no address</source><translation>ce nom n'a pas d'adresse</translation></message>
 <message><source>use the scanner's IP address</source><translation>utilisez l'adresse IP du scanner</translation></message>
 <message><source>the scanner closed the connection</source><translation>le scanner a fermé la connexion</translation></message>
 <message><source>the connection broke (%1)</source><translation>la connexion s'est interrompue (%1)</translation></message>
@@ -881,6 +880,13 @@ tenez \ pour la voir</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
+<message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
 <message><source>Open…</source><translation>Ouvrir…</translation></message>
 <message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
@@ -896,13 +902,6 @@ tenez \ pour la voir</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
 <message><source>• modified</source><translation>• modifié</translation></message>
 <message><source>computing …</source><translation>calcul en cours …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
-<message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
-<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 à %2 %3</translation></message>

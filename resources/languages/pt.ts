@@ -116,7 +116,6 @@
 <message><source>the host name is not known</source><translation>o nome de host é desconhecido</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>verifique como está escrito ou use o endereço IP do scanner</translation></message>
 <message><source>the name server does not answer</source><translation>o servidor de nomes não responde</translation></message>
-<message><source>the name has no address</source><translation>o nome não tem endereço</translation></message>
 <message><source>use the scanner's IP address</source><translation>use o endereço IP do scanner</translation></message>
 <message><source>the scanner closed the connection</source><translation>o scanner fechou a conexão</translation></message>
 <message><source>the connection broke (%1)</source><translation>a conexão foi interrompida (%1)</translation></message>
@@ -881,6 +880,13 @@ segure \ para vê-la</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
+<message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
@@ -896,13 +902,6 @@ segure \ para vê-la</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
-<message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
-<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>

@@ -6,12 +6,16 @@
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
 #include "core/files/formats/formats.h"
-#include "core/files/open_save/apply_options.h"
 #include "core/files/open_save/check_measured.h"
 #include "core/files/open_save/place_on_grid.h"
 #include "core/files/open_save/pose_sidecar.h"
 #include "core/files/open_save/unpack.h"
+#include "core/files/point_tables/source.h"
 #include "core/files/ros/bag_folder.h"
+#include "core/scan/angle_correction/straighten_scan.h"
+#include "core/scan/georef/place_scan.h"
+#include "core/scan/grid/given_angles.h"
+#include "core/scan/grid/scan.h"
 
 #include <future>
 #include <new>
@@ -19,6 +23,30 @@
 
 namespace edgescan::files {
 namespace {
+
+/// The angles of the options, and unless the scan `placesItself` the place that --pose and --calibration give. Error: one of the two is
+/// missing, or they do not fit the scan.
+Result<Done> applyOptions(Scan& scan, const Source& source, bool placesItself) {
+    const ReadingOptions& options = *source.options;
+    applyGivenAngles(scan, options);
+    if (placesItself || (options.pose.empty() && options.calibration.empty())) return Done{};
+    if (options.pose.empty()) return source.refused("a calibration alone gives no place", "give --pose POSE.json too");
+    auto placement = openPlacement(options.pose, options.calibration, scan);
+    if (!placement) return placement.error();
+    scan.placement = *placement;
+    return Done{};
+}
+
+/// The step for a whole sweep: with options.straighten the angles are corrected; else a warning reports beams or lines that are displaced.
+Scan straightenedAsAsked(Scan scan, const ReadingOptions& options) {
+    if (!options.straighten) {
+        if (auto warning = displacementWarning(scan)) scan.warnings.push_back(std::move(*warning));
+        return scan;
+    }
+    Scan straight = straightened(std::move(scan));
+    straight.openedWith = readingOptionsText(options);
+    return straight;
+}
 
 namespace fs = std::filesystem;
 
@@ -29,15 +57,15 @@ std::future<std::string> sha256OnThread(std::span<const std::byte> bytes) {
     return std::async(bytes.size() >= kLarge ? std::launch::async | ifAsked : ifAsked, sha256Hex, bytes);
 }
 
-/// The steps from plain bytes on, in their order; each is in the file named.
+/// The steps from plain bytes on, in their order; most are in the file named.
 Result<Scan> scanOf(const Source& source) {
     const Format& format = formatOfContent(source); // formats/formats.h
     auto reading = format.read(source);             // formats/pcd.cpp and the like
     if (!reading) return reading.error();
     auto scan = placeOnGrid(std::move(*reading), source); // place_on_grid.h
     if (!scan) return scan;
-    if (auto done = applyOptions(*scan, source, format.placesItself); !done) return done.error(); // apply_options.h
-    if (auto done = checkMeasured(*scan, source.path.string()); !done) return done.error();       // check_measured.h
+    if (auto done = applyOptions(*scan, source, format.placesItself); !done) return done.error();
+    if (auto done = checkMeasured(*scan, source.path.string()); !done) return done.error(); // check_measured.h
     return scan;
 }
 
