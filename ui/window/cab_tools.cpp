@@ -17,8 +17,6 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include <cmath>
-
 namespace edgescan::ui {
 namespace {
 

@@ -40,6 +40,7 @@
 #include "ui/window/session_menu.h"
 #include "ui/window/tool_bar.h"
 #include "ui/window/tool_buttons.h"
+#include "ui/window/view_choices.h"
 #include "ui/window/warned_picture.h"
 
 #include <QApplication>
@@ -58,7 +59,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgescan::ui {
 namespace {
@@ -369,4 +369,3 @@ void MainWindow::escape() {
 } // namespace edgescan::ui
 
 #include "moc_main_window.cpp"
-#include "ui/window/view_choices.h"

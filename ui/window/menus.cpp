@@ -3,7 +3,6 @@
 
 #include "core/edges/settings/presets.h"
 #include "ui/base/notice_bar.h"
-#include "ui/base/shown_text.h"
 #include "ui/controllers/contact_sheets.h"
 #include "ui/controllers/files/calibrating.h"
 #include "ui/controllers/files/placing.h"

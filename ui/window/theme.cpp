@@ -12,7 +12,6 @@
 #include <QStyleOption>
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgescan::ui {
 namespace {
