@@ -70,23 +70,25 @@ std::vector<std::string> remarks(const files::LiveStatus& status, const files::R
     return all;
 }
 
-/// The mounting that was used to place the lines, and which of its values are assumed.
-nlohmann::ordered_json mountingReport(const scanner::SweepSettings& sweep) {
-    nlohmann::ordered_json assumed = nlohmann::ordered_json::array();
+/// The mounting that was used to place the lines, and which of its values are assumed. Lines that came with their angles have no step.
+nlohmann::ordered_json mountingReport(const files::LiveStatus& status) {
+    const scanner::SweepSettings& sweep = status.settings;
+    const bool ownAngles = status.sweep.angleSource == scanner::AngleSource::Stepper;
+    nlohmann::ordered_json assumed = nlohmann::ordered_json::array(), step = nullptr;
     if (sweep.axisAssumed) assumed.push_back("axis");
-    if (sweep.stepAssumed) assumed.push_back("line_step_deg");
+    if (sweep.stepAssumed && !ownAngles) assumed.push_back("line_step_deg");
+    if (sweep.degPerLine && !ownAngles) step = *sweep.degPerLine;
     nlohmann::ordered_json lines = nullptr;
     if (sweep.expectedLines > 0) lines = sweep.expectedLines;
     return {{"axis", sweep.axis == Axis::Spin ? "spin" : "sweep"},
-            {"line_step_deg", *sweep.degPerLine},
+            {"line_step_deg", step},
             {"line_start_deg", sweep.firstLineDeg},
             {"stop_and_go", !sweep.continuous},
             {"expected_lines", lines},
             {"assumed", assumed}};
 }
 
-nlohmann::ordered_json summary(const Record& record, const scanner::SweepSettings& sweep, const files::LiveStatus& status,
-                               const files::RecordingState& recorded) {
+nlohmann::ordered_json summary(const Record& record, const files::LiveStatus& status, const files::RecordingState& recorded) {
     const scanner::TelegramAccount& account = status.sweep.account;
     return {{"output", record.out},
             {"lines", status.lines},
@@ -96,7 +98,7 @@ nlohmann::ordered_json summary(const Record& record, const scanner::SweepSetting
             {"duplicates", status.sweep.duplicates},
             {"undecodable", status.undecodable},
             {"reconnects", status.statistics.reconnects},
-            {"mounting", mountingReport(sweep)},
+            {"mounting", mountingReport(status)},
             {"scanner", status.scanner ? nlohmann::ordered_json(status.scanner->words()) : nlohmann::ordered_json(nullptr)},
             {"sweeps",
              {{"count", account.sweeps},
@@ -170,7 +172,7 @@ int run(const Record& record) {
         printError(none);
         return kRefused;
     }
-    const auto written = writeDocument(record.json, document("record", summary(record, *sweep, status, *closed)), false);
+    const auto written = writeDocument(record.json, document("record", summary(record, status, *closed)), false);
     if (written) return kDone;
     printError(written.error());
     return kRefused;

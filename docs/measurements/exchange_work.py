@@ -220,8 +220,8 @@ def clouds(scan, programs):
             sound = sound and result.sound
             if not result.sound:
                 print(f"{program.name}, {kind}: not as it must be", file=sys.stderr)
-    head("What they save", "The program opens our file and saves it; EdgeScan opens that, without a record, and finds the edges: how many of their cells differ "
-         "from those of the scan, and how many differ where each cell gets the range of its saved point and nothing else happens (*rounding alone*).",
+    head("What they save", "The program opens our file and saves it. EdgeScan opens that, without a record, and finds the edges. The table shows how many of "
+         "their cells differ from those of the scan. *Rounding alone* is how many differ if each cell only gets the range of its saved point.",
          "program", "format", "saved as", "scanner", "local", "mine")
     for cells in saves:
         row(*cells)

@@ -97,7 +97,11 @@ TEST_F(Live, ABridgeThatIsRecordedAndReplayedHasTheEdgesOfTheFile) {
         const Served served(scan + " --bridge --rate 300");
         const auto record = runCli("record ws://" + served.address() + " -o " + recording + " --lines 90 --seconds 120");
         ASSERT_EQ(record.code, 0) << record.err;
-        EXPECT_EQ(json::parse(record.out)["lines"], 90);
+        const json summary = json::parse(record.out);
+        EXPECT_EQ(summary["lines"], 90);
+        EXPECT_EQ(summary["mounting"]["assumed"], json::array()) << "the transforms say it: " << summary["mounting"];
+        EXPECT_EQ(summary["mounting"]["axis"], json::parse(runCli("info " + scan).out)["axis"]);
+        EXPECT_TRUE(summary["mounting"]["line_step_deg"].is_null());
     }
     const std::string expected = hashOf(scan);
     EXPECT_EQ(hashOf(recording), expected);

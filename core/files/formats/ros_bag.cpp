@@ -4,6 +4,10 @@
 #include "core/containers/ros/bag.h"
 #include "core/files/formats/format.h"
 #include "core/files/ros/bag_sweep.h"
+#include "core/files/ros/turned_first.h"
+
+#include <algorithm>
+#include <list>
 
 namespace edgescan::files {
 namespace {
@@ -30,8 +34,9 @@ bool isWholeScan(const Reading& reading) {
 
 /// A laser that does not turn is not a scan: the first topic that gives one is taken.
 Result<Reading> scanIn(const containers::RosBag& bag, const Source& source) {
-    const auto topics = topicsToTry(bag, source.options->topic, source.path.string());
+    auto topics = topicsToTry(bag, source.options->topic, source.path.string());
     if (!topics) return topics.error();
+    turnedFirst(bag, source.options->joint, *topics);
     auto first = scanOfTopic(bag, topics->front(), source);
     for (std::size_t n = 1; n < topics->size() && !first && first.error().what != source.cancelled().what; ++n) {
         auto other = scanOfTopic(bag, (*topics)[n], source);
@@ -57,6 +62,58 @@ Result<Reading> readBag(const Source& source) {
     return scanIn(*bag, source);
 }
 
+/// A bag of several parts, with the content that its messages point into.
+struct WholeBag {
+    std::list<containers::McapContent> contents;
+    containers::RosBag bag;
+};
+
+Result<containers::RosBag> bagOf(const BagPart& part, std::list<containers::McapContent>& contents) {
+    const Source source{part.name, part.bytes};
+    if (!containers::looksLikeMcap(bytesOf(source))) {
+        if (!looksLikeBag(source)) return source.refused("it is not a file of a bag", "copy it again");
+        return bagIn(source);
+    }
+    auto content = containers::readMcap(bytesOf(source), part.name);
+    if (!content) return content.error();
+    return containers::rosBagOf(contents.emplace_back(std::move(*content)), part.name);
+}
+
+/// Adds the messages of the next part.
+void append(containers::RosBag& whole, containers::RosBag part, const std::string& name) {
+    std::vector<std::uint32_t> numbers;
+    for (containers::RosTopic& topic : part.topics) {
+        const auto same = std::ranges::find_if(whole.topics, [&](const containers::RosTopic& known) {
+            return known.name == topic.name && known.type == topic.type && known.definition == topic.definition &&
+                   known.encoding == topic.encoding;
+        });
+        numbers.push_back(static_cast<std::uint32_t>(same - whole.topics.begin()));
+        if (same == whole.topics.end()) whole.topics.push_back(std::move(topic));
+    }
+    for (const containers::RosBagMessage& message : part.messages)
+        whole.messages.push_back({numbers[message.topic], message.logNs, message.bytes});
+    whole.unpacked.splice(whole.unpacked.end(), part.unpacked);
+    for (const std::string& warning : part.warnings) whole.warnings.push_back(name + ": " + warning);
+    if (whole.kind.empty()) whole.kind = part.kind;
+}
+
+Result<WholeBag> wholeBag(const std::vector<BagPart>& parts, const std::string& where) {
+    WholeBag whole;
+    std::optional<Error> first;
+    for (const BagPart& part : parts) {
+        auto bag = bagOf(part, whole.contents);
+        if (bag) {
+            append(whole.bag, std::move(*bag), part.name);
+            continue;
+        }
+        if (!first) first = Error{bag.error().what, where, bag.error().hint};
+        whole.bag.warnings.push_back("The part " + part.name + " of the bag could not be read (" + bag.error().what +
+                                     "): its messages are not in the scan.");
+    }
+    if (whole.bag.topics.empty() && first) return *first;
+    return whole;
+}
+
 } // namespace
 
 Format rosBagFormat() { return {.title = "ROS bag", .reads = {".bag", ".db3"}, .recognises = looksLikeBag, .read = readBag}; }
@@ -74,6 +131,18 @@ std::optional<Result<BagListing>> bagListing(const Source& source) {
     if (!looksLikeBag(source)) return std::nullopt;
     const auto bag = bagIn(source);
     return bag ? Result<BagListing>(listingOf(*bag)) : Result<BagListing>(bag.error());
+}
+
+Result<Reading> readBagParts(const std::vector<BagPart>& parts, const Source& whole) {
+    const auto bag = wholeBag(parts, whole.path.string());
+    if (!bag) return bag.error();
+    return scanIn(bag->bag, whole);
+}
+
+Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const std::string& where) {
+    const auto bag = wholeBag(parts, where);
+    if (!bag) return bag.error();
+    return listingOf(bag->bag);
 }
 
 } // namespace edgescan::files

@@ -6,6 +6,8 @@
 #include "core/files/ros/bag_listing.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace edgescan::files {
 
@@ -14,5 +16,17 @@ Result<Reading> readRosMcap(const containers::McapContent& content, const Source
 
 /// The topics of a bag. Empty: it is none. Error: it cannot be read.
 std::optional<Result<BagListing>> bagListing(const Source& source);
+
+/// A part of a bag that was split.
+struct BagPart {
+    std::string name;                 ///< of its file
+    std::span<const std::byte> bytes; ///< not packed
+};
+
+/// The scan of all parts, whatever container each is; `whole` has the options and the path. A part that cannot be read is left out with a
+/// warning that names it. Error: there is no scan in them.
+Result<Reading> readBagParts(const std::vector<BagPart>& parts, const Source& whole);
+/// Their topics.
+Result<BagListing> listingOfParts(const std::vector<BagPart>& parts, const std::string& where);
 
 } // namespace edgescan::files

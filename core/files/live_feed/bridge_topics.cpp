@@ -2,17 +2,26 @@
 #include "core/files/live_feed/bridge_topics.h"
 
 #include "core/containers/ros/definition.h"
+#include "core/files/ros/bag_topics.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
 namespace edgescan::files {
 namespace {
 
 using scanner::BridgeChannelPtr;
 
-bool isLaser(const std::string& type) { return type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan"; }
 bool givesAngles(const std::string& type) {
     return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage" || type == "sensor_msgs/JointState";
+}
+
+/// The name of a laser that a motor turns often says so; which one turns is known only when its lines come.
+bool namesATurn(const std::string& topic) {
+    constexpr std::array<std::string_view, 6> kWords{"tilt", "nod", "spin", "turn", "rotat", "sweep"};
+    return std::ranges::any_of(kWords, [&](std::string_view word) { return topic.find(word) != std::string::npos; });
 }
 
 std::string namesOf(const std::vector<BridgeChannelPtr>& channels) {
@@ -34,14 +43,15 @@ Result<scanner::BridgeChoice> chooseTopics(const std::vector<BridgeChannelPtr>& 
     for (const BridgeChannelPtr& channel : offered) {
         const std::string type = containers::rosTypeName(channel->type);
         const bool readable = channel->encoding == "cdr" || channel->encoding == "ros1";
-        if (readable && isLaser(type)) lasers.push_back(channel);
+        if (readable && givenBy(type) == TopicGives::Lines) lasers.push_back(channel);
         if (readable && givesAngles(type)) choice.channels.push_back(channel);
     }
     if (lasers.empty())
         return Error{"the bridge offers no topic of a laser (sensor_msgs/LaserScan)" +
                          (offered.empty() ? std::string() : ": " + namesOf(offered)),
                      where, "check that the laser's driver runs"};
-    std::ranges::stable_sort(lasers, {}, [](const BridgeChannelPtr& channel) { return channel->topic; });
+    std::ranges::stable_sort(lasers, {},
+                             [](const BridgeChannelPtr& channel) { return std::pair(!namesATurn(channel->topic), channel->topic); });
     const auto taken =
         topic.empty() ? lasers.begin() : std::ranges::find(lasers, topic, [](const auto& channel) { return channel->topic; });
     if (taken == lasers.end())

@@ -14,6 +14,10 @@ constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
 constexpr std::size_t kMostStanding = 64;
 constexpr auto kLive = scanner::ConnectionPhase::Live;
 
+std::optional<containers::RosTopic> topicOf(const scanner::BridgeChannel& channel) {
+    return containers::rosTopic(channel.topic, channel.encoding, channel.type, channel.definitionEncoding, channel.definition);
+}
+
 } // namespace
 
 LiveFeed::LiveFeed(scanner::ConnectionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
@@ -28,8 +32,9 @@ std::unique_ptr<scanner::LiveConnection> LiveFeed::connect(scanner::ConnectionSe
         events.stateChanged = stateChanged;
         events.choose = [this, topic = settings.topic, where = scanner::addressText(settings.host, settings.port)](const auto& offered) {
             auto choice = chooseTopics(offered, topic, where);
-            if (!choice) return choice;
             const std::lock_guard lock(mutex_);
+            offered_ = offered;
+            if (!choice) return choice;
             if (linesTopic_.empty()) linesTopic_ = choice->lines->topic;
             return choice;
         };
@@ -102,14 +107,16 @@ void LiveFeed::received(const scanner::BridgeChannelPtr& channel, const scanner:
     const auto message = std::make_shared<const RecordingMessage>(
         RecordingMessage{RecordingTopic::Bridge, clock_.ns(time), Bytes(data.payload.begin(), data.payload.end()), channel, data.bridgeNs});
     take(message, time, [&] {
+        Heard& heard = heard_[channel->topic];
+        if (heard.messages++ == 0) heard = {1, time.monotonicNs, 0, message};
+        heard.lastNs = time.monotonicNs;
         if (channel->topic.ends_with("tf_static") && standing_.size() < kMostStanding) standing_.push_back(message);
         return takeBridge(*message);
     });
 }
 
 int LiveFeed::takeBridge(const RecordingMessage& message) {
-    const scanner::BridgeChannel& of = *message.channel;
-    const auto topic = containers::rosTopic(of.topic, of.encoding, of.type, of.definitionEncoding, of.definition);
+    const auto topic = topicOf(*message.channel);
     return topic ? laser_.take(*topic, message.payload, feed_.assembler()) : 0;
 }
 
@@ -130,6 +137,7 @@ LiveStatus LiveFeed::status() const {
     status.connection = state_;
     status.scanner = identity_;
     status.sweep = feed_.assembler().progress();
+    status.settings = feed_.assembler().settings();
     status.lines = lines_;
     status.linesAfter = linesAfter_;
     status.undecodable = feed_.undecodable() + laser_.leftOut();
@@ -147,6 +155,28 @@ LiveStatus LiveFeed::status() const {
     }
     if (recorder_) status.recording = recorder_->state();
     return status;
+}
+
+std::vector<OfferedTopic> LiveFeed::offered() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<OfferedTopic> all;
+    for (const scanner::BridgeChannelPtr& channel : offered_) {
+        const auto topic = topicOf(*channel);
+        if (!topic) continue;
+        OfferedTopic row;
+        const auto heard = heard_.find(channel->topic);
+        row.subscribed = heard != heard_.end();
+        row.lines = channel->topic == linesTopic_;
+        row.topic = listedTopic(*topic, row.subscribed ? ByteView(heard->second.first->payload) : ByteView());
+        if (row.subscribed) {
+            row.topic.messages = static_cast<std::size_t>(heard->second.messages);
+            const double seconds = static_cast<double>(heard->second.lastNs - heard->second.firstNs) * 1e-9;
+            if (seconds > 0) row.topic.hertz = static_cast<double>(heard->second.messages - 1) / seconds;
+        }
+        all.push_back(std::move(row));
+    }
+    std::ranges::sort(all, {}, [](const OfferedTopic& row) { return row.topic.name; });
+    return all;
 }
 
 std::vector<scanner::FinishedSweep> LiveFeed::takeFinished() {

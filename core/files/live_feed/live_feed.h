@@ -3,12 +3,14 @@
 
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
+#include "core/files/ros/bag_listing.h"
 #include "core/files/ros/live_laser.h"
 #include "core/scanner/foxglove/bridge_connection.h"
 #include "core/scanner/sick_lms/scanner_connection.h"
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -22,12 +24,20 @@ struct LiveStatus {
     std::optional<scanner::ScannerIdentity> scanner;
     scanner::ConnectionStatistics statistics;
     scanner::SweepProgress sweep;
+    scanner::SweepSettings settings;         ///< that lines are placed with, with what a bridge's transforms gave
     std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps
     std::int64_t linesAfter = 0;             ///< scan telegrams that came after the last line that is taken
     std::int64_t undecodable = 0;            ///< scan telegrams that could not be decoded
     std::optional<double> secondsSinceLine;  ///< empty before the first
     double linesPerSecond = 0.0;             ///< over the last lines; 0: not known
     std::optional<RecordingState> recording; ///< while one is written
+};
+
+/// A topic of a bridge. Messages are counted of those that are subscribed; of the others only the type is known.
+struct OfferedTopic {
+    ListedTopic topic;
+    bool subscribed = false;
+    bool lines = false; ///< the one that the lines come from
 };
 
 struct LiveLimits {
@@ -51,6 +61,8 @@ public:
     /// The same with how far it is, both of one moment.
     [[nodiscard]] scanner::SweepState sweep();
     [[nodiscard]] LiveStatus status() const;
+    /// Of a bridge: what it offers and which of it is subscribed; by name.
+    [[nodiscard]] std::vector<OfferedTopic> offered() const;
     /// Sweeps finished since the last call.
     [[nodiscard]] std::vector<scanner::FinishedSweep> takeFinished();
 
@@ -96,6 +108,12 @@ private:
     LiveLaser laser_;                           // of a bridge
     std::vector<RecordingMessagePtr> standing_; // of a bridge: fixed transforms, which come only once
     std::string linesTopic_;                    // of a bridge
+    struct Heard {
+        std::int64_t messages = 0, firstNs = 0, lastNs = 0;
+        RecordingMessagePtr first;
+    };
+    std::vector<scanner::BridgeChannelPtr> offered_; // of a bridge
+    std::map<std::string, Heard> heard_;             // by topic
     scanner::ConnectionState state_;
     std::optional<scanner::ScannerIdentity> identity_;
     std::unique_ptr<RecordingWriter> recorder_;

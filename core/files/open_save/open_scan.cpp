@@ -6,16 +6,12 @@
 #include "core/base/pipe.h"
 #include "core/base/sha256.h"
 #include "core/files/formats/formats.h"
+#include "core/files/open_save/apply_options.h"
 #include "core/files/open_save/check_measured.h"
 #include "core/files/open_save/place_on_grid.h"
 #include "core/files/open_save/pose_sidecar.h"
+#include "core/files/open_save/split_bag.h"
 #include "core/files/open_save/unpack.h"
-#include "core/files/point_tables/source.h"
-#include "core/files/ros/bag_folder.h"
-#include "core/scan/angle_correction/straighten_scan.h"
-#include "core/scan/georef/place_scan.h"
-#include "core/scan/grid/given_angles.h"
-#include "core/scan/grid/scan.h"
 
 #include <future>
 #include <new>
@@ -23,30 +19,6 @@
 
 namespace edgescan::files {
 namespace {
-
-/// The angles of the options, and unless the scan `placesItself` the place that --pose and --calibration give. Error: one of the two is
-/// missing, or they do not fit the scan.
-Result<Done> applyOptions(Scan& scan, const Source& source, bool placesItself) {
-    const ReadingOptions& options = *source.options;
-    applyGivenAngles(scan, options);
-    if (placesItself || (options.pose.empty() && options.calibration.empty())) return Done{};
-    if (options.pose.empty()) return source.refused("a calibration alone gives no place", "give --pose POSE.json too");
-    auto placement = openPlacement(options.pose, options.calibration, scan);
-    if (!placement) return placement.error();
-    scan.placement = *placement;
-    return Done{};
-}
-
-/// The step for a whole sweep: with options.straighten the angles are corrected; else a warning reports beams or lines that are displaced.
-Scan straightenedAsAsked(Scan scan, const ReadingOptions& options) {
-    if (!options.straighten) {
-        if (auto warning = displacementWarning(scan)) scan.warnings.push_back(std::move(*warning));
-        return scan;
-    }
-    Scan straight = straightened(std::move(scan));
-    straight.openedWith = readingOptionsText(options);
-    return straight;
-}
 
 namespace fs = std::filesystem;
 
@@ -57,16 +29,27 @@ std::future<std::string> sha256OnThread(std::span<const std::byte> bytes) {
     return std::async(bytes.size() >= kLarge ? std::launch::async | ifAsked : ifAsked, sha256Hex, bytes);
 }
 
-/// The steps from plain bytes on, in their order; most are in the file named.
+/// The steps behind the reader, in their order; each is in the file named.
+Result<Scan> scanOfReading(Reading reading, const Source& source, bool placesItself) {
+    auto scan = placeOnGrid(std::move(reading), source); // place_on_grid.h
+    if (!scan) return scan;
+    if (auto done = applyOptions(*scan, source, placesItself); !done) return done.error();  // apply_options.h
+    if (auto done = checkMeasured(*scan, source.path.string()); !done) return done.error(); // check_measured.h
+    return scan;
+}
+
+/// The steps from plain bytes on.
 Result<Scan> scanOf(const Source& source) {
     const Format& format = formatOfContent(source); // formats/formats.h
     auto reading = format.read(source);             // formats/pcd.cpp and the like
     if (!reading) return reading.error();
-    auto scan = placeOnGrid(std::move(*reading), source); // place_on_grid.h
-    if (!scan) return scan;
-    if (auto done = applyOptions(*scan, source, format.placesItself); !done) return done.error();
-    if (auto done = checkMeasured(*scan, source.path.string()); !done) return done.error(); // check_measured.h
-    return scan;
+    return scanOfReading(std::move(*reading), source, format.placesItself);
+}
+
+/// The options, without what openAsAsked() does.
+std::string openedWith(ReadingOptions options) {
+    options.straighten = false;
+    return readingOptionsText(options);
 }
 
 /// The line: bytes, unpack, recognise, read, place on a grid, apply options, check; and the names by which the scan is known again.
@@ -76,9 +59,7 @@ Result<Scan> scanOfBytes(const Source& source) {
     if (!plain) return plain.error();
     auto scan = scanOf(plain->source);
     if (!scan) return plain->refused(scan.error());
-    ReadingOptions done = *source.options;
-    done.straighten = false; // openAsAsked() does that
-    scan->openedWith = readingOptionsText(done);
+    scan->openedWith = openedWith(*source.options);
     scan->name = scanName(source.path);
     if (scan->sha256.empty()) scan->sha256 = sha256.get();
     if (!source.goOn("opened", 1.0)) return source.cancelled();
@@ -93,6 +74,26 @@ Result<HeldFile> bytesAt(const fs::path& path, const ReadingOptions& options) {
     auto bytes = readPipe(path, [&] { return !options.progress || options.progress("reading", 0.0); });
     if (!bytes) return bytes.error();
     return HeldFile(std::move(*bytes));
+}
+
+/// One scan of all parts of a bag; it has the name of the folder.
+Result<Scan> scanOfSplitBag(const BagFiles& bag, const ReadingOptions& options, const LinePlayed& played) {
+    const fs::path folder = fs::absolute(bag.parts.front()).parent_path();
+    auto held = holdSplitBag(bag, options);
+    if (!held) return held.error();
+    const ReadingOptions withPose = withPoseSidecar(options, folder);
+    const Source source{folder, held->parts.front().bytes, &withPose, false, played};
+    auto reading = readBagParts(held->parts, source);
+    if (!reading) return reading.error();
+    auto scan = scanOfReading(std::move(*reading), source, false);
+    if (!scan) return scan;
+    scan->warnings.insert(scan->warnings.begin(), held->warnings.begin(), held->warnings.end());
+    scan->openedWith = openedWith(options);
+    scan->name = folder.filename().string();
+    scan->sha256 = held->sha256;
+    scan->path = bag.path.string();
+    if (!source.goOn("opened", 1.0)) return source.cancelled();
+    return scan;
 }
 
 /// What `make` gives; memory that runs out on the way is an error like all others.
@@ -118,13 +119,17 @@ std::string scanName(const fs::path& path) {
 
 Result<Scan> openScan(const fs::path& path, const ReadingOptions& options, const LinePlayed& played) {
     return withinMemory(path, [&]() -> Result<Scan> {
-        const auto file = fileOfBag(path);
-        if (!file) return file.error();
-        const auto bytes = bytesAt(*file, options);
+        const auto bag = filesOfBag(path); // any other file is the only one
+        if (!bag) return bag.error();
+        if (bag->isSplit()) return scanOfSplitBag(*bag, options, played);
+        const fs::path& file = bag->parts.front();
+        const auto bytes = bytesAt(file, options);
         if (!bytes) return bytes.error();
-        const ReadingOptions withPose = withPoseSidecar(options, *file);
-        auto scan = scanOfBytes({*file, bytes->bytes(), &withPose, isPipe(*file), played});
-        if (scan) scan->path = file->string();
+        const ReadingOptions withPose = withPoseSidecar(options, file);
+        auto scan = scanOfBytes({file, bytes->bytes(), &withPose, isPipe(file), played});
+        if (!scan) return scan;
+        scan->path = file.string();
+        if (std::string part = partOfBag(file); !part.empty()) scan->warnings.push_back(std::move(part));
         return scan;
     });
 }

@@ -89,12 +89,15 @@ std::vector<std::string> with(std::vector<std::string> values, const std::string
     return values;
 }
 
-bool anglesWereTaken(const Scan& scan) {
-    return std::ranges::any_of(scan.warnings, [](const std::string& w) { return w.find("does not say its angles") != std::string::npos; });
+bool warned(std::string_view words, const Scan& scan) {
+    return std::ranges::any_of(scan.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
+bool anglesWereTaken(const Scan& scan) { return warned("does not say its angles", scan); }
+
 OpeningPoint mountingOf(const Scan& scan, const PolarGeometry& polar, const ReadingOptions& options, const CommonPlanes& now) {
-    OpeningPoint point{"Mounting", options.axis ? Source::Typed : anglesWereTaken(scan) ? Source::Guessed : Source::Said};
+    const bool assumed = anglesWereTaken(scan) || warned("ASSUMED: the axis", scan);
+    OpeningPoint point{"Mounting", options.axis ? Source::Typed : assumed ? Source::Guessed : Source::Said};
     point.taken = {wordsOf(polar.axis).taken, flatOf(now)};
     PolarGeometry turned = polar;
     turned.axis = polar.axis == Axis::Spin ? Axis::Sweep : Axis::Spin;

@@ -4,11 +4,24 @@
 #include "core/base/result.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace edgescan::files {
 
-/// The file of messages of a bag's folder, or of its metadata.yaml; any other path as it is. Error: a folder without such a file, or with
-/// several.
-Result<std::filesystem::path> fileOfBag(const std::filesystem::path& path);
+struct BagFiles {
+    std::filesystem::path path;               ///< by which it is opened again: its file, else its metadata.yaml, else its folder
+    std::vector<std::filesystem::path> parts; ///< in the order of their times
+    std::vector<std::string> missing;         ///< parts that metadata.yaml names and that are not there
+
+    [[nodiscard]] bool isSplit() const { return parts.size() + missing.size() > 1; }
+};
+
+/// The files of messages of a bag's folder, or of its metadata.yaml; any other path is one file. Without metadata.yaml, which a bag that
+/// was interrupted does not have, files NAME_0, NAME_1, ... are one bag. Error: a folder with files of several bags.
+Result<BagFiles> filesOfBag(const std::filesystem::path& path);
+
+/// A sentence that the file is one part of several, and which file opens them all; empty: it is not.
+[[nodiscard]] std::string partOfBag(const std::filesystem::path& file);
 
 } // namespace edgescan::files

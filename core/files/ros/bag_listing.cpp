@@ -55,16 +55,41 @@ std::string fieldsIn(const RosValue& message) {
     return wholeText(message, "height") + " x " + wholeText(message, "width") + " points with " + joined(names);
 }
 
+/// REP 145: a covariance of -1 means that there is no orientation.
+std::string inertialIn(const RosValue& message) {
+    const std::vector<double> covariance = message.numbers("orientation_covariance");
+    const bool oriented = covariance.empty() || covariance.front() != -1;
+    return std::string(oriented ? "orientation, " : "") +
+           "turn rates and accelerations, which are not used: transforms and joints turn the laser";
+}
+
 std::string given(const std::string& type, const RosValue& message) {
     if (type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan")
         return "scan lines of " + std::to_string(lengthOf(message, "ranges")) + " beams";
     if (type == "sensor_msgs/PointCloud2") return fieldsIn(message);
     if (type == "sensor_msgs/JointState") return "joints: " + joined(jointsIn(message));
     if (type == "tf2_msgs/TFMessage" || type == "tf/tfMessage") return linksIn(message);
+    if (type == "geometry_msgs/PoseStamped") return "poses in the frame " + frameNameOf(message.text("header.frame_id"));
+    if (type == "sensor_msgs/Imu") return inertialIn(message);
     return {};
 }
 
 } // namespace
+
+ListedTopic listedTopic(const containers::RosTopic& topic, ByteView firstMessage) {
+    ListedTopic row{topic.name, topic.type, 0, 0, {}, {}, givenBy(topic.type) != TopicGives::Nothing};
+    const auto definition = containers::rosDefinition(topic.type, topic.definition, "");
+    const auto message =
+        definition ? containers::rosMessage(*definition, topic.encoding, firstMessage, "") : Result<RosValue>(definition.error());
+    if (!message) return row;
+    row.frame = frameNameOf(message->text("header.frame_id"));
+    row.gives = given(topic.type, *message);
+    if (topic.type == "sensor_msgs/JointState") row.joints = jointsIn(*message);
+    const auto whole = [&](const char* path) { return static_cast<std::size_t>(std::max(0.0, message->number(path).value_or(0))); };
+    if (givenBy(topic.type) == TopicGives::Lines) row.size = lengthOf(*message, "ranges");
+    if (givenBy(topic.type) == TopicGives::Clouds) row.size = whole("width") * whole("height");
+    return row;
+}
 
 BagListing listingOf(const containers::RosBag& bag) {
     BagListing listing{bag.kind, {}, bag.warnings};
@@ -73,19 +98,9 @@ BagListing listingOf(const containers::RosBag& bag) {
         if (first[message.topic] == nullptr) first[message.topic] = &message;
     }
     for (const BagTopic& topic : bagTopics(bag)) {
-        const containers::RosTopic& of = bag.topics[topic.topic];
-        ListedTopic row{of.name, of.type, topic.messages, topic.hertz, {}, {}, topic.gives != TopicGives::Nothing};
-        const auto definition = containers::rosDefinition(of.type, of.definition, "");
-        const auto message = definition ? containers::rosMessage(*definition, of.encoding, first[topic.topic]->bytes, "")
-                                        : Result<RosValue>(definition.error());
-        if (message) {
-            row.frame = frameNameOf(message->text("header.frame_id"));
-            row.gives = given(of.type, *message);
-            if (of.type == "sensor_msgs/JointState") row.joints = jointsIn(*message);
-            const auto whole = [&](const char* path) { return static_cast<std::size_t>(std::max(0.0, message->number(path).value_or(0))); };
-            if (topic.gives == TopicGives::Lines) row.size = lengthOf(*message, "ranges");
-            if (topic.gives == TopicGives::Clouds) row.size = whole("width") * whole("height");
-        }
+        ListedTopic row = listedTopic(bag.topics[topic.topic], first[topic.topic]->bytes);
+        row.messages = topic.messages;
+        row.hertz = topic.hertz;
         listing.topics.push_back(std::move(row));
     }
     return listing;

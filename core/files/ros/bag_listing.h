@@ -26,6 +26,9 @@ struct BagListing {
     std::vector<std::string> warnings;
 };
 
+/// A row by the first message of a topic, without counts; of a topic without messages only what its type says.
+[[nodiscard]] ListedTopic listedTopic(const containers::RosTopic& topic, ByteView firstMessage);
+
 /// One row per topic with messages, in the order of the bag.
 [[nodiscard]] BagListing listingOf(const containers::RosBag& bag);
 

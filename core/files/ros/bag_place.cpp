@@ -38,6 +38,21 @@ bool stayed(const std::vector<RigidTransform>& poses) {
 
 } // namespace
 
+Result<FrameTree> transformsIn(const containers::RosBag& bag, const std::string& where) {
+    FrameTree tree;
+    for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
+        if (bag.topics[topic].type != "tf2_msgs/TFMessage" && bag.topics[topic].type != "tf/tfMessage") continue;
+        const auto definition = containers::rosDefinition(bag.topics[topic].type, bag.topics[topic].definition, where);
+        if (!definition) return definition.error();
+        for (const containers::RosBagMessage& stored : bag.messages) {
+            if (stored.topic != topic) continue;
+            if (const auto message = containers::rosMessage(*definition, bag.topics[topic].encoding, stored.bytes, where))
+                tree.add(*message);
+        }
+    }
+    return tree;
+}
+
 void addPoses(FrameTree& tree, const containers::RosBag& bag, const std::string& frame, std::vector<std::string>& warnings) {
     if (!mapAbove(tree, frame).empty()) return;
     const std::string highest = tree.chain(frame).back();

@@ -11,6 +11,9 @@
 
 namespace edgescan::files {
 
+/// All transforms of the bag; call FrameTree::finish() before it is used. Error: their definition is not understood.
+Result<FrameTree> transformsIn(const containers::RosBag& bag, const std::string& where);
+
 /// Where no frame of a map is above `frame`, but the bag has geometry_msgs/PoseStamped in one: they become the transforms of the highest
 /// frame above it. A warning says that it is a guess. Call it before FrameTree::finish().
 void addPoses(FrameTree& tree, const containers::RosBag& bag, const std::string& frame, std::vector<std::string>& warnings);

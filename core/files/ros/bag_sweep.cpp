@@ -17,24 +17,6 @@ namespace {
 constexpr double kStillShare = 0.05; // of the median step from line to line
 constexpr double kWorthSayingDeg = 0.5, kWorthSayingM = 0.002;
 
-Result<FrameTree> framesOf(const containers::RosBag& bag, const std::string& laser, const std::string& where,
-                           std::vector<std::string>& warnings) {
-    FrameTree tree;
-    for (std::uint32_t topic = 0; topic < bag.topics.size(); ++topic) {
-        if (bag.topics[topic].type != "tf2_msgs/TFMessage" && bag.topics[topic].type != "tf/tfMessage") continue;
-        const auto definition = containers::rosDefinition(bag.topics[topic].type, bag.topics[topic].definition, where);
-        if (!definition) return definition.error();
-        for (const containers::RosBagMessage& stored : bag.messages) {
-            if (stored.topic != topic) continue;
-            if (const auto message = containers::rosMessage(*definition, bag.topics[topic].encoding, stored.bytes, where))
-                tree.add(*message);
-        }
-    }
-    addPoses(tree, bag, laser, warnings);
-    tree.finish();
-    return tree;
-}
-
 /// How the laser was turned; empty: only the step from line to line is known.
 Result<std::optional<LaserMotion>> motionOf(const containers::RosBag& bag, const FrameTree& tree, const LaserLines& lines,
                                             const Source& source) {
@@ -64,8 +46,10 @@ public:
         if (!lines) return lines.error();
         lines_ = std::move(*lines);
         std::vector<std::string> said;
-        auto tree = framesOf(bag_, lines_.frame, where_, said);
+        auto tree = transformsIn(bag_, where_);
         if (!tree) return tree.error();
+        addPoses(*tree, bag_, lines_.frame, said);
+        tree->finish();
         auto motion = motionOf(bag_, *tree, lines_, source_);
         if (!motion) return motion.error();
         motion_ = std::move(*motion);
@@ -92,7 +76,8 @@ private:
         if (!motion_) return;
         if (source_.options->joint.empty()) warn("GUESS: the angle of each line comes from " + motion_->source + ".");
         if (motion_->axisAssumed && !source_.options->axis)
-            warn("A joint does not say how the laser is mounted on it. ASSUMED: the axis (spin). Give --axis where that is wrong.");
+            warn(std::string("A joint does not say how the laser is mounted on it. ASSUMED: the axis (") +
+                 (motion_->axis == Axis::Spin ? "spin" : "sweep, by the name of the joint") + "). Give --axis where that is wrong.");
         if (motion_->outOfPlaneDeg > kWorthSayingDeg)
             warn("The axis is " + significantText(motion_->outOfPlaneDeg, 2) +
                  " degrees out of the plane of the fan: points are that far off.");

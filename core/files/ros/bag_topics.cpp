@@ -11,11 +11,6 @@
 namespace edgescan::files {
 namespace {
 
-TopicGives givenBy(const std::string& type) {
-    if (type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan") return TopicGives::Lines;
-    return type == "sensor_msgs/PointCloud2" ? TopicGives::Clouds : TopicGives::Nothing;
-}
-
 std::string listed(const containers::RosBag& bag, const std::vector<BagTopic>& topics, bool scansOnly = true) {
     constexpr std::size_t kLongest = 1000;
     std::string text;
@@ -28,6 +23,11 @@ std::string listed(const containers::RosBag& bag, const std::vector<BagTopic>& t
 }
 
 } // namespace
+
+TopicGives givenBy(const std::string& type) {
+    if (type == "sensor_msgs/LaserScan" || type == "sensor_msgs/MultiEchoLaserScan") return TopicGives::Lines;
+    return type == "sensor_msgs/PointCloud2" ? TopicGives::Clouds : TopicGives::Nothing;
+}
 
 std::vector<BagTopic> bagTopics(const containers::RosBag& bag) {
     struct Span {

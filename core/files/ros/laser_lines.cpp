@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace edgescan::files {
 namespace {
@@ -68,19 +69,35 @@ std::vector<double> periodsOver(const std::vector<LaserLine>& lines, std::size_t
     return periods;
 }
 
-/// The period that fits the time of all lines, in pieces of so many lines that jitter does not count.
-double refined(const std::vector<LaserLine>& lines, double periodS) {
-    double periods = 0, s = 0;
-    for (std::size_t n = 2 * kAhead; n < lines.size(); n += 2 * kAhead) {
-        const double piece = secondsBetween(lines[n - 2 * kAhead], lines[n]);
-        s += piece;
-        periods += std::round(piece / periodS);
+/// Lines that are missing before each line. Stamps of a computer jitter by more than a half of a period: a line is late because others are
+/// missing if all lines behind it are as late.
+struct Missing {
+    std::vector<std::uint32_t> before; // by line
+    double doubt = 0;                  // how far lines are from where the period puts them, with the lines that it finds missing
+
+    [[nodiscard]] double all() const { return static_cast<double>(std::accumulate(before.begin(), before.end(), std::uint64_t{0})); }
+};
+
+Missing missingWith(const std::vector<LaserLine>& lines, double periodS) {
+    const std::size_t count = lines.size();
+    std::vector<double> late(count, 0.0); // periods behind the first line, without those of the lines between
+    for (std::size_t n = 0; n < count; ++n) late[n] = secondsBetween(lines.front(), lines[n]) / periodS - static_cast<double>(n);
+    Missing missing{std::vector<std::uint32_t>(count, 0), 0};
+    double usual = 0;
+    for (std::size_t n = 1; n < count; ++n) {
+        const auto from = late.begin() + static_cast<std::ptrdiff_t>(n);
+        const double least = *std::min_element(from, late.begin() + static_cast<std::ptrdiff_t>(std::min(n + kAhead, count)));
+        const double gap = std::max(0.0, std::round(least - usual));
+        missing.before[n] = static_cast<std::uint32_t>(std::min(gap, kMostLostLines));
+        usual += gap;
+        missing.doubt += std::abs(least - usual) + gap;
+        usual += kOfNew * (least - usual);
     }
-    return periods > 0 ? s / periods : periodS;
+    return missing;
 }
 
-/// From line to line: the mean of those near the median. Where most are not near it the stamps jitter, and the median over many lines is
-/// better.
+/// From line to line: the mean of those near the median. Where most are not near it the stamps jitter: of the periods over many lines, some
+/// of which have lines missing, the one is taken that explains the stamps best.
 double usualPeriodS(const std::vector<LaserLine>& lines) {
     constexpr double kNear = 0.1;
     std::vector<double> periods = periodsOver(lines, 1);
@@ -88,34 +105,30 @@ double usualPeriodS(const std::vector<LaserLine>& lines) {
     const double median = medianOf(periods);
     const std::size_t all = periods.size();
     std::erase_if(periods, [&](double s) { return std::abs(s - median) > kNear * median; });
-    if (2 * periods.size() < all && lines.size() > 2 * kAhead) return refined(lines, medianOf(periodsOver(lines, 2 * kAhead)));
+    if (2 * periods.size() < all && lines.size() > 2 * kAhead) {
+        double best = median, least = std::numeric_limits<double>::infinity();
+        const auto judge = [&](double periodS) {
+            const Missing missing = missingWith(lines, periodS);
+            if (missing.doubt < least) {
+                least = missing.doubt;
+                best = periodS;
+            }
+            return secondsBetween(lines.front(), lines.back()) / (static_cast<double>(lines.size() - 1) + missing.all());
+        };
+        for (const std::size_t after : {2 * kAhead, kAhead}) {
+            std::vector<double> over = periodsOver(lines, after);
+            std::ranges::sort(over);
+            for (std::size_t tenth = 1; tenth < 8 && !over.empty(); ++tenth) judge(judge(over[over.size() * tenth / 10]));
+        }
+        return best;
+    }
     double sum = 0;
     for (const double s : periods) sum += s;
     return sum / static_cast<double>(periods.size());
 }
 
-/// Lines that are missing before each line. Stamps of a computer jitter by more than a half of a period: a line is late because others are
-/// missing if all lines behind it are as late.
-std::vector<std::uint32_t> missingBefore(const LaserLines& all) {
-    const std::size_t lines = all.lines.size();
-    std::vector<double> late(lines, 0.0); // periods behind the first line, without those of the lines between
-    for (std::size_t n = 0; n < lines; ++n)
-        late[n] = secondsBetween(all.lines.front(), all.lines[n]) / all.periodS - static_cast<double>(n);
-    std::vector<std::uint32_t> missing(lines, 0);
-    double usual = 0;
-    for (std::size_t n = 1; n < lines; ++n) {
-        const auto from = late.begin() + static_cast<std::ptrdiff_t>(n);
-        const double least = *std::min_element(from, late.begin() + static_cast<std::ptrdiff_t>(std::min(n + kAhead, lines)));
-        const double gap = std::max(0.0, std::round(least - usual));
-        missing[n] = static_cast<std::uint32_t>(std::min(gap, kMostLostLines));
-        usual += gap;
-        usual += kOfNew * (least - usual);
-    }
-    return missing;
-}
-
 void count(LaserLines& all) {
-    const std::vector<std::uint32_t> missing = missingBefore(all);
+    const std::vector<std::uint32_t> missing = missingWith(all.lines, all.periodS).before;
     std::uint64_t number = 0;
     for (std::size_t n = 0; n < all.lines.size(); ++n) {
         scanner::SweepLine& line = all.lines[n].line;

@@ -72,6 +72,13 @@ bool turnsScanner(const std::string& joint) {
     return std::ranges::any_of(kWords, [&](std::string_view word) { return joint.find(word) != std::string::npos; });
 }
 
+/// A laser looks along 0 degrees and has its fan level: what tilts it turns about the line across.
+Axis axisByName(const std::string& joint) {
+    constexpr std::array<std::string_view, 3> kTilts{"tilt", "nod", "pitch"};
+    return std::ranges::any_of(kTilts, [&](std::string_view word) { return joint.find(word) != std::string::npos; }) ? Axis::Sweep
+                                                                                                                     : Axis::Spin;
+}
+
 std::string namesOf(const JointAngles& joints) {
     constexpr std::size_t kMost = 500;
     std::string names;
@@ -205,6 +212,7 @@ Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint,
                      joints.empty() ? "give the step from line to line (--line-step), or choose another topic"
                                     : "choose one of " + namesOf(joints)};
     LaserMotion motion;
+    motion.axis = axisByName(best);
     motion.axisAssumed = true;
     motion.mover = best;
     motion.source = "the joint " + best;

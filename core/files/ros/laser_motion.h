@@ -57,11 +57,11 @@ Result<LaserMotion> motionByFrames(const FrameTree& tree, const std::string& fra
 using JointAngles = std::map<std::string, std::vector<TimedAngle>>;
 void addJoints(JointAngles& joints, const containers::RosValue& message);
 
-/// The angles of a joint; the axis is not known by it. As motionByJoint().
+/// The angles of a joint; the axis is only assumed, by its name. As motionByJoint().
 Result<LaserMotion> motionOfJoints(JointAngles joints, const std::string& joint, const std::string& where);
 
-/// The angles of a joint of sensor_msgs/JointState; the axis is not known by it. Without a name: of the joint that turned furthest,
-/// and of one whose name is a scanner's rather than of others.
+/// The angles of a joint of sensor_msgs/JointState; the axis is only assumed, by its name. Without a name: of the joint that turned
+/// furthest, and of one whose name is a scanner's rather than of others.
 Result<LaserMotion> motionByJoint(const containers::RosBag& bag, const std::string& joint, std::int64_t fromNs, std::int64_t toNs,
                                   const std::string& where);
 

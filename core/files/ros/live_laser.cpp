@@ -197,9 +197,9 @@ void LiveLaser::pushLine(LaserLine line, scanner::SweepAssembler& to) {
         idealNs_ = ns;
         if (!firstNs_) {
             scanner::SweepSettings settings = sweepOfLaser(asked_, line);
-            if (motion_ && !motion_->axisAssumed && settings.axisAssumed) {
+            if (motion_ && settings.axisAssumed) {
                 settings.axis = motion_->axis;
-                settings.axisAssumed = false;
+                settings.axisAssumed = motion_->axisAssumed;
             }
             if (motion_) settings.stepAssumed = false;
             to = scanner::SweepAssembler(settings);

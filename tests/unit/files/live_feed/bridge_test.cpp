@@ -223,6 +223,9 @@ TEST(Bridge, TheLaserIsChosenAndAGuessIsNamed) {
     EXPECT_EQ(guess->lines->topic, "/a/scan");
     EXPECT_EQ(guess->channels.size(), 3U);
     EXPECT_NE(guess->note.find("/b/scan"), std::string::npos);
+    std::vector<scanner::BridgeChannelPtr> more = offered;
+    more.push_back(channel("/robot/tilt_scan", "sensor_msgs/msg/LaserScan"));
+    EXPECT_EQ(chooseTopics(more, "", "robot:8765")->lines->topic, "/robot/tilt_scan") << "its name says that it is turned";
     const auto named = chooseTopics(offered, "/b/scan", "robot:8765");
     ASSERT_TRUE(named);
     EXPECT_EQ(named->lines->topic, "/b/scan");

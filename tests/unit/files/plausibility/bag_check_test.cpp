@@ -46,7 +46,7 @@ const OpeningPoint* named(const std::vector<OpeningPoint>& points, std::string_v
 TEST(BagCheck, TopicsSweepsAndJointsAreChoicesThatOpen) {
     const Scan scan = turned(80, 60);
     RosMessages messages = rosMessagesOf(scan, {.from = AngleFrom::Joint});
-    const RosMessages rear = rosMessagesOf(turned(40, 50), {.from = AngleFrom::Transform, .scanTopic = "/rear/scan", .frame = "rear"});
+    const RosMessages rear = rosMessagesOf(turned(40, 50), {.from = AngleFrom::Nothing, .scanTopic = "/rear/scan", .frame = "rear"});
     const auto first = static_cast<std::uint32_t>(messages.topics.size());
     messages.topics.insert(messages.topics.end(), rear.topics.begin(), rear.topics.end());
     for (const auto& message : rear.messages) messages.message(message.topic + first, message.ns, message.bytes);
@@ -75,6 +75,10 @@ TEST(BagCheck, TopicsSweepsAndJointsAreChoicesThatOpen) {
     EXPECT_EQ(angle->taken.text(), "from the joint arm/tilt");
     ASSERT_EQ(angle->others.size(), 1U);
     EXPECT_EQ(angle->others[0].options.joint, "wheel");
+    const auto rest = openingCheck(*guessed, {});
+    const OpeningPoint* mounting = named(rest, "Mounting");
+    ASSERT_TRUE(mounting != nullptr);
+    EXPECT_EQ(mounting->source, OpeningPoint::Source::Guessed) << "a joint does not say the axis";
 }
 
 TEST(BagCheck, WhatWasSaidIsNotAGuess) {

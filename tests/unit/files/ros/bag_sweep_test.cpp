@@ -251,3 +251,31 @@ TEST(RosBagSweep, TopicAndJointAreChosenByName) {
     options.topic = "/scan";
     EXPECT_NE(opened(bag1Of(messages), options).error().sentence().find("/robot/scan"), std::string::npos);
 }
+
+// A robot with a laser at rest, which sends more, and one that tilts: the one that is turned opens, and its axis follows from the name.
+TEST(RosBagSweep, OfSeveralLasersTheOneThatIsTurnedOpens) {
+    const Scan scan = boxes(40, 60);
+    for (const AngleFrom from : {AngleFrom::Transform, AngleFrom::Joint}) {
+        const RosSweep sent{.from = from,
+                            .scanTopic = "/robot_1/tilt_scan",
+                            .frame = "/robot_1/laser_tilt_link",
+                            .joint = "robot_1/laser_tilt_mount_joint"};
+        RosMessages messages = rosMessagesOf(scan, sent);
+        const auto base = messages.topic("/robot_1/base_scan", "sensor_msgs/LaserScan", Wire::Ros1);
+        const Scan wall = boxes(2, 200);
+        const auto& beamDeg = std::get<PolarGeometry>(wall.geometry).beamDeg;
+        for (int n = 0; n < 100; ++n) {
+            Bytes line = rosLaserScan(wall, beamDeg, 0, {.frame = "/robot_1/base_laser"});
+            const std::int64_t ns = kRosStartNs + n * kRosLineNs / 2;
+            const auto sec = static_cast<std::uint32_t>(ns / 1'000'000'000), rest = static_cast<std::uint32_t>(ns % 1'000'000'000);
+            std::memcpy(line.data() + 4, &sec, 4);
+            std::memcpy(line.data() + 8, &rest, 4);
+            messages.message(base, ns, line);
+        }
+        const auto back = opened(bag1Of(messages));
+        ASSERT_TRUE(back) << back.error().sentence();
+        EXPECT_TRUE(warns(*back, "GUESS: the topic /robot_1/tilt_scan"));
+        expectSame(*back, scan);
+        EXPECT_EQ(warns(*back, "ASSUMED: the axis (sweep, by the name of the joint)"), from == AngleFrom::Joint);
+    }
+}
