@@ -45,4 +45,17 @@ void runInBands(int lines, int bands, Work work) {
     runInParallel(bands, [&](int band) { work(firstLineOfBand(lines, bands, band), firstLineOfBand(lines, bands, band + 1)); });
 }
 
+/// What work(first, last) makes of parts of the lines, in the order of the lines: more parts than threads, because some take longer. For
+/// work whose parts read the same memory and share none that they write.
+template <class Work>
+[[nodiscard]] auto madeOfParts(int lines, int threads, Work work) {
+    constexpr int kPartsForEach = 8;
+    const int parts = threads > 1 ? std::clamp(threads * kPartsForEach, 1, std::max(1, lines)) : 1;
+    std::vector<decltype(work(0, 0))> made(static_cast<std::size_t>(parts));
+    runInParallel(parts, [&](int part) {
+        made[static_cast<std::size_t>(part)] = work(firstLineOfBand(lines, parts, part), firstLineOfBand(lines, parts, part + 1));
+    });
+    return made;
+}
+
 } // namespace edgescan

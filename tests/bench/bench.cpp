@@ -63,7 +63,7 @@ constexpr Goal kPlusWallToThesis{"EdgeScan+, two threads / thesis's recipe in pl
 constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", Good::AtLeast, 1.6, 1.7};
 constexpr Goal kSlider{"slider that measures again / full EdgeScan+", Good::AtMost, 0.5, 0.8};
 constexpr Goal kDecision{"slider that only decides / full EdgeScan+", Good::AtMost, 0.08, 0.07};
-constexpr Goal kCurve{"edge-count curve / full EdgeScan+", Good::AtMost, 2, 6};
+constexpr Goal kCurve{"edge-count curve / full EdgeScan+", Good::AtMost, 2, 1.4};
 constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", Good::AtLeast, 60, 22};
 constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, avx2", Good::AtLeast, 4, 2.2};
 constexpr Goal kOpenCvAvx512{"plain OpenCV / edge map, avx512", Good::AtLeast, 7, 2.8};
@@ -246,11 +246,8 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
         {"cv::Canny on the cached blur", [&] { (void)cvCanny(blurred, thesis); }},
         {"sorted threshold map at a threshold", [&] { (void)swept.at(thesis.lower); }},
         {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }},
-        {"edge-count curve of EdgeScan+", [&] {
-             std::vector<double> thresholds = edges::sliderValues(edges::sweptParameter(plus.method));
-             const double least = thresholds.front();
-             (void)edges::edgeCountCurve(edges::thresholdMapOf(*plusDetection, least), std::move(thresholds));
-         }}};
+        {"edge-count curve of EdgeScan+",
+         [&] { (void)edges::edgeCountCurve(*plusDetection, edges::sliderValues(edges::sweptParameter(plus.method))); }}};
     const std::size_t firstLoops = runs.size(); // by each instruction set; the limits of the ranges by the widest
     for (const InstructionSet set : kInstructionSets) {
         if (!isHere(set)) continue;

@@ -342,7 +342,7 @@ private slots:
         QVERIFY(showWith(on, boxes_));
         ImageView& gray = on.viewer.views.gray();
         QTest::keyClick(&on.window, Qt::Key_U);
-        QVERIFY2(on.viewer.tools.shown().contains("click the one end"), qPrintable(on.viewer.tools.shown()));
+        QVERIFY2(on.viewer.tools.shown().contains("click one end"), qPrintable(on.viewer.tools.shown()));
         const std::vector<std::uint32_t> ends{meantUnder(on, 20, 30), meantUnder(on, 90, 120)};
         click(gray, 20, 30);
         QVERIFY(targets(on).empty()); // no target

@@ -34,7 +34,7 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
           },
           [this](const Question& question, const std::shared_ptr<const inspect::Section>& section) { take(question, section); },
           [this](const QString& what) {
-              notice_.showNotice(NoticeBar::Kind::Warning, tr("The section could not be worked out (%1).").arg(what));
+              notice_.showNotice(NoticeBar::Kind::Warning, tr("The section could not be computed (%1).").arg(what));
           }) {
     connect(&views_, &LinkedViews::probed, this, [this](const std::optional<edges::Probe>& probe) {
         if (card_ != nullptr && card_->isVisible()) card_->plot().mark(probe ? std::optional(probe->pointM) : std::nullopt);

@@ -37,7 +37,7 @@ Command languageMenu(QObject& parent, Preferences& preferences, NoticeBar& notic
         const QString code = language.code;
         Command made{.text = QString::fromUtf8(language.name), .set = [&preferences, &notice, code](bool) {
                          preferences.keep("language", code);
-                         notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window speaks this language from its next start on."));
+                         notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window uses this language from the next start on."));
                      }};
         menu.submenu.push_back(choice(std::move(made), *group, "language-" + code, code == languageInUse()));
     }

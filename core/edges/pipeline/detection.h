@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/grid.h"
+#include "core/base/made_when_read.h"
 #include "core/edges/settings/settings.h"
 #include "core/edges/settings/stage.h"
 
@@ -37,7 +38,7 @@ struct StageTime {
 struct Detection {
     std::shared_ptr<const Scan> scan;
     Settings settings;
-    std::shared_ptr<const GrayImage> gray;
+    MadeWhenRead<GrayImage> gray;                     ///< methods that read it have made it
     std::shared_ptr<const Grid<std::uint8_t>> masked; ///< lines x beams, 255 = ignored by methods on gray levels; null: they use all cells
     std::shared_ptr<const Grid<std::uint8_t>> smoothed;      ///< lines x beams, the input of the gradient; null if the method has none
     std::shared_ptr<const Grid<std::uint8_t>> mask;          ///< lines x beams, 255 = edge

@@ -1,5 +1,7 @@
-// The edge-count curve from a threshold map.
+// The edge-count curve and its plateau.
 #include "core/edges/pipeline/edge_count_curve.h"
+
+#include "core/edges/pipeline/methods.h"
 
 #include <algorithm>
 
@@ -12,21 +14,18 @@ constexpr double kLargestShare = 0.15;  // share of all cells: with more edges t
 
 } // namespace
 
-EdgeCountCurve edgeCountCurve(const ThresholdMap& map, std::vector<double> thresholds) {
-    EdgeCountCurve curve;
-    curve.thresholds = std::move(thresholds);
-    const std::size_t places = curve.thresholds.size();
-    // A cell counts at every threshold up to its highest one: the histogram, summed from its end.
-    curve.edges.assign(places, 0);
-    for (const double highest : map.highest.cells) {
-        const auto above = std::upper_bound(curve.thresholds.begin(), curve.thresholds.end(), highest) - curve.thresholds.begin();
-        if (above > 0) ++curve.edges[static_cast<std::size_t>(above) - 1];
-    }
-    for (std::size_t n = places - 1; n > 0; --n) curve.edges[n - 1] += curve.edges[n];
+EdgeCountCurve edgeCountCurve(const Detection& detection, std::vector<double> thresholds) {
+    const EdgeLevels levels = rowOf(detection.settings.method).decision.levels(detection, thresholds);
+    std::vector<std::size_t> edges = edgeCounts(levels, thresholds.size());
+    return edgeCountCurve(std::move(edges), std::move(thresholds), levels.weak.size());
+}
 
+EdgeCountCurve edgeCountCurve(std::vector<std::size_t> edges, std::vector<double> thresholds, std::size_t cells) {
+    EdgeCountCurve curve{std::move(thresholds), std::move(edges)};
+    const std::size_t places = curve.thresholds.size();
     curve.stableFrom = curve.stableTo = curve.thresholds.front();
     double best = 1.0;
-    const double most = kLargestShare * static_cast<double>(map.highest.size());
+    const double most = kLargestShare * static_cast<double>(cells);
     const double fewest = kSmallestShare * std::min(most, static_cast<double>(curve.edges.front()));
     std::size_t end = 0;
     for (std::size_t start = 0; start < places; ++start) {

@@ -24,6 +24,33 @@ FoundEdges cannyEdges(const Detection& detection) {
     return {detection.masked ? cannyAroundHoles(levels, *detection.masked, detection.settings) : canny(levels, detection.settings)};
 }
 
+// `toGradient`: from the swept threshold to a threshold of the gradient.
+template <class ToGradient>
+EdgeLevels gradientLevels(const Gradient& gradient, const Settings& settings, const std::vector<double>& thresholds,
+                          ToGradient toGradient) {
+    std::vector<double> weak, strong;
+    for (const double threshold : thresholds) {
+        weak.push_back(magnitudeLimit(toGradient(threshold), gradient.scale, settings.norm));
+        strong.push_back(magnitudeLimit(settings.ratio * toGradient(threshold), gradient.scale, settings.norm));
+    }
+    return edgeLevels(suppressedMagnitude(gradient, settings.norm), std::move(weak), std::move(strong));
+}
+
+EdgeLevels cannyLevels(const Detection& detection, const std::vector<double>& thresholds) {
+    return gradientLevels(cannyGradient(detection), detection.settings, thresholds, [](double threshold) { return threshold; });
+}
+
+EdgeLevels logRangeLevels(const Detection& detection, const std::vector<double>& thresholds) {
+    const Settings& settings = detection.settings;
+    EdgeLevels levels = gradientLevels(logRangeGradient(*detection.scan, settings), settings, thresholds,
+                                       [&](double percent) { return logRangeGradientOfStep(percent, settings); });
+    const Grid<std::uint8_t> without = withoutOwnRange(*detection.scan);
+    for (std::size_t k = 0; k < without.size(); ++k) {
+        if (without[k] != 0 && levels.weak[k] > 0) levels.apart.push_back(static_cast<std::uint32_t>(k));
+    }
+    return levels;
+}
+
 double sizeOf(const Gradient& gradient, std::int32_t magnitude, Norm norm) {
     return (norm == Norm::L2 ? std::sqrt(static_cast<double>(magnitude)) : magnitude) / gradient.scale;
 }
@@ -117,17 +144,28 @@ Grid<float> cannyResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint
 }
 
 const Decision kCannyDecision{
-    "canny", cannyEdges, [](const Detection& detection, double) { return cannyThresholdMap(cannyGradient(detection), detection.settings); },
+    "canny",
+    cannyEdges,
+    [](const Detection& detection) { return cannyThresholdMap(cannyGradient(detection), detection.settings); },
+    cannyLevels,
     [](const Detection& detection, std::size_t k) { return cannyThresholdAt(cannyGradient(detection), detection.settings, k); },
     judgeCanny};
 
 const Decision kLogRangeDecision{
-    "log range", [](const Detection& detection) { return FoundEdges{logRangeEdges(*detection.scan, detection.settings)}; },
-    [](const Detection& detection, double) { return logRangeThresholdMap(*detection.scan, detection.settings); },
-    [](const Detection& detection, std::size_t k) { return logRangeThresholdAt(*detection.scan, detection.settings, k); }, judgeLogRange};
+    "log range",
+    [](const Detection& detection) { return FoundEdges{logRangeEdges(*detection.scan, detection.settings)}; },
+    [](const Detection& detection) { return logRangeThresholdMap(*detection.scan, detection.settings); },
+    logRangeLevels,
+    [](const Detection& detection, std::size_t k) { return logRangeThresholdAt(*detection.scan, detection.settings, k); },
+    judgeLogRange};
 
-const Decision kDetectorDecision{
-    "detector", detectorEdges, [](const Detection& detection, double) { return responseThresholdMap(responseOf(detection)); },
-    [](const Detection& detection, std::size_t k) { return responseThresholdAt(responseOf(detection), k); }, judgeDetector};
+const Decision kDetectorDecision{"detector",
+                                 detectorEdges,
+                                 [](const Detection& detection) { return responseThresholdMap(responseOf(detection)); },
+                                 [](const Detection& detection, const std::vector<double>& thresholds) {
+                                     return edgeLevels(responseOf(detection), thresholds, thresholds);
+                                 },
+                                 [](const Detection& detection, std::size_t k) { return responseThresholdAt(responseOf(detection), k); },
+                                 judgeDetector};
 
 } // namespace edgescan::edges

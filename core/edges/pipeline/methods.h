@@ -3,6 +3,7 @@
 
 #include "core/edges/gray/gradient_masks.h"
 #include "core/edges/pipeline/detection.h"
+#include "core/edges/pipeline/edge_levels.h"
 #include "core/edges/pipeline/judgement.h"
 #include "core/edges/pipeline/threshold_map.h"
 
@@ -17,8 +18,10 @@ struct FoundEdges {
 struct Decision {
     const char* stage; ///< name of the stage in the timings
     FoundEdges (*edges)(const Detection& detection);
-    /// The map for all values of sweptParameter() from `least` on, with all other settings unchanged. Costs as much as the edges.
-    ThresholdMap (*thresholds)(const Detection& detection, double least);
+    /// The map for all values of sweptParameter(), with all other settings unchanged. Costs several times as much as the edges.
+    ThresholdMap (*thresholds)(const Detection& detection);
+    /// The levels of the cells for these values of sweptParameter(), ascending: a part of the map in a part of the time.
+    EdgeLevels (*levels)(const Detection& detection, const std::vector<double>& thresholds);
     /// The value of the map at one cell, without the memory for the map.
     double (*threshold)(const Detection& detection, std::size_t k);
     Judgement (*judge)(const Detection& detection, std::size_t k);
@@ -40,10 +43,9 @@ extern const Decision kCannyDecision, kLogRangeDecision, kDetectorDecision, kSur
 /// The gradient to which Canny applies suppression, as a response.
 [[nodiscard]] Grid<float> cannyResponse(const Grid<std::uint8_t>& levels, const Grid<std::uint8_t>* missing, const Settings& settings);
 
-/// The threshold map of a detection's method, with all other settings unchanged. Costs as much as a run of the method. Below `least` its
-/// values may be those of cells that are never an edge.
-[[nodiscard]] inline ThresholdMap thresholdMapOf(const Detection& detection, double least = 0.0) {
-    return rowOf(detection.settings.method).decision.thresholds(detection, least);
+/// The threshold map of a detection's method, with all other settings unchanged.
+[[nodiscard]] inline ThresholdMap thresholdMapOf(const Detection& detection) {
+    return rowOf(detection.settings.method).decision.thresholds(detection);
 }
 
 } // namespace edgescan::edges

@@ -67,8 +67,9 @@ std::shared_ptr<const T> Pipeline::upToDate(Kept<T>& kept, Stage stage, const ch
 // Runs the stages before the decision.
 void Pipeline::runStages(Detection& d) {
     const Settings& settings = d.settings;
-    // The window shows the edges on the gray image, whatever the method.
-    d.gray = upToDate(gray_, Stage::Gray, "gray", d, [&] { return grayImage(*d.scan, settings); });
+    const bool sameGray = last_ && sameUpTo(Stage::Gray, last_->settings, settings);
+    d.gray = sameGray ? last_->gray : MadeWhenRead<GrayImage>([scan = d.scan, settings] { return grayImage(*scan, settings); });
+    if (reads(settings.method, kReadsGray | kReadsKernel) && !d.gray.isMade()) timed(d, Stage::Gray, "gray", [&] { (void)*d.gray; });
     if (reads(settings.method, kReadsGray) && settings.maskMissing)
         d.masked = upToDate(masked_, Stage::Mask, "mask", d, [&] { return maskedCells(*d.scan, settings); });
     if (reads(settings.method, kReadsGray | kReadsKernel)) {
@@ -96,7 +97,7 @@ void Pipeline::decide(Detection& d) {
     const Decision& decision = rowOf(d.settings.method).decision;
     const bool onlyThreshold = last_ && !last_->classes && sameUpTo(Stage::Edges, last_->settings, d.settings);
     if (onlyThreshold) {
-        const auto map = upToDate(thresholds_, Stage::Edges, "threshold map", d, [&] { return SweptEdges(decision.thresholds(d, 0.0)); });
+        const auto map = upToDate(thresholds_, Stage::Edges, "threshold map", d, [&] { return SweptEdges(decision.thresholds(d)); });
         timed(d, Stage::Threshold, "threshold", [&] {
             const double threshold = sweptParameter(d.settings.method).get(d.settings);
             d.mask = std::make_shared<const Grid<std::uint8_t>>(map->at(threshold));

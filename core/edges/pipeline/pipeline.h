@@ -35,7 +35,6 @@ private:
 
     KeepFor keep_;
     std::shared_ptr<const Detection> last_;
-    Kept<GrayImage> gray_;
     Kept<Grid<std::uint8_t>> masked_, smoothed_;
     Kept<GapFilling> filled_;
     Kept<DepthSurface> surface_;

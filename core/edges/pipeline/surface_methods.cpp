@@ -16,15 +16,35 @@ FoundEdges surfaceEdges(const Detection& detection) {
     return {std::move(found.mask), std::move(found.kind)};
 }
 
-ThresholdMap surfaceThresholds(const Detection& detection, double least) {
+ThresholdMap surfaceThresholds(const Detection& detection) {
     const Settings& settings = detection.settings;
     const DepthResponses& responses = *detection.responses;
     ThresholdMap map =
-        linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength, least);
+        linkedThresholdMap(requestedStrength(responses, settings), settings.hysteresisPercent / 100.0, settings.minimumLength);
     for (const ClassCells& edges : edgesAtVoids(responses, settings)) {
         for (const std::uint32_t k : edges.cells) map.highest[k] = std::numeric_limits<double>::infinity();
     }
     return map;
+}
+
+// As decideDepthEdges() compares them.
+EdgeLevels surfaceLevels(const Detection& detection, const std::vector<double>& thresholds) {
+    const Settings& settings = detection.settings;
+    const auto share = static_cast<float>(settings.hysteresisPercent / 100.0);
+    std::vector<double> weak, strong;
+    for (const double threshold : thresholds) {
+        const auto high = static_cast<float>(threshold);
+        weak.push_back(static_cast<double>(high * share));
+        strong.push_back(static_cast<double>(high));
+    }
+    EdgeLevels levels =
+        edgeLevels(requestedStrength(*detection.responses, settings), std::move(weak), std::move(strong), settings.minimumLength);
+    for (const ClassCells& edges : edgesAtVoids(*detection.responses, settings))
+        levels.apart.insert(levels.apart.end(), edges.cells.begin(), edges.cells.end());
+    std::ranges::sort(levels.apart);
+    levels.apart.erase(std::unique(levels.apart.begin(), levels.apart.end()), levels.apart.end());
+    levels.atEach = levels.apart.size();
+    return levels;
 }
 
 double surfaceThreshold(const Detection& detection, std::size_t k) {
@@ -84,6 +104,6 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
 
 } // namespace
 
-const Decision kSurfaceDecision{"decision", surfaceEdges, surfaceThresholds, surfaceThreshold, judgeSurface};
+const Decision kSurfaceDecision{"decision", surfaceEdges, surfaceThresholds, surfaceLevels, surfaceThreshold, judgeSurface};
 
 } // namespace edgescan::edges

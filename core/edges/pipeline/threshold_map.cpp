@@ -317,13 +317,12 @@ Limits::Pair linkedLimits(float strength, float share) { return {largestLinked(s
 
 } // namespace
 
-ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength, double least) {
+ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength) {
     const auto share = static_cast<float>(lowShare);
-    const float weakest = std::max(0.0F, static_cast<float>(least) * share);
     Grid<double> weak(strength.lines, strength.beams, kNever);
     Grid<double> strong = weak;
     for (std::size_t k = 0; k < strength.size(); ++k) {
-        if (!(strength[k] > weakest)) continue;
+        if (!(strength[k] > 0)) continue;
         const Limits::Pair limits = linkedLimits(strength[k], share);
         weak[k] = limits.weak;
         strong[k] = std::min(limits.weak, limits.strong);

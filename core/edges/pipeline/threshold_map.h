@@ -30,9 +30,8 @@ struct ThresholdMap {
 [[nodiscard]] ThresholdMap responseThresholdMap(const Grid<float>& response);
 
 /// For responses linked by hysteresis, swept over the high threshold: a chain is an edge if it is above `lowShare` x high throughout, above
-/// high somewhere, and at least `minimumLength` cells long (8 neighbours). Strengths and thresholds are compared as float. Cells that are
-/// an edge at no threshold from `least` on are left out: the fewer there are, the less the map costs.
-[[nodiscard]] ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength, double least = 0.0);
+/// high somewhere, and at least `minimumLength` cells long (8 neighbours). Strengths and thresholds are compared as float.
+[[nodiscard]] ThresholdMap linkedThresholdMap(const Grid<float>& strength, double lowShare, int minimumLength);
 
 /// The value of one cell in these maps. It depends only on the cells that are connected with it, so no map of the scan is made.
 /// `strengthOf`: of a cell of a scan of lines x beams.

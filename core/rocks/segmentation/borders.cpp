@@ -1,6 +1,7 @@
 // Measures the evidence on cracks and adds it up for borders.
 #include "core/rocks/segmentation/borders.h"
 
+#include "core/base/bands.h"
 #include "core/edges/edgescan_plus/range_field.h"
 #include "core/rocks/segmentation/barrier.h"
 
@@ -106,8 +107,7 @@ CrackEvidence CrackMeasure::at(int line, int beam, edges::Along along) const {
 
 std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::uint32_t>& segment) {
     const CrackMeasure measure(inputs, segment);
-    std::vector<SegmentBorder> cracks;
-    const auto look = [&](int line, int beam, edges::Along along) {
+    const auto look = [&](int line, int beam, edges::Along along, std::vector<SegmentBorder>& cracks) {
         const std::size_t p = segment.index(line, beam);
         const std::size_t q = p + (along == edges::Along::Beams ? 1 : static_cast<std::size_t>(segment.beams));
         if (segment[p] == segment[q] || segment[p] == kNoSegment || segment[q] == kNoSegment) return;
@@ -119,13 +119,20 @@ std::vector<SegmentBorder> segmentBorders(const Inputs& inputs, const Grid<std::
         crack.valleys = measure.isContact(p, q, along) ? 1 : 0;
         cracks.push_back(crack.a < crack.b ? crack : crack.reversed());
     };
-    for (int i = 0; i < segment.lines; ++i) {
-        for (int j = 0; j < segment.beams; ++j) {
-            if (j + 1 < segment.beams) look(i, j, edges::Along::Beams);
-            if (i + 1 < segment.lines) look(i, j, edges::Along::Lines);
+    const auto borders = madeOfParts(segment.lines, bandsFor(segment.size(), 0), [&](int first, int last) {
+        std::vector<SegmentBorder> cracks;
+        for (int i = first; i < last; ++i) {
+            for (int j = 0; j < segment.beams; ++j) {
+                if (j + 1 < segment.beams) look(i, j, edges::Along::Beams, cracks);
+                if (i + 1 < segment.lines) look(i, j, edges::Along::Lines, cracks);
+            }
         }
-    }
-    return summedBorders(std::move(cracks));
+        return summedBorders(std::move(cracks));
+    });
+    if (borders.size() == 1) return borders.front();
+    std::vector<SegmentBorder> all;
+    for (const std::vector<SegmentBorder>& part : borders) all.insert(all.end(), part.begin(), part.end());
+    return summedBorders(std::move(all)); // whole numbers: the sums are the same in any order
 }
 
 std::vector<SegmentBorder> summedBorders(std::vector<SegmentBorder> parts) {

@@ -1,6 +1,7 @@
 // Assigns cells on the borders of segments to the segment whose plane fits them.
 #include "core/rocks/segmentation/refinement.h"
 
+#include "core/base/bands.h"
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <ranges>
 #include <vector>
 
 namespace edgescan::rocks {
@@ -76,51 +78,60 @@ public:
           u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(segment.lines, segment.beams),
           weighed_(segment.lines, segment.beams, kNeighbours) {
         const auto beams = static_cast<std::size_t>(segment.beams);
-        for (int i = 0; i < segment.lines; ++i) {
-            const std::size_t first = segment.index(i, 0);
-            const std::size_t at = marginIndex(i, 0);
-            std::copy_n(&inverse.u[first], beams, &u_[at]);
-            vectorised<edgesOf>(&cracks.jumpBeams[first], &cracks.foldBeams[first], 1, beams - 1, &edgeBeams_[at]);
-            if (i + 1 < segment.lines)
-                vectorised<edgesOf>(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
-            for (std::size_t j = 0; j < beams; ++j)
-                solid_[at + j] = inverse.support[first + j] != Support::Void ? segment[first + j] : kVoid;
-        }
-        for (int i = 0; i < segment.lines; ++i) {
-            const std::size_t at = marginIndex(i, 0);
-            vectorised<innerOfLine>(&solid_[at], marginBeams_, beams, &inner_[at]);
-            for (std::size_t j = 0; j < beams; ++j)
-                looked_.line(i)[j] = (inner_[at + j] == kNoSegment) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
-        }
+        runInBands(segment.lines, threads_, [&](int from, int end) {
+            for (int i = from; i < end; ++i) {
+                const std::size_t first = segment.index(i, 0);
+                const std::size_t at = marginIndex(i, 0);
+                std::copy_n(&inverse.u[first], beams, &u_[at]);
+                vectorised<edgesOf>(&cracks.jumpBeams[first], &cracks.foldBeams[first], 1, beams - 1, &edgeBeams_[at]);
+                if (i + 1 < segment.lines)
+                    vectorised<edgesOf>(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
+                for (std::size_t j = 0; j < beams; ++j)
+                    solid_[at + j] = inverse.support[first + j] != Support::Void ? segment[first + j] : kVoid;
+            }
+        });
+        runInBands(segment.lines, threads_, [&](int from, int end) {
+            for (int i = from; i < end; ++i) {
+                const std::size_t at = marginIndex(i, 0);
+                vectorised<innerOfLine>(&solid_[at], marginBeams_, beams, &inner_[at]);
+                for (std::size_t j = 0; j < beams; ++j)
+                    looked_.line(i)[j] = (inner_[at + j] == kNoSegment) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
+            }
+        });
     }
 
     void pass() {
-        struct Move {
-            int line, beam;
-            std::uint32_t segment;
-        };
-        std::vector<Move> moves;
-        for (int i = 0; i < segment_.lines; ++i) {
-            const std::uint8_t* const look = looked_.line(i);
-            for (int j = nextLooked(look, 0); j < segment_.beams; j = nextLooked(look, j + 1)) {
-                const std::size_t at = marginIndex(i, j);
-                if (inner_[at] != kNoSegment || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
-                const std::uint32_t chosen = choice(i, j);
-                if (chosen != segment_.at(i, j)) moves.push_back({i, j, chosen});
-            }
-        }
+        const auto moves = madeOfParts(segment_.lines, threads_, [this](int first, int last) { return movesOf(first, last); });
         std::fill(looked_.cells.begin(), looked_.cells.end(), std::uint8_t{0});
-        for (const Move& move : moves) {
+        for (const Move& move : moves | std::views::join) {
             segment_.at(move.line, move.beam) = move.segment;
             solid_[marginIndex(move.line, move.beam)] = move.segment;
         }
-        for (const Move& move : moves) {
+        for (const Move& move : moves | std::views::join) {
             look(move.line, move.beam, 1, kNeighbours);
             renewInner(move.line, move.beam);
         }
     }
 
 private:
+    struct Move {
+        int line, beam;
+        std::uint32_t segment;
+    };
+    // Of these lines. Writes only what it notes for their own cells.
+    std::vector<Move> movesOf(int first, int last) {
+        std::vector<Move> moves;
+        for (int i = first; i < last; ++i) {
+            const std::uint8_t* const look = looked_.line(i);
+            for (int j = nextLooked(look, 0); j < segment_.beams; j = nextLooked(look, j + 1)) {
+                const std::size_t at = marginIndex(i, j);
+                if (inner_[at] != kNoSegment || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
+                const std::uint32_t chosen = choice(i, j);
+                if (chosen != solid_[at]) moves.push_back({i, j, chosen});
+            }
+        }
+        return moves;
+    }
     // The next marked cell of a line, searched eight at a time.
     [[nodiscard]] int nextLooked(const std::uint8_t* look, int from) const {
         for (std::uint64_t eight = 0; from + 8 <= segment_.beams; from += 8) {
@@ -154,8 +165,8 @@ private:
         }
     }
     [[nodiscard]] std::uint32_t choice(int line, int beam) {
-        std::array<SegmentChoice, kMostChoices> choices; // used up to the number of choices
-        const std::uint32_t own = segment_.at(line, beam);
+        std::array<SegmentChoice, kMostChoices> choices;           // used up to the number of choices
+        const std::uint32_t own = solid_[marginIndex(line, beam)]; // as in segment_, and already in the cache
         const std::size_t count = choicesAt(marginIndex(line, beam), choices);
         std::uint8_t& weighed = weighed_.at(line, beam);
         weighed = kNeighbours;
@@ -229,6 +240,7 @@ private:
     const RangeNoise& noise_;
     const double most_;
     Grid<std::uint32_t>& segment_;
+    const int threads_ = bandsFor(segment_.size(), 0);
     // With kPlaneReach more cells on each side, and a few more behind them.
     const std::size_t marginBeams_ = static_cast<std::size_t>(segment_.beams + 2 * kPlaneReach);
     std::vector<std::uint32_t> inner_; // the segment of cells that do not touch another one, otherwise kOpen

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <thread>
@@ -75,6 +76,24 @@ TEST(Shares, BandsCoverAllLinesOnce) {
                 for (int i = first; i < last; ++i) ++seen[static_cast<std::size_t>(i)];
             });
             for (const std::atomic<int>& times : seen) EXPECT_EQ(times, 1) << lines << " lines, " << bands << " bands";
+        }
+    }
+    endSecondThread();
+}
+
+TEST(Shares, PartsAreInTheOrderOfTheLines) {
+    for (const int lines : {0, 1, 7, 1000}) {
+        for (const int threads : {1, 2}) {
+            const auto parts = madeOfParts(lines, threads, [](int first, int last) {
+                std::vector<int> own;
+                for (int i = first; i < last; ++i) own.push_back(i);
+                return own;
+            });
+            std::vector<int> all;
+            for (const std::vector<int>& part : parts) all.insert(all.end(), part.begin(), part.end());
+            EXPECT_EQ(static_cast<int>(all.size()), lines);
+            EXPECT_TRUE(std::ranges::is_sorted(all));
+            EXPECT_EQ(parts.size(), threads == 1 || lines < 2 ? 1U : static_cast<std::size_t>(std::min(lines, 16)));
         }
     }
     endSecondThread();

@@ -88,7 +88,7 @@ void Calibrating::show() {
     if (files_.path().isEmpty())
         return notice_.showNotice(
             NoticeBar::Kind::Warning,
-            tr("What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording."));
+            tr("The picture does not come from a file, so a calibration cannot name it: open a scan or a recording."));
     if (card_ == nullptr) {
         card_ = new CalibrationCard(notice_.window());
         connect(card_, &CalibrationCard::addRequested, this, &Calibrating::askAdd);
@@ -131,7 +131,7 @@ void Calibrating::ask() {
 }
 
 void Calibrating::askAdd() {
-    add(QFileDialog::getOpenFileNames(card_, tr("Scans of the same assembly"), preferences_.folder("scans"), Files::filters()));
+    add(QFileDialog::getOpenFileNames(card_, tr("Scans with the same mounting"), preferences_.folder("scans"), Files::filters()));
 }
 
 void Calibrating::add(const QStringList& paths) {
@@ -166,7 +166,7 @@ void Calibrating::start() {
 
 void Calibrating::giveUp() {
     calibration_.giveUp();
-    card_->refuse(tr("given up"));
+    card_->refuse(tr("stopped"));
 }
 
 Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Question& question, const Progress& progress,

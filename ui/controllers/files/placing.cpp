@@ -115,9 +115,8 @@ void Placing::show() {
     if (scan_) return dialog_->raise();
     const Scan& scan = *picture->detection->scan;
     if (scan.path.empty() || picture->source.growth.sweep >= 0 || (files_.path().isEmpty() && !files_.demo()))
-        return notice_.showNotice(
-            NoticeBar::Kind::Warning,
-            tr("What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording."));
+        return notice_.showNotice(NoticeBar::Kind::Warning,
+                                  tr("The picture does not come from a file, so its pose cannot be stored: open a scan or a recording."));
     make();
     source_ = picture->source;
     previewed_ = false;
@@ -332,7 +331,7 @@ bool Placing::use(const std::string& scanPath, const Stored& stored) {
                     return notice_.showError(written.error());
                 }
                 const QString name = shownName(QFileInfo(exactText(files::poseSidecar(scanPath).string())).fileName());
-                message_ = !stored.file ? tr("No pose is stored with the scan any more.")
+                message_ = !stored.file ? tr("The pose that was stored with the scan is removed.")
                            : replaces   ? tr("Stored %1; it replaced the pose that was there.").arg(name)
                                         : tr("Stored %1.").arg(name);
                 reopen(stored.options);

@@ -1,7 +1,6 @@
 // Counts the edges at every threshold.
 #include "ui/engine/worker_bridge/edge_counter.h"
 
-#include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/slider_scale.h"
 
@@ -17,9 +16,7 @@ EdgeCounter::EdgeCounter(QObject* parent)
       curve_(
           Urgency::Now,
           [](const std::shared_ptr<const edges::Detection>& detection) {
-              std::vector<double> thresholds = edges::sliderValues(edges::sweptParameter(detection->settings.method));
-              const double least = thresholds.front();
-              return edges::edgeCountCurve(edges::thresholdMapOf(*detection, least), std::move(thresholds));
+              return edges::edgeCountCurve(*detection, edges::sliderValues(edges::sweptParameter(detection->settings.method)));
           },
           [this](const std::shared_ptr<const edges::Detection>& detection, const std::shared_ptr<const edges::EdgeCountCurve>& curve) {
               emit counted(QString::fromUtf8(edges::sweptParameter(detection->settings.method).key), *curve);

@@ -38,7 +38,7 @@ ReadingDialog::ReadingDialog(const ReadingOptions& options, QWidget* parent) : Q
     setObjectName("reading-dialog");
     setWindowTitle(tr("How the Scan Is Read"));
     auto* column = new QVBoxLayout(this);
-    auto* about = new QLabel(tr("An empty field: as the file says, or as it is found out. The file itself stays as it is."));
+    auto* about = new QLabel(tr("An empty field: from the file, or detected. The file itself is not changed."));
     about->setWordWrap(true);
     column->addWidget(about);
     auto* fields = new QWidget;

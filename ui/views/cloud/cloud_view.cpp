@@ -295,7 +295,7 @@ void CloudView::updateOverlay() {
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
     } else if (cloud_->validCount == 0) {
-        marks.centreText = tr("no point to show: no cell of this scan holds a valid range");
+        marks.centreText = tr("no point to show: no cell of this scan has a valid range");
         marks.note = note_;
     } else {
         marks.note = note_;

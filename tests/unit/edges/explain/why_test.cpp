@@ -1,9 +1,12 @@
 // Why a cell is an edge: the explanation must agree with the method.
 #include "core/edges/explain/why.h"
+#include "core/edges/gray/canny.h"
+#include "core/edges/pipeline/edge_count_curve.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/presets.h"
+#include "core/edges/settings/slider_scale.h"
 #include "core/exports/why_report.h"
 #include "tests/support/scans.h"
 
@@ -76,6 +79,22 @@ TEST(Why, TheThresholdOfOneCellIsThatOfTheMap) {
         }
     }
     EXPECT_GT(edges, 100U);
+}
+
+TEST(Why, TheCurveCountsTheCellsOfTheMap) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
+    std::size_t edges = 0;
+    for (Settings settings : everyMethod()) {
+        settings.minimumLength = 4;
+        const auto detection = detectEdges(scan, settings);
+        const EdgeCountCurve curve = edgeCountCurve(*detection, sliderValues(sweptParameter(settings.method)));
+        const ThresholdMap map = thresholdMapOf(*detection);
+        for (std::size_t n = 0; n < curve.thresholds.size(); ++n) {
+            ASSERT_EQ(curve.edges[n], edgeCells(edgesAt(map, curve.thresholds[n])).size()) << curve.thresholds[n];
+            edges += curve.edges[n];
+        }
+    }
+    EXPECT_GT(edges, 10000U);
 }
 
 TEST(Why, AWeakCellShowsItsWayToAStrongOne) {

@@ -123,6 +123,24 @@ TEST(Pipeline, EveryMethodHasOneMainThreshold) {
     }
 }
 
+TEST(Pipeline, TheGrayImageIsMadeForThoseWhoReadIt) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 60, 1));
+    Pipeline pipeline;
+    Settings settings;
+    const auto plus = pipeline.run(scan, settings);
+    EXPECT_FALSE(plus->gray.isMade());
+    settings.method = Method::Canny;
+    const auto canny = pipeline.run(scan, settings);
+    EXPECT_EQ(std::ranges::count(canny->timings, "gray", &StageTime::stage), 1);
+    EXPECT_TRUE(canny->gray.isMade());
+    EXPECT_TRUE(canny->gray == plus->gray && plus->gray.isMade());
+    std::atomic<int> made = 0;
+    const MadeWhenRead<int> value([&made] { return ++made; });
+    std::vector<std::thread> readers;
+    for (int n = 0; n < 4; ++n) readers.emplace_back([&value] { EXPECT_EQ(*value, 1); });
+    for (std::thread& reader : readers) reader.join();
+}
+
 TEST(Pipeline, AThresholdTouchesNeitherGrayNorSmoothing) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(40, 60, 1));
     Pipeline pipeline;
