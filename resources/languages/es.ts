@@ -126,6 +126,64 @@
 <message><source>check what else uses it</source><translation>compruebe qué más lo usa</translation></message>
 <message><source>a recording is being written already</source><translation>ya se está escribiendo una grabación</translation></message>
 <message><source>stop it first</source><translation>deténgala primero</translation></message>
+<message><source>the file ends within its E57 header</source><translation>el archivo termina dentro de su cabecera E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>esta es la versión %1 de E57, y se conoce la versión 1</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>expórtelo como E57 versión 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>la cabecera E57 indica páginas de %1 bytes</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>la cabecera E57 anuncia %1 bytes y el archivo contiene </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>las columnas de puntos de este archivo E57 están demasiado anidadas</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>los límites de la columna %1 de este archivo E57 no son posibles</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>el escaneo %1 de este archivo E57 no indica dónde están sus puntos ni cuántos son</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>según la cabecera E57, la parte XML está en el byte %1 y tiene </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>no se puede leer la parte XML de este archivo E57: </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>la parte XML de este archivo E57 no tiene e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la página %1 de %2 de este archivo E57 está dañada: su suma de control no coincide</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>este archivo E57 termina antes de algo que nombra</translation></message>
+<message><source>this E57 file holds no scan</source><translation>este archivo E57 no contiene ningún escaneo</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>el archivo contiene %1 escaneos y se pidió el número %2</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>el escaneo %1 de este archivo E57 no contiene puntos</translation></message>
+<message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
+<message><source>choose another file</source><translation>elija otro archivo</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>los puntos empezarían en el byte %1, que no está en el archivo</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>ninguna lista de puntos empieza donde indica el archivo E57</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>la cabecera de los puntos no corresponde al archivo</translation></message>
+<message><source>a packet of points </source><translation>un paquete de puntos </translation></message>
+<message><source>the file promises %1 points and </source><translation>el archivo anuncia %1 puntos y </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>este archivo ZIP no tiene directorio al final</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>el directorio de este archivo ZIP está dañado</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este archivo ZIP no empieza donde indica su directorio: hay otros bytes delante o dentro</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>esta parte del archivo está cifrada</translation></message>
+<message><source>save it without a password</source><translation>guárdelo sin contraseña</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>esta parte del archivo está comprimida con el método %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>comprímalo con DEFLATE, como es habitual</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>esta parte del archivo no está donde indica su directorio</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descomprimido son %1, mucho más de lo que puede ser un escaneo de ese tamaño</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>descomprímalo a mano y revíselo</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte del archivo está dañada: su longitud o su suma de control no coincide</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>es un bag de ROS de una versión distinta de 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>conviértalo con «rosbag migrate»</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada o dañada: no se pueden leer sus tablas</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite no es un bag de ROS: no tiene tabla de topics</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>no se puede abrir esta base SQLite</translation></message>
+<message><source>copy it again</source><translation>cópiela de nuevo</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>no es una grabación MCAP de una versión conocida</translation></message>
+<message><source>choose a recording</source><translation>elija una grabación</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>esta carpeta contiene %1 archivos de un bag</translation></message>
+<message><source>open one of them, as </source><translation>abra uno de ellos, por ejemplo </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>ningún topic de este %1 es de un láser</translation></message>
+<message><source>choose another bag</source><translation>elija otro bag</translation></message>
+<message><source>the bag has no topic </source><translation>el bag no tiene el topic </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>el topic %1 no contiene ningún escaneo</translation></message>
+<message><source>choose one of them with </source><translation>elija uno con </translation></message>
+<message><source>choose one of </source><translation>elija uno de </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>el láser no giró mientras medía</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>elija otro topic o indique la articulación que lo gira</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>no se pudo colocar ninguna línea del topic %1</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>ningún mensaje del topic %1 es una línea de distancias</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>ninguna transformación gira el sistema %1 del láser mientras mide</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>ninguna articulación giró mientras el láser medía</translation></message>
+<message><source>there is no joint called </source><translation>no hay ninguna articulación llamada </translation></message>
+<message><source>choose another topic</source><translation>elija otro topic</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>los puntos detrás de otros del diálogo de exportación</translation></message>
@@ -217,6 +275,36 @@ The strongest cell of its chain is ringed in both images; zoomed in, the chain i
 La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
 <message><source>Clicked</source><translation>Clic</translation></message>
 <message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Primero apunte a una celda o haga clic en ella. Por qué muestra luego qué decide si es un borde.</translation></message>
+<message><source>the demo after the blast</source><translation>la demo tras la voladura</translation></message>
+<message><source>%1, scan %2</source><translation>%1, escaneo %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>el primero: los demás se colocan respecto a él</translation></message>
+<message><source>registered, residual %1 mm</source><translation>registrado, residuo %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>colocado por objetivos, separación %1 mm</translation></message>
+<message><source>placed by pose</source><translation>colocado por la pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>No se pudo leer la capa (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>¿Dónde está ahora la capa?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Este punto es de la capa %1: actívela para medir en ella.</translation></message>
+<message><source>Make Active</source><translation>Activar</translation></message>
+<message><source>Add scans as layers</source><translation>Añadir escaneos como capas</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>Las capas son escaneos de archivos: abra el primero, o grabe el barrido y abra la grabación.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Una nube tiene como máximo %1 capas: quite alguna primero.</translation></message>
+<message><source>Add a Layer</source><translation>Añadir una capa</translation></message>
+<message><source>Remove the Layer</source><translation>Quitar la capa</translation></message>
+<message><source>Show the Layer</source><translation>Mostrar la capa</translation></message>
+<message><source>Hide the Layer</source><translation>Ocultar la capa</translation></message>
+<message><source>Locate the Layer</source><translation>Localizar la capa</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>Hacen falta tres lugares visibles en ambos escaneos: márquelos aquí como objetivos 1, 2 y 3, active %1, marque allí los mismos lugares en el mismo orden y vuelva.</translation></message>
+<message><source>Reading the layer %1</source><translation>Leyendo la capa %1</translation></message>
+<message><source>Cancelled</source><translation>Cancelado</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>El mismo escaneo ya es una capa: quite una de las dos.</translation></message>
+<message><source>Layer %1: %2</source><translation>Capa %1: %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 puntos · %2 de memoria</translation></message>
+<message><source>active</source><translation>activa</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ activa, sin colocar</translation></message>
+<message><source>▲ not placed</source><translation>▲ sin colocar</translation></message>
+<message><source>▲ not read</source><translation>▲ no leída</translation></message>
+<message><source>being read</source><translation>leyendo</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ sin colocar respecto a la activa</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
@@ -684,6 +772,11 @@ mantenga \ para verla</translation></message>
 <message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
 <message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Añadir un escaneo como capa…</translation></message>
+<message><source>Remove</source><translation>Quitar</translation></message>
+<message><source>Place by Targets</source><translation>Colocar por objetivos</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Muestra la imagen y los bordes de este escaneo; los demás quedan en la nube</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque los mismos tres lugares en ambos escaneos como objetivos con los mismos números: llevan la capa a su sitio</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Líneas cuyos telegramas no llegaron: guiones en las imágenes</translation></message>
 <message><source>Scanner</source><translation>Escáner</translation></message>
@@ -780,6 +873,7 @@ mantenga \ para verla</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
@@ -863,7 +957,6 @@ mantenga \ para verla</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
-<message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>La medición elegida</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, en escala logarítmica. Rayado: el tramo más ancho en que desaparece un quinto de ellas como máximo. La línea vertical es el umbral en uso.</translation></message>
@@ -995,7 +1088,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
+<message><source>Fold</source><translation>Plegar</translation></message>
 <message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
@@ -1067,6 +1162,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Escaneo &amp;anterior</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Añadir un escaneo como capa…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Grabar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar el último minuto</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar la imagen al final del barrido</translation></message>
@@ -1157,6 +1253,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Predeterminado: el central desplaza, el derecho acerca y aleja</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: el derecho desplaza, el central acerca y aleja</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
+<message><source>By &amp;Intensity</source><translation>Por &amp;intensidad</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidad (este escaneo no la tiene)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>

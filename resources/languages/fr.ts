@@ -126,6 +126,64 @@
 <message><source>check what else uses it</source><translation>vérifiez ce qui l'utilise aussi</translation></message>
 <message><source>a recording is being written already</source><translation>un enregistrement est déjà en cours</translation></message>
 <message><source>stop it first</source><translation>arrêtez-le d'abord</translation></message>
+<message><source>the file ends within its E57 header</source><translation>le fichier finit dans son en-tête E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>c'est la version %1 d'E57, et la version 1 est connue</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>exportez-le en E57 version 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>l'en-tête E57 donne des pages de %1 octets</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>l'en-tête E57 annonce %1 octets et le fichier en contient </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>les colonnes de points de ce fichier E57 sont trop imbriquées</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>les limites de la colonne %1 de ce fichier E57 sont impossibles</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>le scan %1 de ce fichier E57 n'indique ni où sont ses points ni combien il y en a</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>selon l'en-tête E57, la partie XML est à l'octet %1 et a </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>la partie XML de ce fichier E57 est illisible : </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>la partie XML de ce fichier E57 n'a pas d'e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la page %1 sur %2 de ce fichier E57 est endommagée : sa somme de contrôle est fausse</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>ce fichier E57 finit avant ce qu'il annonce</translation></message>
+<message><source>this E57 file holds no scan</source><translation>ce fichier E57 ne contient aucun scan</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>le fichier contient %1 scans, et le numéro %2 était demandé</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>le scan %1 de ce fichier E57 ne contient aucun point</translation></message>
+<message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
+<message><source>choose another file</source><translation>choisissez un autre fichier</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>les points commenceraient à l'octet %1, qui n'est pas dans le fichier</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>aucune liste de points ne commence là où le fichier E57 l'indique</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>l'en-tête des points ne correspond pas au fichier</translation></message>
+<message><source>a packet of points </source><translation>un paquet de points </translation></message>
+<message><source>the file promises %1 points and </source><translation>le fichier annonce %1 points et </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>cette archive ZIP n'a pas de répertoire à sa fin</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>le répertoire de cette archive ZIP est endommagé</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>cette archive ZIP ne commence pas là où son répertoire l'indique : d'autres octets la précèdent ou s'y trouvent</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>cette partie de l'archive est chiffrée</translation></message>
+<message><source>save it without a password</source><translation>enregistrez-la sans mot de passe</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>cette partie de l'archive est compressée par la méthode %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>compressez-la avec DEFLATE, comme d'habitude</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>cette partie de l'archive n'est pas là où son répertoire l'indique</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>décompressé, cela fait %1, bien plus qu'un scan de cette taille</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>décompressez-la à la main et regardez-la</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>cette partie de l'archive est endommagée : sa longueur ou sa somme de contrôle est fausse</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>c'est un bag ROS d'une autre version que 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>convertissez-le avec « rosbag migrate »</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>cette base SQLite est tronquée ou endommagée : ses tables sont illisibles</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>cette base SQLite n'est pas un bag ROS : elle n'a pas de table de topics</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>cette base SQLite ne peut pas être ouverte</translation></message>
+<message><source>copy it again</source><translation>copiez-la à nouveau</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>ce n'est pas un enregistrement MCAP d'une version connue</translation></message>
+<message><source>choose a recording</source><translation>choisissez un enregistrement</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>ce dossier contient %1 fichiers d'un bag</translation></message>
+<message><source>open one of them, as </source><translation>ouvrez-en un, par exemple </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>aucun topic de ce %1 n'est d'un laser</translation></message>
+<message><source>choose another bag</source><translation>choisissez un autre bag</translation></message>
+<message><source>the bag has no topic </source><translation>le bag n'a pas de topic </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>le topic %1 ne contient aucun scan</translation></message>
+<message><source>choose one of them with </source><translation>choisissez-en un avec </translation></message>
+<message><source>choose one of </source><translation>choisissez parmi </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>le laser n'a pas tourné pendant la mesure</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>choisissez un autre topic, ou donnez l'articulation qui le tourne</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>aucune ligne du topic %1 n'a pu être placée</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>aucun message du topic %1 n'est une ligne de distances</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>aucune transformation ne tourne le repère %1 du laser pendant la mesure</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>aucune articulation n'a tourné pendant la mesure du laser</translation></message>
+<message><source>there is no joint called </source><translation>il n'y a pas d'articulation nommée </translation></message>
+<message><source>choose another topic</source><translation>choisissez un autre topic</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>les points derrière d'autres dans le dialogue d'exportation</translation></message>
@@ -217,6 +275,36 @@ The strongest cell of its chain is ringed in both images; zoomed in, the chain i
 La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
 <message><source>Clicked</source><translation>Cliqué</translation></message>
 <message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Pointez d'abord une cellule ou cliquez dessus. Pourquoi montre ensuite ce qui décide si elle est une arête.</translation></message>
+<message><source>the demo after the blast</source><translation>la démo après le tir</translation></message>
+<message><source>%1, scan %2</source><translation>%1, scan %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>le premier : les autres sont placés par rapport à lui</translation></message>
+<message><source>registered, residual %1 mm</source><translation>recalé, résidu %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>placé par cibles, écart %1 mm</translation></message>
+<message><source>placed by pose</source><translation>placé par la pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>La couche n'a pas pu être lue (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>Où est la couche maintenant ?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Ce point est de la couche %1 : activez-la pour y mesurer.</translation></message>
+<message><source>Make Active</source><translation>Activer</translation></message>
+<message><source>Add scans as layers</source><translation>Ajouter des scans comme couches</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>Les couches sont des scans de fichiers : ouvrez le premier, ou enregistrez le balayage et ouvrez l'enregistrement.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Un nuage a au plus %1 couches : retirez-en d'abord.</translation></message>
+<message><source>Add a Layer</source><translation>Ajouter une couche</translation></message>
+<message><source>Remove the Layer</source><translation>Retirer la couche</translation></message>
+<message><source>Show the Layer</source><translation>Afficher la couche</translation></message>
+<message><source>Hide the Layer</source><translation>Masquer la couche</translation></message>
+<message><source>Locate the Layer</source><translation>Localiser la couche</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>Il faut trois endroits visibles dans les deux scans : marquez-les ici comme cibles 1, 2 et 3, activez %1, marquez-y les mêmes endroits dans le même ordre, puis revenez.</translation></message>
+<message><source>Reading the layer %1</source><translation>Lecture de la couche %1</translation></message>
+<message><source>Cancelled</source><translation>Annulé</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>Le même scan est déjà une couche : retirez l'une des deux.</translation></message>
+<message><source>Layer %1: %2</source><translation>Couche %1 : %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 points · %2 de mémoire</translation></message>
+<message><source>active</source><translation>active</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ active, non placée</translation></message>
+<message><source>▲ not placed</source><translation>▲ non placée</translation></message>
+<message><source>▲ not read</source><translation>▲ non lue</translation></message>
+<message><source>being read</source><translation>en cours de lecture</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ non placée par rapport à l'active</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
@@ -684,6 +772,11 @@ tenez \ pour la voir</translation></message>
 <message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
 <message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
 <message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Ajouter un scan comme couche…</translation></message>
+<message><source>Remove</source><translation>Supprimer</translation></message>
+<message><source>Place by Targets</source><translation>Placer par cibles</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Affiche l'image et les arêtes de ce scan ; les autres restent dans le nuage</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marquez les trois mêmes endroits dans les deux scans comme cibles de mêmes numéros : elles mettent la couche à sa place</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Lignes dont les télégrammes ne sont pas arrivés : des tirets dans les images</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
@@ -780,6 +873,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
@@ -863,7 +957,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
-<message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The selected measurement</source><translation>La mesure choisie</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, sur une échelle logarithmique. Hachuré : le plus large intervalle sur lequel un cinquième d'entre elles au plus disparaît. Le trait vertical est le seuil utilisé.</translation></message>
@@ -995,7 +1088,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
+<message><source>Fold</source><translation>Replier</translation></message>
 <message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
@@ -1067,6 +1162,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
 <message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Scan &amp;précédent</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Ajouter un scan comme couche…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Enregistrer</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conserver la dernière minute</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>&amp;Figer l'image à la fin du balayage</translation></message>
@@ -1157,6 +1253,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Par défaut : milieu déplace, droite zoome</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare : droite déplace, milieu zoome</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Molette en sens inverse</translation></message>
+<message><source>By &amp;Intensity</source><translation>Par &amp;intensité</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Par &amp;intensité (ce scan n'en a pas)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;ouleur du nuage</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>

@@ -126,6 +126,64 @@
 <message><source>check what else uses it</source><translation>verifique o que mais o usa</translation></message>
 <message><source>a recording is being written already</source><translation>uma gravação já está em andamento</translation></message>
 <message><source>stop it first</source><translation>pare-a primeiro</translation></message>
+<message><source>the file ends within its E57 header</source><translation>o arquivo termina dentro do cabeçalho E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>esta é a versão %1 do E57, e a versão 1 é conhecida</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>exporte-o como E57 versão 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>o cabeçalho E57 indica páginas de %1 bytes</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>o cabeçalho E57 anuncia %1 bytes e o arquivo contém </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>as colunas de pontos deste arquivo E57 estão aninhadas demais</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>os limites da coluna %1 deste arquivo E57 não são possíveis</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>a varredura %1 deste arquivo E57 não indica onde estão seus pontos nem quantos são</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>segundo o cabeçalho E57, a parte XML está no byte %1 e tem </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>não é possível ler a parte XML deste arquivo E57: </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>a parte XML deste arquivo E57 não tem e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>a página %1 de %2 deste arquivo E57 está danificada: a soma de verificação não confere</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>este arquivo E57 termina antes de algo que nomeia</translation></message>
+<message><source>this E57 file holds no scan</source><translation>este arquivo E57 não contém nenhuma varredura</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>o arquivo contém %1 varreduras e foi pedido o número %2</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>a varredura %1 deste arquivo E57 não contém pontos</translation></message>
+<message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
+<message><source>choose another file</source><translation>escolha outro arquivo</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>os pontos começariam no byte %1, que não está no arquivo</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>nenhuma lista de pontos começa onde o arquivo E57 indica</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>o cabeçalho dos pontos não corresponde ao arquivo</translation></message>
+<message><source>a packet of points </source><translation>um pacote de pontos </translation></message>
+<message><source>the file promises %1 points and </source><translation>o arquivo anuncia %1 pontos e </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>este arquivo ZIP não tem diretório no final</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>o diretório deste arquivo ZIP está danificado</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este arquivo ZIP não começa onde seu diretório indica: há outros bytes antes ou dentro dele</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>esta parte do arquivo está criptografada</translation></message>
+<message><source>save it without a password</source><translation>salve-o sem senha</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>esta parte do arquivo está compactada com o método %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>compacte-o com DEFLATE, como de costume</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>esta parte do arquivo não está onde seu diretório indica</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descompactado são %1, muito mais do que uma varredura desse tamanho pode ter</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>descompacte-o à mão e verifique-o</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte do arquivo está danificada: o comprimento ou a soma de verificação não confere</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>é um bag do ROS de versão diferente de 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>converta-o com "rosbag migrate"</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada ou danificada: não é possível ler suas tabelas</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite não é um bag do ROS: não tem tabela de tópicos</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>não é possível abrir esta base SQLite</translation></message>
+<message><source>copy it again</source><translation>copie-a novamente</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>não é uma gravação MCAP de versão conhecida</translation></message>
+<message><source>choose a recording</source><translation>escolha uma gravação</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>esta pasta contém %1 arquivos de um bag</translation></message>
+<message><source>open one of them, as </source><translation>abra um deles, por exemplo </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>nenhum tópico deste %1 é de um laser</translation></message>
+<message><source>choose another bag</source><translation>escolha outro bag</translation></message>
+<message><source>the bag has no topic </source><translation>o bag não tem o tópico </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>o tópico %1 não contém nenhuma varredura</translation></message>
+<message><source>choose one of them with </source><translation>escolha um com </translation></message>
+<message><source>choose one of </source><translation>escolha um de </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>o laser não girou enquanto media</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>escolha outro tópico ou indique a junta que o gira</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>não foi possível posicionar nenhuma linha do tópico %1</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>nenhuma mensagem do tópico %1 é uma linha de distâncias</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>nenhuma transformação gira o referencial %1 do laser enquanto mede</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>nenhuma junta girou enquanto o laser media</translation></message>
+<message><source>there is no joint called </source><translation>não há nenhuma junta chamada </translation></message>
+<message><source>choose another topic</source><translation>escolha outro tópico</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>os pontos atrás de outros na caixa de exportação</translation></message>
@@ -217,6 +275,36 @@ The strongest cell of its chain is ringed in both images; zoomed in, the chain i
 A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
 <message><source>Clicked</source><translation>Clique</translation></message>
 <message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Primeiro aponte para uma célula ou clique nela. Por quê mostra depois o que decide se ela é uma borda.</translation></message>
+<message><source>the demo after the blast</source><translation>a demonstração após o desmonte</translation></message>
+<message><source>%1, scan %2</source><translation>%1, varredura %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>o primeiro: os outros são posicionados em relação a ele</translation></message>
+<message><source>registered, residual %1 mm</source><translation>registrado, resíduo %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>posicionado por alvos, afastamento %1 mm</translation></message>
+<message><source>placed by pose</source><translation>posicionado pela pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>Não foi possível ler a camada (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>Onde está a camada agora?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Este ponto é da camada %1: ative-a para medir nela.</translation></message>
+<message><source>Make Active</source><translation>Ativar</translation></message>
+<message><source>Add scans as layers</source><translation>Adicionar varreduras como camadas</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>As camadas são varreduras de arquivos: abra a primeira, ou grave a varredura e abra a gravação.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Uma nuvem tem no máximo %1 camadas: remova algumas antes.</translation></message>
+<message><source>Add a Layer</source><translation>Adicionar uma camada</translation></message>
+<message><source>Remove the Layer</source><translation>Remover a camada</translation></message>
+<message><source>Show the Layer</source><translation>Mostrar a camada</translation></message>
+<message><source>Hide the Layer</source><translation>Ocultar a camada</translation></message>
+<message><source>Locate the Layer</source><translation>Localizar a camada</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>São precisos três lugares visíveis nas duas varreduras: marque-os aqui como alvos 1, 2 e 3, ative %1, marque lá os mesmos lugares na mesma ordem e volte.</translation></message>
+<message><source>Reading the layer %1</source><translation>Lendo a camada %1</translation></message>
+<message><source>Cancelled</source><translation>Cancelado</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>A mesma varredura já é uma camada: remova uma das duas.</translation></message>
+<message><source>Layer %1: %2</source><translation>Camada %1: %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 pontos · %2 de memória</translation></message>
+<message><source>active</source><translation>ativa</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ ativa, não posicionada</translation></message>
+<message><source>▲ not placed</source><translation>▲ não posicionada</translation></message>
+<message><source>▲ not read</source><translation>▲ não lida</translation></message>
+<message><source>being read</source><translation>sendo lida</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ não posicionada em relação à ativa</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
@@ -684,6 +772,11 @@ segure \ para vê-la</translation></message>
 <message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
 <message><source>the cell cursor</source><translation>o cursor de células</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Adicionar varredura como camada…</translation></message>
+<message><source>Remove</source><translation>Remover</translation></message>
+<message><source>Place by Targets</source><translation>Posicionar por alvos</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Mostra a imagem e as bordas desta varredura; as outras ficam na nuvem</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque os mesmos três lugares nas duas varreduras como alvos com os mesmos números: eles põem a camada no lugar</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Linhas cujos telegramas não chegaram: traços nas imagens</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
@@ -780,6 +873,7 @@ segure \ para vê-la</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
@@ -863,7 +957,6 @@ segure \ para vê-la</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
-<message><source>Remove</source><translation>Remover</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>A medição escolhida</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de células de borda em cada limiar, em escala logarítmica. Hachurado: o trecho mais largo em que desaparece no máximo um quinto delas. A linha vertical é o limiar em uso.</translation></message>
@@ -995,7 +1088,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
+<message><source>Fold</source><translation>Recolher</translation></message>
 <message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
@@ -1067,6 +1162,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
 <message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Varredura &amp;anterior</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Adicionar varredura como camada…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Gravar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar o último minuto</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar a imagem no fim da varredura</translation></message>
@@ -1157,6 +1253,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Padrão: o do meio desloca, o direito aproxima e afasta</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: o direito desloca, o do meio aproxima e afasta</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
+<message><source>By &amp;Intensity</source><translation>Por &amp;intensidade</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidade (esta varredura não tem)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>

@@ -210,6 +210,7 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
         {
             command("&Next Scan", "PgDown", [&files] { files.step(1); }),
             command("Pre&vious Scan", "PgUp", [&files] { files.step(-1); }),
+            command("&Add a Scan as a Layer…", "", [&v] { v.layers.ask(); }),
             kLine,
             linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
             linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),

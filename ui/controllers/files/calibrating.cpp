@@ -8,6 +8,7 @@
 #include "core/files/open_save/pose_sidecar.h"
 #include "core/inspect/calibration/seam_edges.h"
 #include "core/inspect/calibration/views_picture.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
@@ -244,7 +245,7 @@ Calibrating::Answer Calibrating::run(const Question& question, const Progress& p
 
 void Calibrating::take(const std::shared_ptr<const Answer>& answer) {
     const Result<inspect::SelfCalibration>& calibration = *answer->found;
-    if (!calibration) return card_->refuse(shownText(calibration.error().sentence()));
+    if (!calibration) return card_->refuse(coreSentence(calibration.error().sentence()));
     found_ = answer;
     const Seam& seam = answer->seam;
     CalibrationShown shown = calibrationWords(*calibration);

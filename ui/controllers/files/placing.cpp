@@ -11,6 +11,7 @@
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/survey_line.h"
 #include "core/scan/grid/cartesian.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
@@ -219,7 +220,7 @@ void Placing::take(const Answer& answer) {
 
 void Placing::takeLine(const QString& line, bool northingFirst) {
     const auto read = parseSurveyLine(exactBytes(line), northingFirst ? SurveyOrder::NorthingFirst : SurveyOrder::EastingFirst);
-    if (!read) return dialog_->showState("✕ " + shownText(read.error().sentence()), false);
+    if (!read) return dialog_->showState("✕ " + coreSentence(read.error().sentence()), false);
     PlaceTexts texts = dialog_->poseTexts();
     const auto put = [&](const std::string& key, std::optional<double> value) {
         for (std::size_t n = 0; n < texts.size(); ++n) {
@@ -289,9 +290,9 @@ void Placing::askFile() {
 void Placing::useCalibration(const QString& path) {
     const auto text = textAt(exactBytes(path));
     const auto sound = text ? parseCalibration(*text, exactBytes(path)) : Result<Calibration>(text.error());
-    if (!sound) return dialog_->showState("✕ " + shownText(sound.error().sentence()), false);
+    if (!sound) return dialog_->showState("✕ " + coreSentence(sound.error().sentence()), false);
     const auto texts = placeTexts(mountingFields(), *text, exactBytes(path));
-    if (!texts) return dialog_->showState("✕ " + shownText(texts.error().sentence()), false);
+    if (!texts) return dialog_->showState("✕ " + coreSentence(texts.error().sentence()), false);
     mountingBase_ = *text;
     dialog_->showMounting(*texts);
     showScanners({});

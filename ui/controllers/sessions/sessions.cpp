@@ -30,10 +30,6 @@ QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(
 
 std::filesystem::path folderOf(const QString& path) { return exactBytes(QFileInfo(absolutePath(path)).path()); }
 
-bool isSame(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
-    return a.sha256 == b.sha256 && a.name == b.name && a.lines == b.lines && a.beams == b.beams;
-}
-
 } // namespace
 
 Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Preferences& preferences, QUndoStack& undo,
@@ -278,7 +274,7 @@ void Sessions::locate(const QString& path) {
 /// Another scan is on the screen: the one that the session waits for, or an unrelated one.
 void Sessions::followStream() {
     if (!wanted_) {
-        if (!file_.isEmpty() && !isSame(filed_, inspect::notebookScan(*engine_.picture()->detection->scan))) {
+        if (!file_.isEmpty() && !inspect::isSame(filed_, inspect::notebookScan(*engine_.picture()->detection->scan))) {
             if (notice_.isHidden())
                 notice_.showNotice(NoticeBar::Kind::Done,
                                    tr("The session %1 is not changed: this is another scan.").arg(shownName(QFileInfo(file_).fileName())));

@@ -1,6 +1,7 @@
 // How a file is read: a row per option of the table.
 #include "ui/panels/dialogs/reading_dialog.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 
@@ -99,7 +100,7 @@ void ReadingDialog::accept() {
         const std::string text = field.text().toStdString();
         if (text.empty()) continue;
         if (const Result<Done> sound = checked(*field.option, text); !sound) {
-            refusal_->setText(QString("%1: ").arg(field.option->key) + shownText(sound.error().sentence()));
+            refusal_->setText(QString("%1: ").arg(field.option->key) + coreSentence(sound.error().sentence()));
             refusal_->show();
             return;
         }
