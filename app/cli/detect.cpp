@@ -136,9 +136,14 @@ int run(const Detect& detect) {
         printError(usage ? method.error() : usage.error());
         return kWrongUsage;
     }
-    if (const Result<Done> made = makeFolder(detect.out); !made) {
-        printError(made.error());
-        return kRefused;
+    if (!detect.out.folder.empty()) {
+        std::error_code failed;
+        fs::create_directories(detect.out.folder, failed);
+        if (failed) {
+            printError(
+                {"the folder cannot be made (" + failed.message() + ")", detect.out.folder, "give -o a folder that can be written to"});
+            return kRefused;
+        }
     }
     std::size_t done = 0, refused = 0;
     for (const std::string& file : detect.files) {

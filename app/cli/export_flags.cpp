@@ -3,6 +3,7 @@
 
 #include "app/shared/exits.h"
 #include "core/base/foreign_text.h"
+#include "core/base/whole_file.h"
 #include "core/files/formats/formats.h"
 
 #include <algorithm>
@@ -37,13 +38,6 @@ void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportP
 
 void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& group) {
     command.add_option("-o,--output", paths.folder, "Folder for all of these, under the scan's name")->type_name("DIR")->group(group);
-}
-
-Result<Done> makeFolder(const ExportPaths& paths) {
-    std::error_code failed;
-    if (!paths.folder.empty()) fs::create_directories(paths.folder, failed);
-    if (!failed) return Done{};
-    return Error{"the folder cannot be made (" + failed.message() + ")", paths.folder, "give -o a folder that can be written to"};
 }
 
 Result<Done> checkExtensions(const ExportPaths& paths) {

@@ -29,9 +29,6 @@ void addExportFlags(CLI::App& command, exports::ExportKind::Needs needs, ExportP
 /// Adds -o DIR, for all of them at once.
 void addFolderFlag(CLI::App& command, ExportPaths& paths, const std::string& group);
 
-/// Makes the folder for all of them, if one is given.
-Result<Done> makeFolder(const ExportPaths& paths);
-
 /// Error: an extension that names no format for the kind, or a folder with the name of a file.
 Result<Done> checkExtensions(const ExportPaths& paths);
 

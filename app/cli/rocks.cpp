@@ -20,10 +20,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace edgescan::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr exports::ExportKind::Needs kRocks = exports::ExportKind::Needs::Rocks;
 
@@ -170,9 +173,14 @@ int run(RocksFlags& flags) {
         printError(usage.error());
         return kWrongUsage;
     }
-    if (const Result<Done> made = makeFolder(flags.out); !made) {
-        printError(made.error());
-        return kRefused;
+    if (!flags.out.folder.empty()) {
+        std::error_code failed;
+        fs::create_directories(flags.out.folder, failed);
+        if (failed) {
+            printError(
+                {"the folder cannot be made (" + failed.message() + ")", flags.out.folder, "give -o a folder that can be written to"});
+            return kRefused;
+        }
     }
     const Result<Done> result = findRocks(flags);
     if (result) return kDone;

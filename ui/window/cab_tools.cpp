@@ -17,6 +17,8 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include <cmath>
+
 namespace edgescan::ui {
 namespace {
 
