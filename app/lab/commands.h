@@ -11,5 +11,6 @@ void addBenchmark(CLI::App& app, int& code);
 void addRepeatability(CLI::App& app, int& code);
 void addEvaluate(CLI::App& app, int& code);
 void addClicks(CLI::App& app, int& code);
+void addLearnBorders(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

@@ -224,7 +224,8 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
         });
     parts.emplace_back([&] { result.silhouettes = silhouetteCells(surface.inverse, surface.steps, limits); });
     parts.emplace_back([&] { result.border = borderCells(support); });
-    parts.emplace_back([&] { result.rim = voidRimCells(surface.inverse, surface.steps, limits, surface.withheld); });
+    parts.emplace_back(
+        [&] { result.rim = voidRimCells(surface.inverse, surface.steps, limits, surface.withheld, result.neighboursAlike); });
     runParts(bands, parts);
     moveResponsesOffGaps(surface.inverse, result.jump, result.crease);
     if (settings.roughScans)

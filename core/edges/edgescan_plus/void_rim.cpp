@@ -80,8 +80,8 @@ std::vector<std::uint32_t> sizesOfVoids(const std::vector<Run>& runs) {
 
 class Rim {
 public:
-    Rim(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits)
-        : inverse_(inverse), steps_(steps), limits_(limits), marked_(inverse.u.lines, inverse.u.beams) {}
+    Rim(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits, bool ofCamera)
+        : inverse_(inverse), steps_(steps), limits_(limits), ofCamera_(ofCamera), marked_(inverse.u.lines, inverse.u.beams) {}
 
     void surround(const Run& run) {
         look(Along::Beams, run.line, run.first - 1, -1);
@@ -98,6 +98,14 @@ public:
     }
 
 private:
+    // Whether the void beyond cell `n` of the way ends at a surface that is farther away by a jump.
+    [[nodiscard]] bool isBeforeFarther(const Way& way, int n, int towardsVoid) const {
+        int end = n + towardsVoid;
+        while (end >= 0 && end < way.count && way.isVoid(end)) end += towardsVoid;
+        if (end < 0 || end >= way.count) return false;
+        const float nearMm = 1000 / way.u(n), farMm = 1000 / way.u(end);
+        return farMm - nearMm > limits_.jumpAt(nearMm);
+    }
     // Marks cell `n` of the way unless its surface, which begins there, fades out.
     void look(Along along, int at, int n, int awayFromVoid) {
         const int count = along == Along::Beams ? inverse_.u.beams : inverse_.u.lines;
@@ -105,6 +113,7 @@ private:
         const Way way{inverse_, steps_, along, at, count};
         const std::size_t k = way.cell(n);
         if (inverse_.support[k] != Support::Measured || marked_[k] != 0) return;
+        if (ofCamera_ && !isBeforeFarther(way, n, -awayFromVoid)) return;
         SurfaceEnd end = surfaceEnd(way, n, awayFromVoid, limits_);
         // Where every step is as large as a jump, a surface looks like jumps: then the next cell gives the slant.
         const int next = n + awayFromVoid;
@@ -115,6 +124,7 @@ private:
     const InverseRange& inverse_;
     const AngularSteps& steps_;
     const DepthLimits& limits_;
+    bool ofCamera_;
     Grid<std::uint8_t> marked_;
 };
 
@@ -135,10 +145,10 @@ std::vector<CellRun> withheldCells(const Scan& scan) {
 }
 
 std::vector<std::uint32_t> voidRimCells(const InverseRange& inverse, const AngularSteps& steps, const DepthLimits& limits,
-                                        const std::vector<CellRun>& withheld) {
+                                        const std::vector<CellRun>& withheld, bool ofCamera) {
     const std::vector<Run> runs = runsOfVoids(inverse.support, withheld);
     const std::vector<std::uint32_t> sizes = sizesOfVoids(runs);
-    Rim rim(inverse, steps, limits);
+    Rim rim(inverse, steps, limits, ofCamera);
     for (std::size_t n = 0; n < runs.size(); ++n) {
         if (sizes[n] >= kOpen) rim.surround(runs[n]);
     }

@@ -1,6 +1,8 @@
 // Writes targets, measurements and changes as markup.
 #include "core/exports/html/notes_section.h"
 
+#include "core/base/number_text.h"
+#include "core/base/tolerance_text.h"
 #include "core/containers/png/png.h"
 #include "core/exports/html/html.h"
 #include "core/inspect/change_detection/change_report.h"
@@ -9,10 +11,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace edgescan::exports {
 namespace {
+
+constexpr const char* kNoPose = "▲ no pose";
 
 std::string cellText(const Scan& scan, std::uint32_t cell) {
     if (cell >= scan.cells()) return "no cell of this scan";
@@ -20,11 +25,40 @@ std::string cellText(const Scan& scan, std::uint32_t cell) {
     return "line " + std::to_string(cell / beams) + ", beam " + std::to_string(cell % beams);
 }
 
-std::string targetRow(const Scan& scan, const inspect::PinnedTarget& target) {
-    std::string said;
-    for (const auto& [row, value] : target.asPinned) said += (said.empty() ? "" : "<br>") + htmlText(row) + ": " + htmlText(value);
+using Rows = std::vector<std::pair<std::string, std::string>>; // label and value, in the words of the cards
+
+std::string tripleText(const Eigen::Vector3d& v) { return fixedText(v.x(), 3) + ", " + fixedText(v.y(), 3) + ", " + fixedText(v.z(), 3); }
+
+std::string dipText(const inspect::CellTarget& target) {
+    if (!target.surface) return "no plane fits";
+    if (!target.dip) return kNoPose;
+    const bool falls = target.dip->dipDeg > inspect::kReportedSigmas * target.surface->sigmaDeg;
+    return fixedText(target.dip->dipDeg, 0) + "° / " + (falls ? fixedText(target.dip->directionDeg, 0) + "°" : std::string("–"));
+}
+
+/// Where the cell is by the pose that the scan has now.
+Rows placeRows(const inspect::CellTarget& target) {
+    if (target.probe.state != CellState::Valid) return {{"Distance", "nothing was measured in this cell"}};
+    const std::string tolerance = target.toleranceM > 0.0 ? fixedText(shownTolerance(target.toleranceM, 3), 3) : "not known";
+    return {{"Distance", fixedText(target.distanceM, 3) + " m ± " + tolerance},
+            {"X, Y, Z", tripleText(target.probe.pointM)},
+            {"E, N, RL", target.probe.mineM ? tripleText(*target.probe.mineM) : kNoPose},
+            {"Dip / direction", dipText(target)}};
+}
+
+std::string rowsHtml(const Rows& rows) {
+    std::string html;
+    for (const auto& [row, value] : rows) html += (html.empty() ? "" : "<br>") + htmlText(row) + ": " + htmlText(value);
+    return html;
+}
+
+std::string targetRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::PinnedTarget& target) {
+    const Scan& scan = *detection.scan;
+    const Rows now = target.cell < scan.cells() ? placeRows(inspect::targetAt(detection, noise, target.cell)) : Rows{};
+    Rows then = target.asPinned;
+    std::erase_if(then, [&](const auto& row) { return std::ranges::find(now, row) != now.end(); });
     return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) + "</td><td>" + cellText(scan, target.cell) +
-           "</td><td>" + said + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
+           "</td><td>" + rowsHtml(now) + "</td><td>" + rowsHtml(then) + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
 }
 
 std::string measureRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::StoredMeasure& measure) {
@@ -76,14 +110,15 @@ std::string swatch(const Rgb& c, const char* sign, const std::string& words) {
 std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook) {
     if (notebook.empty()) return {};
     std::string html = "<h2>Targets and measures</h2>\n";
+    const RangeNoise noise = inspect::noiseOf(detection);
     if (!notebook.targets.empty()) {
-        html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>As it was pinned</th>"
-                "<th>Pinned</th></tr></thead><tbody>\n";
-        for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(*detection.scan, target);
+        html +=
+            "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>By the pose of now</th>"
+            "<th>As it was pinned, where it differs</th><th>Pinned</th></tr></thead><tbody>\n";
+        for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
         html += "</tbody></table></div>\n";
     }
     if (!notebook.measures.empty()) {
-        const RangeNoise noise = inspect::noiseOf(detection);
         html += "<div class=\"wide\"><table id=\"measures\">\n<thead><tr><th>Measured</th><th>Result, &plusmn; two standard deviations</th>"
                 "<th>From</th><th>Cells</th></tr></thead><tbody>\n";
         for (const inspect::StoredMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure);

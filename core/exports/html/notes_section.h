@@ -9,8 +9,8 @@
 
 namespace edgescan::exports {
 
-/// Markup: a table of the targets with the content of their cards at the time of pinning, and one of the measurements with their
-/// uncertainty. Empty if there are neither. Cells that do not exist in the scan are reported as such.
+/// Markup: a table of the targets with their places by the pose of now and what differed on their cards when they were pinned, and one of
+/// the measurements with their uncertainty. Empty if there are neither. Cells that do not exist in the scan are reported as such.
 [[nodiscard]] std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook);
 
 /// Markup: the counts, the quality of the registration, the largest regions, and a picture of at most `mostPixels` along a side.

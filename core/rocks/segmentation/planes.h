@@ -22,8 +22,17 @@ struct PlaneSums {
     [[nodiscard]] double height() const;
 };
 
+/// A plane through cells around a cell, with the scatter of the cells.
+struct FittedPlane {
+    int n = 0;
+    double u = 0, x = 0, y = 0; ///< height at the middle cell, 1/m, and slopes per cell; of few cells the mean
+    double scatter = 0;         ///< root of the mean square distance, 1/m
+};
+
 /// Sums over the cells of the window whose `segment` is `own`. `segment` and `u` (1/m): the first cells of the window in two grids with
 /// `beams` cells per line.
 [[nodiscard]] PlaneSums planeSums(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own);
+/// The plane of the same cells.
+[[nodiscard]] FittedPlane fittedPlane(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own);
 
 } // namespace edgescan::rocks

@@ -3,6 +3,7 @@
 
 #include "core/base/bands.h"
 #include "core/rocks/segmentation/basins.h"
+#include "core/rocks/segmentation/border_choice.h"
 #include "core/rocks/segmentation/borders.h"
 #include "core/rocks/segmentation/cuts.h"
 #include "core/rocks/segmentation/equal_runs.h"
@@ -117,19 +118,28 @@ std::vector<SegmentRun> runsAlongLines(const Grid<std::uint32_t>& segment) {
 
 } // namespace
 
-Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
-    Segmentation segments;
-    segments.inputs = inputs;
+FittedSegments fittedSegments(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
+    FittedSegments fitted;
     const InverseRange& inverse = inputs.surface->inverse;
     const CellLinks links{inverse.support, *inputs.cracks};
-    segments.segment = segmentBasins(barrierDistance(inputs), links);
-    cutSegments(links, cuts, segments.segment);
-    segments.borders = segmentBorders(inputs, segments.segment);
-    const std::uint32_t count = lastSegment(segments.segment);
-    refineSegments(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), segments.segment, count);
+    fitted.segment = segmentBasins(barrierDistance(inputs), links);
+    cutSegments(links, cuts, fitted.segment);
+    fitted.borders = segmentBorders(inputs, fitted.segment);
+    fitted.count = lastSegment(fitted.segment);
+    refineSegments(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), fitted.segment, fitted.count);
+    return fitted;
+}
+
+Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
+    FittedSegments fitted = fittedSegments(inputs, cuts);
+    chooseBorders(inputs, settledGroups(fitted.borders, fitted.count), learnedBorders(), kBorderPasses, fitted.segment);
+    Segmentation segments;
+    segments.inputs = inputs;
+    segments.segment = std::move(fitted.segment);
+    segments.borders = std::move(fitted.borders);
     const auto sumUp = [&] {
         segments.beamRuns = runsAlongBeams(segments.segment);
-        segments.sums = segmentSums(inputs, segments.beamRuns, count);
+        segments.sums = segmentSums(inputs, segments.beamRuns, fitted.count);
     };
     runParts(bandsFor(segments.segment.size(), 0), {sumUp, [&] { segments.lineRuns = runsAlongLines(segments.segment); }});
     return segments;

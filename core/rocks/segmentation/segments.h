@@ -87,6 +87,14 @@ struct Segmentation {
 /// Adds up borders of the same two segments; ascending by (a, b).
 [[nodiscard]] std::vector<SegmentBorder> summedBorders(std::vector<SegmentBorder> parts);
 
+/// The segments before the network of borders decides (core/rocks/segmentation/border_choice.h).
+struct FittedSegments {
+    Grid<std::uint32_t> segment;
+    std::vector<SegmentBorder> borders;
+    std::uint32_t count = 0;
+};
+[[nodiscard]] FittedSegments fittedSegments(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts = {});
+
 /// Steps 2 to 4 and 6. `cuts`: strokes along which segments are cut, each a list of cells (core/rocks/segmentation/cuts.h).
 [[nodiscard]] Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts = {});
 

@@ -108,7 +108,7 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 void EdgeLegend::showRows() {
     constexpr std::size_t kOfRocks = 3; // jump, convex, concave
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const bool shown = offered_[n] && !low_ && (!brief_ || n < kOfRocks);
+        const bool shown = offered_[n] && !low_ && (!brief_ || n < kOfRocks || n == kRimClass);
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
     byClass_->setVisible(known_ && !brief_ && !low_);
@@ -120,7 +120,7 @@ void EdgeLegend::showCovered(bool on) {
 }
 
 void EdgeLegend::fitInto(int height) {
-    constexpr int kLow = 260, kLowForGloves = 380; // px
+    constexpr int kLow = 260, kLowForGloves = 420; // px
     const bool low = height < (brief_ ? kLowForGloves : kLow);
     if (std::exchange(low_, low) == low) return;
     showRows();

@@ -26,7 +26,12 @@ Scan wallWith(const IsOpen& isOpen) {
                           [&](int i, int j) { return isOpen(i, j) ? 0.0 : test::wallRangeMm(polar, i, j, 5000.0); });
 }
 
-std::vector<std::uint32_t> rimOf(const Scan& scan) { return detectEdges(std::make_shared<const Scan>(scan), Settings{})->responses->rim; }
+// Without noise a slanted surface may look like the depth steps of a camera.
+std::vector<std::uint32_t> rimOf(const Scan& scan, NoiseKind kind = NoiseKind::Laser) {
+    Settings settings;
+    settings.noiseKind = kind;
+    return detectEdges(std::make_shared<const Scan>(scan), settings)->responses->rim;
+}
 
 // The same by looking at each cell, without runs: measured cells that share a side with a void of 30 cells.
 std::set<std::uint32_t> slowRim(const Scan& scan) {
@@ -100,6 +105,23 @@ TEST(VoidRim, ASurfaceThatFadesOutHasNone) {
     };
     EXPECT_EQ(rimOf(floor(60)).size(), static_cast<std::size_t>(kWallLines));
     EXPECT_TRUE(rimOf(floor(75)).empty());
+}
+
+// A box in front of a wall: missing points next to it, which a depth camera has as a shadow, a hole in the wall, and the wall's end.
+TEST(VoidRim, OfADepthCameraIsTheNearSideOfAVoid) {
+    const auto isBox = [](int i, int j) { return i >= 30 && i < 60 && j >= 20 && j < 40; };
+    const auto isShadow = [](int i, int j) { return i >= 30 && i < 60 && j >= 40 && j < 46; };
+    const auto isHole = [](int i, int j) { return i >= 10 && i < 20 && j >= 60 && j < 70; };
+    const PolarGeometry polar = test::regularAngles(kWallLines, kWallBeams);
+    const Scan scan = test::makeScan(kWallLines, kWallBeams, [&](int i, int j) {
+        if (isShadow(i, j) || isHole(i, j) || j >= 100) return 0.0;
+        return test::wallRangeMm(polar, i, j, isBox(i, j) ? 4000.0 : 5000.0);
+    });
+    const auto rim = rimOf(scan, NoiseKind::Camera);
+    ASSERT_EQ(rim.size(), 30U);
+    for (const std::uint32_t k : rim) EXPECT_EQ(static_cast<int>(k) % kWallBeams, 39) << k;
+    const auto all = rimOf(scan);
+    EXPECT_EQ(all.size(), 30U + 30 + 2 * 6 + 4 * 10 + static_cast<std::size_t>(kWallLines));
 }
 
 TEST(VoidRim, RocksAreTheSameWithAndWithoutIt) {

@@ -1,0 +1,47 @@
+// Compares each cell with its eight neighbours, a line at once.
+#include "core/rocks/segmentation/inner_cells.h"
+
+#include "core/base/simd.h"
+
+namespace edgescan::rocks {
+namespace {
+
+// The segment of each cell of a line. kNoSegment where there is no range, or where one of the 8 neighbours has a range and belongs to
+// another segment or to no segment. `solid`: `step` cells per line.
+EDGESCAN_INLINE void markInner(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
+    const std::uint32_t* const above = solid - step;
+    const std::uint32_t* const below = solid + step;
+    for (std::size_t j = 0; j < beams; ++j) {
+        const std::uint32_t here = solid[j];
+        std::uint32_t others = here == kVoidCell ? 1U : 0U;
+        for (const std::uint32_t there :
+             {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
+            others |= (there != here ? 1U : 0U) & (there != kVoidCell ? 1U : 0U);
+        inner[j] = others != 0 ? kNoSegment : here;
+    }
+}
+
+} // namespace
+
+InnerCells::InnerCells(const InverseRange& inverse, const Grid<std::uint32_t>& segment)
+    : lines_(segment.lines), gridBeams_(segment.beams), beams_(static_cast<std::size_t>(segment.beams + 2 * kPlaneReach)) {
+    solid.assign(beams_ * static_cast<std::size_t>(lines_ + 2 * kPlaneReach) + kPlaneColumns, kVoidCell);
+    inner.assign(solid.size(), kNoSegment);
+    u.assign(solid.size(), 0.0F);
+    const auto beams = static_cast<std::size_t>(gridBeams_);
+    for (int i = 0; i < lines_; ++i) {
+        const std::size_t first = segment.index(i, 0), at = index(i, 0);
+        std::copy_n(&inverse.u[first], beams, &u[at]);
+        for (std::size_t j = 0; j < beams; ++j)
+            solid[at + j] = inverse.support[first + j] != Support::Void ? segment[first + j] : kVoidCell;
+    }
+    for (int i = 0; i < lines_; ++i) vectorised<markInner>(&solid[index(i, 0)], beams_, beams, &inner[index(i, 0)]);
+}
+
+std::uint32_t InnerCells::innerAt(std::size_t at) const {
+    std::uint32_t result = kNoSegment;
+    markInner(&solid[at], beams_, 1, &result);
+    return result;
+}
+
+} // namespace edgescan::rocks

@@ -1,0 +1,54 @@
+// Which cells of a segment touch no other segment, with a margin around the grid.
+#pragma once
+
+#include "core/rocks/segmentation/planes.h"
+#include "core/rocks/segmentation/segments.h"
+#include "core/scan/grid/inverse_range.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace edgescan::rocks {
+
+/// In `solid`: a cell without a range, and the margin.
+inline constexpr std::uint32_t kVoidCell = UINT32_MAX;
+
+/// The segments of a grid with kPlaneReach more cells on each side, and a few more behind them.
+class InnerCells {
+public:
+    InnerCells(const InverseRange& inverse, const Grid<std::uint32_t>& segment);
+
+    /// Cells of a line with its margin.
+    [[nodiscard]] std::size_t beams() const { return beams_; }
+    [[nodiscard]] std::size_t index(int line, int beam) const {
+        return static_cast<std::size_t>(line + kPlaneReach) * beams_ + static_cast<std::size_t>(beam + kPlaneReach);
+    }
+    void assign(int line, int beam, std::uint32_t to) { solid[index(line, beam)] = to; }
+    /// After a cell and perhaps its neighbours got other segments: `inner` of the cell and its neighbours. Calls say(line, beam, before,
+    /// after) for each one that changed.
+    template <class Say>
+    void renew(int line, int beam, const Say& say) {
+        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, lines_ - 1); ++i) {
+            for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, gridBeams_ - 1); ++j) {
+                const std::size_t at = index(i, j);
+                const std::uint32_t before = inner[at], after = innerAt(at);
+                inner[at] = after;
+                if (before != after) say(i, j, before, after);
+            }
+        }
+    }
+
+    std::vector<std::uint32_t> solid; ///< the segment, or kVoidCell
+    std::vector<std::uint32_t> inner; ///< the segment of cells that do not touch another one, otherwise kNoSegment
+    std::vector<float> u;             ///< 1/m
+
+private:
+    [[nodiscard]] std::uint32_t innerAt(std::size_t at) const;
+
+    int lines_, gridBeams_;
+    std::size_t beams_;
+};
+
+} // namespace edgescan::rocks
