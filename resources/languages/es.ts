@@ -985,6 +985,13 @@ mantenga \ para verla</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
+<message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
@@ -1000,13 +1007,6 @@ mantenga \ para verla</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>los vecinos yerran igual, como en una cámara de profundidad</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>cada celda yerra por sí sola, en pasos del archivo</translation></message>
-<message><source>each cell errs for itself</source><translation>cada celda yerra por sí sola</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
-<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>
@@ -1089,13 +1089,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
-<message><source>By &amp;Intensity</source><translation>Por &amp;intensidad</translation></message>
-<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidad (este escaneo no la tiene)</translation></message>
-<message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
-<message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
-<message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
-<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
-<message><source>By &amp;Line</source><translation>Por &amp;línea</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
@@ -1141,12 +1134,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Redo</source><translation>&amp;Rehacer</translation></message>
 <message><source>&amp;Edit</source><translation>&amp;Edición</translation></message>
 <message><source>&amp;Copy Probe Values</source><translation>&amp;Copiar valores bajo el cursor</translation></message>
-<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
-<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Predeterminado: el central desplaza, el derecho acerca y aleja</translation></message>
-<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: el derecho desplaza, el central acerca y aleja</translation></message>
-<message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
-<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
-<message><source>The window uses this language from the next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Puntos de borde</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
@@ -1161,8 +1148,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vistas guardadas</translation></message>
-<message><source>Store as View &amp;%1</source><translation>Guardar como vista &amp;%1</translation></message>
 <message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Guardar como vista &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nube de puntos</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
 <message><source>T&amp;urntable</source><translation>Plato &amp;giratorio</translation></message>
@@ -1268,13 +1255,26 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
-<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
-<message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
-<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
 <message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
+<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
+<message><source>The window uses this language from the next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
+<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
+<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Predeterminado: el central desplaza, el derecho acerca y aleja</translation></message>
+<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: el derecho desplaza, el central acerca y aleja</translation></message>
+<message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
+<message><source>By &amp;Intensity</source><translation>Por &amp;intensidad</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidad (este escaneo no la tiene)</translation></message>
+<message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
+<message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
+<message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
+<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
+<message><source>By &amp;Line</source><translation>Por &amp;línea</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imágenes primero</translation></message>
+<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abina</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
 </translation></message>

@@ -985,6 +985,13 @@ tenez \ pour la voir</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
+<message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
 <message><source>Open…</source><translation>Ouvrir…</translation></message>
 <message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
@@ -1000,13 +1007,6 @@ tenez \ pour la voir</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
 <message><source>• modified</source><translation>• modifié</translation></message>
 <message><source>computing …</source><translation>calcul en cours …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>les voisins se trompent ensemble, comme dans une caméra de profondeur</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>chaque cellule se trompe seule, par pas du fichier</translation></message>
-<message><source>each cell errs for itself</source><translation>chaque cellule se trompe seule</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
-<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 à %2 %3</translation></message>
@@ -1089,13 +1089,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
-<message><source>By &amp;Intensity</source><translation>Par &amp;intensité</translation></message>
-<message><source>By &amp;Intensity (this scan has none)</source><translation>Par &amp;intensité (ce scan n'en a pas)</translation></message>
-<message><source>Cloud C&amp;olour</source><translation>C&amp;ouleur du nuage</translation></message>
-<message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
-<message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>
-<message><source>By &amp;Height</source><translation>Par &amp;hauteur</translation></message>
-<message><source>By &amp;Line</source><translation>Par &amp;ligne</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
@@ -1141,12 +1134,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Redo</source><translation>&amp;Rétablir</translation></message>
 <message><source>&amp;Edit</source><translation>É&amp;dition</translation></message>
 <message><source>&amp;Copy Probe Values</source><translation>&amp;Copier les valeurs sous le curseur</translation></message>
-<message><source>&amp;Mouse</source><translation>S&amp;ouris</translation></message>
-<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Par défaut : milieu déplace, droite zoome</translation></message>
-<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare : droite déplace, milieu zoome</translation></message>
-<message><source>&amp;Wheel the other way</source><translation>&amp;Molette en sens inverse</translation></message>
-<message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
-<message><source>The window uses this language from the next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Points d'arête</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
@@ -1161,8 +1148,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vues enregistrées</translation></message>
-<message><source>Store as View &amp;%1</source><translation>Enregistrer comme vue &amp;%1</translation></message>
 <message><source>View &amp;%1</source><translation>Vue &amp;%1</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Enregistrer comme vue &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nuage de points</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Orthographique</translation></message>
 <message><source>T&amp;urntable</source><translation>Plateau &amp;tournant</translation></message>
@@ -1268,13 +1255,26 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
-<message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
-<message><source>Images F&amp;irst</source><translation>&amp;Images d'abord</translation></message>
-<message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
 <message><source>Scanner view</source><translation>Vue scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
+<message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
+<message><source>The window uses this language from the next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
+<message><source>&amp;Mouse</source><translation>S&amp;ouris</translation></message>
+<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Par défaut : milieu déplace, droite zoome</translation></message>
+<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare : droite déplace, milieu zoome</translation></message>
+<message><source>&amp;Wheel the other way</source><translation>&amp;Molette en sens inverse</translation></message>
+<message><source>By &amp;Intensity</source><translation>Par &amp;intensité</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Par &amp;intensité (ce scan n'en a pas)</translation></message>
+<message><source>Cloud C&amp;olour</source><translation>C&amp;ouleur du nuage</translation></message>
+<message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
+<message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>
+<message><source>By &amp;Height</source><translation>Par &amp;hauteur</translation></message>
+<message><source>By &amp;Line</source><translation>Par &amp;ligne</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Images d'abord</translation></message>
+<message><source>C&amp;ab Mode</source><translation>Mode c&amp;abine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :
 </translation></message>

@@ -985,6 +985,13 @@ segure \ para vê-la</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
+<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
+<message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
+<message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
+<message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
+<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
+<message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
+<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
@@ -1000,13 +1007,6 @@ segure \ para vê-la</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
-<message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
-<message><source>neighbours err alike, as in a depth camera</source><translation>os vizinhos erram juntos, como numa câmera de profundidade</translation></message>
-<message><source>each cell errs for itself, in steps of the file</source><translation>cada célula erra por si, em passos do arquivo</translation></message>
-<message><source>each cell errs for itself</source><translation>cada célula erra por si</translation></message>
-<message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
-<message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
-<message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
 %1 a %2 %3</translation></message>
@@ -1089,13 +1089,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
-<message><source>By &amp;Intensity</source><translation>Por &amp;intensidade</translation></message>
-<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidade (esta varredura não tem)</translation></message>
-<message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
-<message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
-<message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
-<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
-<message><source>By &amp;Line</source><translation>Por &amp;linha</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
@@ -1141,12 +1134,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Redo</source><translation>&amp;Refazer</translation></message>
 <message><source>&amp;Edit</source><translation>&amp;Editar</translation></message>
 <message><source>&amp;Copy Probe Values</source><translation>&amp;Copiar valores sob o cursor</translation></message>
-<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
-<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Padrão: o do meio desloca, o direito aproxima e afasta</translation></message>
-<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: o direito desloca, o do meio aproxima e afasta</translation></message>
-<message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
-<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
-<message><source>The window uses this language from the next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Pontos de borda</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
@@ -1161,8 +1148,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vistas salvas</translation></message>
-<message><source>Store as View &amp;%1</source><translation>Salvar como vista &amp;%1</translation></message>
 <message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
+<message><source>Store as View &amp;%1</source><translation>Salvar como vista &amp;%1</translation></message>
 <message><source>Clou&amp;d</source><translation>&amp;Nuvem de pontos</translation></message>
 <message><source>&amp;Orthographic</source><translation>&amp;Ortográfica</translation></message>
 <message><source>T&amp;urntable</source><translation>Mesa &amp;giratória</translation></message>
@@ -1268,13 +1255,26 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
-<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
-<message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
-<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
 <message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
+<message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
+<message><source>The window uses this language from the next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
+<message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
+<message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Padrão: o do meio desloca, o direito aproxima e afasta</translation></message>
+<message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: o direito desloca, o do meio aproxima e afasta</translation></message>
+<message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
+<message><source>By &amp;Intensity</source><translation>Por &amp;intensidade</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidade (esta varredura não tem)</translation></message>
+<message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
+<message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
+<message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
+<message><source>By &amp;Height</source><translation>Por &amp;altura</translation></message>
+<message><source>By &amp;Line</source><translation>Por &amp;linha</translation></message>
+<message><source>Images F&amp;irst</source><translation>&amp;Imagens primeiro</translation></message>
+<message><source>C&amp;ab Mode</source><translation>Modo c&amp;abine</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
 </translation></message>

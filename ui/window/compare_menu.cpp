@@ -9,16 +9,12 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/window/main_window.h"
 
-#include <QAction>
 #include <QVBoxLayout>
 
 namespace edgescan::ui {
 
 Command compareMenu(Comparing& comparing) {
-    const auto whileKept = [&comparing](QAction& action) {
-        action.setEnabled(false);
-        QObject::connect(&comparing, &Comparing::pictureAChanged, &action, &QAction::setEnabled);
-    };
+    const auto whileKept = onlyWhile(comparing, &Comparing::pictureAChanged);
     const auto flipped = [&comparing, whileKept](QAction& action) {
         whileKept(action);
         QObject::connect(&comparing, &Comparing::flipped, &action, &QAction::setChecked);

@@ -37,9 +37,9 @@
 #include "ui/window/pane_notes.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/session_menu.h"
-#include "ui/window/theme_menu.h"
 #include "ui/window/tool_bar.h"
 #include "ui/window/tool_buttons.h"
+#include "ui/window/view_choices.h"
 #include "ui/window/warned_picture.h"
 
 #include <QApplication>
@@ -58,7 +58,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgescan::ui {
 namespace {

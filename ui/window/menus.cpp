@@ -2,9 +2,7 @@
 #include "ui/window/menus.h"
 
 #include "core/edges/settings/presets.h"
-#include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
-#include "ui/base/shown_text.h"
 #include "ui/controllers/contact_sheets.h"
 #include "ui/controllers/files/calibrating.h"
 #include "ui/controllers/files/placing.h"
@@ -20,13 +18,10 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/gl_check.h"
 #include "ui/views/cloud/view_cube.h"
-#include "ui/window/colour_menu.h"
 #include "ui/window/compare_menu.h"
-#include "ui/window/theme_menu.h"
+#include "ui/window/view_choices.h"
 #include "ui/window/viewer.h"
 
-#include <QAction>
-#include <QActionGroup>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -37,15 +32,6 @@
 
 namespace edgescan::ui {
 namespace {
-
-// Enabled only if the last value of `signal` was true; disabled at first.
-template <class Sender, class Signal>
-std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
-    return [&sender, signal](QAction& action) {
-        action.setEnabled(false);
-        QObject::connect(&sender, signal, &action, &QAction::setEnabled);
-    };
-}
 
 Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands) {
     std::vector<Command> exports;
@@ -87,55 +73,6 @@ Command editMenu(Viewer& v, QMainWindow& window) {
     return submenu("&Edit", {undo, redo, kLine, command("&Copy Probe Values", "Ctrl+C", copyProbe)});
 }
 
-Command mouseMenu(Viewer& v, QMainWindow& window) {
-    auto* presets = new QActionGroup(&window);
-    CloudView& cloud = v.cloud;
-    Preferences& preferences = v.preferences;
-    const auto preset = [&](const char* text, const QString& name, MousePreset mouse) {
-        Command made = toggle(text, "", nullptr, false, [&cloud, &preferences, name, mouse](bool) {
-            cloud.setMousePreset(mouse);
-            preferences.keep("view/mouse", name);
-        });
-        return linked(made, [&cloud, &preferences, presets, name, mouse](QAction& action) {
-            presets->addAction(&action);
-            if (preferences.text("view/mouse", "default") != name) return;
-            action.setChecked(true);
-            cloud.setMousePreset(mouse);
-        });
-    };
-    return submenu("&Mouse", {
-                                 preset("&Default: middle pans, right zooms", "default", MousePreset::Default),
-                                 preset("&CloudCompare: right pans, middle zooms", "cloudcompare", MousePreset::CloudCompare),
-                                 kLine,
-                                 habit(toggle("&Wheel the other way", "", "view/wheel-reversed", false,
-                                              [&cloud](bool on) { cloud.setWheelReversed(on); })),
-                             });
-}
-
-Command languageMenu(Viewer& v, QMainWindow& window) {
-    auto* languages = new QActionGroup(&window);
-    Command menu = submenu("Lan&guage", {});
-    for (const Language& language : kLanguages) {
-        const QString code = language.code;
-        Command made{.text = QString::fromUtf8(language.name), .set = [&v, code](bool) {
-                         v.preferences.keep("language", code);
-                         v.notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window uses this language from the next start on."));
-                     }};
-        menu.submenu.push_back(linked(made, [languages, code](QAction& action) {
-            languages->addAction(&action);
-            action.setObjectName("language-" + code);
-            action.setChecked(code == languageInUse());
-        }));
-    }
-    return menu;
-}
-
-/// A switch that the legend has too.
-Command ofLegend(Command made, EdgeLegend& legend, void (EdgeLegend::*signal)(bool)) {
-    return linked(std::move(made),
-                  [&legend, signal](QAction& action) { QObject::connect(&legend, signal, &action, &QAction::setChecked); });
-}
-
 std::vector<Command> edgeLook(Viewer& v) {
     LinkedViews& views = v.views;
     EdgeLegend& legend = v.legend;
@@ -153,8 +90,8 @@ std::vector<Command> edgeLook(Viewer& v) {
         legend.showEdges(on);
     };
     return {
-        ofLegend(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), legend, &EdgeLegend::edgesRequested),
-        ofLegend(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), legend, &EdgeLegend::byClassRequested),
+        following(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), legend, &EdgeLegend::edgesRequested),
+        following(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), legend, &EdgeLegend::byClassRequested),
         toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setEdgesOverImage(on); }),
         toggle("&Colour-Blind Edge Colours", "Shift+C", "view/colour-blind", false, setColourBlind),
     };
@@ -174,50 +111,40 @@ Command directions(CloudView& cloud) {
 }
 
 Command savedViews(SavedViews& saved) {
-    static const std::vector<std::string> kNames = [] { // the shortcuts of commands are stored under their names
-        std::vector<std::string> names;
-        for (const char* what : {"Stored View ", "Store as View "}) {
-            for (int number = 1; number <= SavedViews::kMost; ++number) names.push_back(what + std::to_string(number));
-        }
-        for (const char* keys : {"Alt+", "Ctrl+"}) {
-            for (int number = 1; number <= SavedViews::kMost; ++number) names.push_back(keys + std::to_string(number));
-        }
-        return names;
-    }();
     Command menu = submenu("Sto&red Views", {});
-    for (int n = 0; n < 2 * SavedViews::kMost; ++n) {
-        const bool store = n >= SavedViews::kMost;
-        const int number = n % SavedViews::kMost + 1;
-        if (n == SavedViews::kMost) menu.submenu.push_back(kLine);
-        Command made{.text = (store ? QObject::tr("Store as View &%1") : QObject::tr("View &%1")).arg(number),
-                     .keys = kNames[static_cast<std::size_t>(n + 2 * SavedViews::kMost)].c_str(),
-                     .run = [&saved, store, number] { store ? saved.store(number) : saved.recall(number); },
-                     .source = kNames[static_cast<std::size_t>(n)].c_str()};
-        menu.submenu.push_back(std::move(made));
-    }
+    const auto add = [&](const QString& shown, const QString& name, const QString& keys, void (SavedViews::*act)(int)) {
+        for (int number = 1; number <= SavedViews::kMost; ++number) {
+            menu.submenu.push_back({.text = shown.arg(number),
+                                    .keys = keys + QString::number(number),
+                                    .run = [&saved, act, number] { (saved.*act)(number); },
+                                    .source = name + QString::number(number)});
+        }
+    };
+    add(QObject::tr("View &%1"), "Stored View ", "Alt+", &SavedViews::recall);
+    menu.submenu.push_back(kLine);
+    add(QObject::tr("Store as View &%1"), "Store as View ", "Ctrl+", &SavedViews::store);
     return menu;
 }
 
 /// How the cloud is drawn and turned.
 Command cloudLook(Viewer& v, QMainWindow& window) {
     CloudView& cloud = v.cloud;
-    return submenu(
-        "Clou&d",
-        {
-            linked(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
-                   [&cloud](QAction& action) { QObject::connect(&cloud, &CloudView::parallelChanged, &action, &QAction::setChecked); }),
-            toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
-            kLine,
-            toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
-            toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
-            toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }),
-            toggle("Vie&w Cube", "", "view/cube", true, [&cube = v.viewCube](bool on) { cube.setWanted(on); }),
-            colourMenu(window, v.look),
-            kLine,
-            command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
-            command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
-            command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }),
-        });
+    return submenu("Clou&d",
+                   {
+                       following(toggle("&Orthographic", "5", "view/orthographic", false, [&cloud](bool on) { cloud.setParallel(on); }),
+                                 cloud, &CloudView::parallelChanged),
+                       toggle("T&urntable", "T", "view/turntable", true, [&cloud](bool on) { cloud.setTurntable(on); }),
+                       kLine,
+                       toggle("&Dim Cloud under Edges", "D", "view/dim-cloud", true, [&cloud](bool on) { cloud.setCloudDimmed(on); }),
+                       toggle("Depth S&hading", "Q", "view/shading", true, [&cloud](bool on) { cloud.setShaded(on); }),
+                       toggle("&Ground Grid", "Shift+K", "view/ground-grid", false, [&cloud](bool on) { cloud.setGround(on); }),
+                       toggle("Vie&w Cube", "", "view/cube", true, [&cube = v.viewCube](bool on) { cube.setWanted(on); }),
+                       colourMenu(window, v.look),
+                       kLine,
+                       command("Point Size &+", "]", [&cloud] { cloud.largerPoints(); }),
+                       command("Point Size &-", "[", [&cloud] { cloud.smallerPoints(); }),
+                       command("Point Size by &Spacing", "", [&cloud] { cloud.setPointSizeFollows(true); }),
+                   });
 }
 
 Command panelMenu(QMainWindow& window) {
@@ -242,8 +169,9 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     add(edgeLook(v));
     add({kLine, cloudLook(v, window),
          toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }), kLine,
-         panelMenu(window), commands.imagesFirst, command("Reset &Layout", "", commands.resetLayout), kLine, mouseMenu(v, window),
-         themeMenu(window, v.preferences), languageMenu(v, window), commands.cab,
+         panelMenu(window), commands.imagesFirst, command("Reset &Layout", "", commands.resetLayout), kLine,
+         mouseMenu(window, v.cloud, v.preferences), themeMenu(window, v.preferences), languageMenu(window, v.preferences, v.notice),
+         commands.cab,
          command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});
     return menu;
 }
@@ -353,27 +281,26 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
                                            [&action, which](RockTool now) { action.setChecked(now == which); });
                       });
     };
-    return submenu("&Rocks",
-                   {
-                       linked(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
-                              [&rocks](QAction& action) { QObject::connect(&rocks, &Rocks::shownChanged, &action, &QAction::setChecked); }),
-                       toggle("&Edges over Rocks", "", "rocks/edges", false, [&cloud](bool on) { cloud.setEdgesOverFaces(on); }),
-                       kLine,
-                       command("&Finer", ",", [step] { step(-0.5); }),
-                       command("&Coarser", ".", [step] { step(0.5); }),
-                       kLine,
-                       command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
-                       tool("S&plit at Next Click", "S", RockTool::Split),
-                       tool("&Join along a Line", "J", RockTool::Join),
-                       tool("C&ut along a Line", "X", RockTool::Cut),
-                       command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleSelected(); }),
-                       kLine,
-                       tool("Draw Region of &Interest", "G", RockTool::Region),
-                       command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
-                       kLine,
-                       {.made = window.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
-                       command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
-                   });
+    return submenu("&Rocks", {
+                                 following(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
+                                           rocks, &Rocks::shownChanged),
+                                 toggle("&Edges over Rocks", "", "rocks/edges", false, [&cloud](bool on) { cloud.setEdgesOverFaces(on); }),
+                                 kLine,
+                                 command("&Finer", ",", [step] { step(-0.5); }),
+                                 command("&Coarser", ".", [step] { step(0.5); }),
+                                 kLine,
+                                 command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
+                                 tool("S&plit at Next Click", "S", RockTool::Split),
+                                 tool("&Join along a Line", "J", RockTool::Join),
+                                 tool("C&ut along a Line", "X", RockTool::Cut),
+                                 command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleSelected(); }),
+                                 kLine,
+                                 tool("Draw Region of &Interest", "G", RockTool::Region),
+                                 command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
+                                 kLine,
+                                 {.made = window.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
+                                 command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
+                             });
 }
 
 /// A tool. `on`: true while it is in use.

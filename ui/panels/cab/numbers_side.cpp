@@ -3,9 +3,9 @@
 
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
-#include "ui/panels/cab/fitted_label.h"
 #include "ui/panels/cab/stepper.h"
 
+#include <QFontMetrics>
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -18,6 +18,59 @@
 #include <initializer_list>
 
 namespace edgescan::ui {
+
+/// One line. It never requests more width than it is given. The font shrinks down to `leastPx`; text that still does not fit is in the tool
+/// tip.
+class FittedLabel : public QLabel {
+public:
+    FittedLabel(int mostPx, int leastPx, QWidget* parent = nullptr);
+
+    void showText(const QString& text);
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fit();
+
+    int mostPx_, leastPx_;
+};
+
+FittedLabel::FittedLabel(int mostPx, int leastPx, QWidget* parent) : QLabel(parent), mostPx_(mostPx), leastPx_(leastPx) {
+    setTextFormat(Qt::PlainText);
+    QFont letters = font();
+    letters.setPixelSize(mostPx);
+    letters.setBold(true);
+    setFont(letters);
+    setMinimumHeight(QFontMetrics(letters).height()); // the widgets below do not move
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+void FittedLabel::showText(const QString& text) {
+    setText(text);
+    fit();
+}
+
+QSize FittedLabel::minimumSizeHint() const { return {0, minimumHeight()}; }
+
+void FittedLabel::resizeEvent(QResizeEvent* event) {
+    QLabel::resizeEvent(event);
+    fit();
+}
+
+void FittedLabel::fit() {
+    QFont letters = font();
+    letters.setPixelSize(mostPx_);
+    const int wide = QFontMetrics(letters).horizontalAdvance(text());
+    const int room = contentsRect().width();
+    int px = wide > room && wide > 0 ? std::max(leastPx_, mostPx_ * room / wide) : mostPx_;
+    letters.setPixelSize(px);
+    while (px > leastPx_ && QFontMetrics(letters).horizontalAdvance(text()) > room) letters.setPixelSize(--px);
+    if (letters.pixelSize() != font().pixelSize()) setFont(letters);
+    setToolTip(QFontMetrics(letters).horizontalAdvance(text()) > room ? text() : QString());
+}
+
 namespace {
 
 constexpr int kNumberPx = 42, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17;

@@ -1,19 +1,105 @@
 // Dialogs that only show information.
 #include "ui/panels/dialogs/sheets.h"
 
+#include "core/base/json_text.h"
 #include "core/base/version.h"
+#include "core/exports/report.h"
+#include "core/scan/grid/scan.h"
 #include "ui/base/shown_text.h"
-#include "ui/panels/dialogs/scan_properties.h"
+
+#include <nlohmann/json.hpp>
 
 #include <QAction>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QMessageBox>
+#include <QObject>
+#include <QString>
+#include <QStringList>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace edgescan::ui {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostListed = 12; // values of a list
+
+/// Names of the report in words; the others are shown with blanks between their words.
+constexpr std::array<std::pair<const char*, const char*>, 26> kNames{{
+    {"input", QT_TRANSLATE_NOOP("QObject", "File")},
+    {"name", QT_TRANSLATE_NOOP("QObject", "Name")},
+    {"format", QT_TRANSLATE_NOOP("QObject", "Format")},
+    {"sha256", QT_TRANSLATE_NOOP("QObject", "SHA-256")},
+    {"lines", QT_TRANSLATE_NOOP("QObject", "Scan lines")},
+    {"beams", QT_TRANSLATE_NOOP("QObject", "Beams")},
+    {"cells", QT_TRANSLATE_NOOP("QObject", "Cells")},
+    {"valid", QT_TRANSLATE_NOOP("QObject", "with a range")},
+    {"no_return", QT_TRANSLATE_NOOP("QObject", "no return")},
+    {"device_status", QT_TRANSLATE_NOOP("QObject", "device status")},
+    {"out_of_window", QT_TRANSLATE_NOOP("QObject", "out of window")},
+    {"masked", QT_TRANSLATE_NOOP("QObject", "masked")},
+    {"lost", QT_TRANSLATE_NOOP("QObject", "lost")},
+    {"range_mm", QT_TRANSLATE_NOOP("QObject", "Ranges [mm]")},
+    {"min", QT_TRANSLATE_NOOP("QObject", "smallest")},
+    {"max", QT_TRANSLATE_NOOP("QObject", "largest")},
+    {"unit_mm", QT_TRANSLATE_NOOP("QObject", "Unit of the file [mm]")},
+    {"frame", QT_TRANSLATE_NOOP("QObject", "Frame")},
+    {"pose", QT_TRANSLATE_NOOP("QObject", "Pose")},
+    {"warnings", QT_TRANSLATE_NOOP("QObject", "Warnings")},
+    {"geometry", QT_TRANSLATE_NOOP("QObject", "Geometry")},
+    {"axis", QT_TRANSLATE_NOOP("QObject", "Mounting of the stepper")},
+    {"beam_deg", QT_TRANSLATE_NOOP("QObject", "Beam angles [°]")},
+    {"line_deg", QT_TRANSLATE_NOOP("QObject", "Line angles [°]")},
+    {"intensity", QT_TRANSLATE_NOOP("QObject", "Intensity")},
+    {"acquisition", QT_TRANSLATE_NOOP("QObject", "Measured")},
+}};
+
+QString nameOf(const std::string& key) {
+    const auto known = std::ranges::find_if(kNames, [&](const auto& each) { return key == each.first; });
+    if (known != kNames.end()) return QObject::tr(known->second);
+    return shownText(key).replace('_', ' ');
+}
+
+QString valueOf(const Json& value) {
+    if (value.is_null()) return QStringLiteral("–");
+    if (value.is_boolean()) return value.get<bool>() ? QObject::tr("yes") : QObject::tr("no");
+    if (value.is_string()) return value.get<std::string>().empty() ? QStringLiteral("–") : shownText(value.get<std::string>());
+    return shownText(jsonText(value));
+}
+
+/// A list: short values in one line, sentences below each other.
+QString listOf(const Json& list) {
+    if (list.empty()) return QStringLiteral("–");
+    QStringList values;
+    for (std::size_t n = 0; n < std::min(list.size(), kMostListed); ++n)
+        values << (list[n].is_structured() ? QStringLiteral("…") : valueOf(list[n]).toHtmlEscaped());
+    if (list.size() > kMostListed) values << QObject::tr("and %1 more").arg(list.size() - kMostListed);
+    return values.join(list.front().is_string() ? "<br>" : ", ");
+}
+
+void addRows(QString& rows, const Json& facts, int depth) {
+    for (const auto& [key, value] : facts.items()) {
+        const QString blanks = QStringLiteral("&nbsp;").repeated(4 * depth);
+        const QString name = blanks + nameOf(key).toHtmlEscaped() + "&nbsp;&nbsp;&nbsp;";
+        const bool deeper = value.is_object() && !value.empty();
+        const QString shown = deeper ? QString() : value.is_array() ? listOf(value) : valueOf(value).toHtmlEscaped();
+        rows += "<tr><td>" + (depth == 0 ? "<b>" + name + "</b>" : name) + "</td><td>" + shown + "</td></tr>";
+        if (deeper) addRows(rows, value, depth + 1);
+    }
+}
+
+/// Html: a table of names and values.
+QString scanProperties(const Scan& scan) {
+    QString rows;
+    addRows(rows, exports::infoReport(scan), 0);
+    return "<table>" + rows + "</table>";
+}
 
 QString words(const char* text) { return QObject::tr(text); }
 

@@ -8,7 +8,7 @@
 #include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
-#include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
@@ -59,6 +59,14 @@ Command linked(Command command, std::function<void(QAction&)> link) {
     return command;
 }
 
+Command choice(Command command, QActionGroup& group, const QString& name, bool on) {
+    return linked(std::move(command), [&group, name, on](QAction& action) {
+        group.addAction(&action);
+        action.setObjectName(name);
+        action.setChecked(on);
+    });
+}
+
 void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& window, Preferences& preferences, const QString& path) {
     for (const Command& command : commands) {
         if (!command.submenu.empty() || command.fill) {
@@ -72,13 +80,13 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
             continue;
         }
         QAction* action = command.made != nullptr ? command.made : new QAction(command.text, &menu);
-        if (*command.keys != '\0') action->setShortcuts(QKeySequence::listFromString(command.keys));
+        if (!command.keys.isEmpty()) action->setShortcuts(QKeySequence::listFromString(command.keys));
         if (command.run) QObject::connect(action, &QAction::triggered, action, command.run);
         if (command.set) makeSwitch(*action, command, preferences);
         if (command.link) command.link(*action);
         const QString own =
             action->objectName().isEmpty() && action->parent() != nullptr ? action->parent()->objectName() : action->objectName();
-        const QString name = *command.source != '\0' ? QString(command.source) : own;
+        const QString name = !command.source.isEmpty() ? command.source : own;
         if (!name.isEmpty()) nameCommand(*action, path, name);
         menu.addAction(action);
         window.addAction(action);

@@ -1,14 +1,14 @@
 // The commands of menus and shortcuts as data, and the actions made from them.
 #pragma once
 
-#include <QObject>
+#include <QAction>
 #include <QString>
 #include <QTimer>
 
 #include <functional>
 #include <vector>
 
-class QAction;
+class QActionGroup;
 class QKeyEvent;
 class QMenu;
 class QWidget;
@@ -23,7 +23,7 @@ inline constexpr const char* kInSessions = "kept-in-sessions";
 /// One entry of a menu. The functions below make it.
 struct Command {
     QString text{};
-    const char* keys = "";                       ///< shortcuts: "Ctrl+Y; Ctrl+Shift+Z"
+    QString keys{};                              ///< shortcuts: "Ctrl+Y; Ctrl+Shift+Z"
     std::function<void()> run{};                 ///< of a plain command
     std::function<void(bool on)> set{};          ///< of a switch
     const char* remembered = nullptr;            ///< of a switch: its key in the settings memory; null if its state is stored elsewhere
@@ -31,7 +31,7 @@ struct Command {
     bool inSessions = true;                      ///< of a remembered switch
     std::vector<Command> submenu{};              ///< entries of a submenu
     std::function<void(QMenu& menu)> fill{};     ///< of a menu that is filled each time it is opened
-    const char* source = "";                     ///< the text before translation: shortcuts are stored under it
+    QString source{};                            ///< the text before translation: shortcuts are stored under it
     QAction* made = nullptr;                     ///< an existing action
     std::function<void(QAction& action)> link{}; ///< connects the action to the state that enables, checks or renames it
 };
@@ -43,6 +43,22 @@ struct Command {
 [[nodiscard]] Command submenu(const char* text, std::vector<Command> commands);
 /// `command` with a link.
 [[nodiscard]] Command linked(Command command, std::function<void(QAction&)> link);
+/// One of the switches of a group, of which one is on. `name`: of its action.
+[[nodiscard]] Command choice(Command command, QActionGroup& group, const QString& name, bool on);
+/// A switch that `signal` of the sender sets, too.
+template <class Sender, class Signal>
+[[nodiscard]] Command following(Command command, Sender& sender, Signal signal) {
+    return linked(std::move(command),
+                  [&sender, signal](QAction& action) { QObject::connect(&sender, signal, &action, &QAction::setChecked); });
+}
+/// A link: enabled only if the last value of `signal` was true; disabled at first.
+template <class Sender, class Signal>
+[[nodiscard]] std::function<void(QAction&)> onlyWhile(Sender& sender, Signal signal) {
+    return [&sender, signal](QAction& action) {
+        action.setEnabled(false);
+        QObject::connect(&sender, signal, &action, &QAction::setEnabled);
+    };
+}
 /// A separator between commands.
 inline const Command kLine{};
 

@@ -3,13 +3,18 @@
 
 #include "ui/base/elided_label.h"
 #include "ui/base/flow_layout.h"
-#include "ui/panels/live/timeline_slider.h"
+#include "ui/base/themes.h"
 
 #include <QComboBox>
 #include <QDateTime>
 #include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSlider>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +35,56 @@ QString utcText(std::int64_t ns) {
 }
 
 } // namespace
+
+/// Over the lines of a recording, with a mark at the start of each sweep.
+class TimelineSlider : public QSlider {
+public:
+    explicit TimelineSlider(QWidget* parent = nullptr);
+    void setMarks(std::vector<int> positions);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+
+private:
+    [[nodiscard]] int pixelOf(int position) const;
+
+    std::vector<int> marks_;
+};
+
+TimelineSlider::TimelineSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) { setMinimumWidth(200); }
+
+void TimelineSlider::setMarks(std::vector<int> positions) {
+    marks_ = std::move(positions);
+    update();
+}
+
+int TimelineSlider::pixelOf(int position) const {
+    const int handle = style()->pixelMetric(QStyle::PM_SliderLength, nullptr, this);
+    return handle / 2 + QStyle::sliderPositionFromValue(minimum(), maximum(), position, width() - handle);
+}
+
+void TimelineSlider::paintEvent(QPaintEvent* event) {
+    QSlider::paintEvent(event);
+    QPainter painter(this);
+    painter.setPen(QPen(themeInUse().warn, 2.0));
+    for (const int mark : marks_) {
+        const int x = pixelOf(mark);
+        painter.drawLine(x, 0, x, 4);
+    }
+}
+
+/// A click moves the slider there, not by one page.
+void TimelineSlider::mousePressEvent(QMouseEvent* event) {
+    QStyleOptionSlider option;
+    initStyleOption(&option);
+    const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+    if (event->button() == Qt::LeftButton && !handle.contains(event->pos())) {
+        const int length = style()->pixelMetric(QStyle::PM_SliderLength, nullptr, this);
+        setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), event->pos().x() - length / 2, width() - length));
+    }
+    QSlider::mousePressEvent(event);
+}
 
 Timeline::Timeline(QWidget* parent)
     : QWidget(parent), play_(new QPushButton(tr("Play"))), slider_(new TimelineSlider), label_(new ElidedLabel), speeds_(new QComboBox) {

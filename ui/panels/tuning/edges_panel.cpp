@@ -1,21 +1,24 @@
 // The panel "Edges".
 #include "ui/panels/tuning/edges_panel.h"
 
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/edges/gray/gray.h"
+#include "core/edges/pipeline/detection.h"
 #include "core/edges/pipeline/parameter_change.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/tuning/count_curve.h"
-#include "ui/panels/tuning/noise_words.h"
 #include "ui/panels/tuning/parameter_row.h"
 
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QObject>
 #include <QScrollArea>
+#include <QString>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -26,6 +29,26 @@
 
 namespace edgescan::ui {
 namespace {
+
+/// "each cell errs for itself; sigma 6.1 mm at 2.6 m, 6.7 mm at 5.2 m, ..."; empty if the method uses no noise.
+QString noiseWords(const edges::Detection& detection) {
+    if (!detection.responses || !(detection.responses->scales.rangeM > 0)) return {};
+    const edges::DepthResponses& found = *detection.responses;
+    const auto at = [](const RangeNoise& noise, double rangeM) {
+        return QObject::tr("%1 mm at %2 m").arg(noise.at(rangeM), 0, 'f', 1).arg(rangeM, 0, 'f', 1);
+    };
+    const double usual = found.scales.rangeM;
+    const QString kind = found.neighboursAlike  ? QObject::tr("neighbours err alike, as in a depth camera")
+                         : found.scales.inSteps ? QObject::tr("each cell errs for itself, in steps of the file")
+                                                : QObject::tr("each cell errs for itself");
+    QString text = QObject::tr("Noise in use: %1; sigma %2, %3, %4.")
+                       .arg(kind, at(found.noise, 0.5 * usual), at(found.noise, usual), at(found.noise, 2 * usual));
+    if (found.neighboursAlike) text += " " + QObject::tr("Folds have to exceed %1.").arg(at(found.foldNoise, usual));
+    if (found.roughness.rough)
+        text += " " + QObject::tr("Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.")
+                          .arg(100 * found.roughness.aroundFolds, 0, 'f', 0);
+    return text;
+}
 
 constexpr int kNarrowestPanel = 220; // px: a label, a number and "auto" side by side
 constexpr int kNarrowestLabel = 84;

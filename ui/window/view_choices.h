@@ -1,4 +1,4 @@
-// View > Theme, View > Images First and View > Cab Mode.
+// Choices in the menu View: theme, language, mouse, colours of the cloud, Images First and Cab Mode.
 #pragma once
 
 #include "ui/panels/keys/commands.h"
@@ -6,11 +6,21 @@
 namespace edgescan::ui {
 
 class CabMode;
+class CloudView;
+class NoticeBar;
 class PanePlaces;
 class Preferences;
+class ScanLook;
 
 /// One entry per theme; the choice is remembered and applied at once.
 [[nodiscard]] Command themeMenu(QObject& parent, Preferences& preferences);
+
+/// One entry per language; the choice is remembered for the next start.
+[[nodiscard]] Command languageMenu(QObject& parent, Preferences& preferences, NoticeBar& notice);
+[[nodiscard]] Command mouseMenu(QObject& parent, CloudView& cloud, Preferences& preferences);
+
+/// The colour scales of the cloud.
+[[nodiscard]] Command colourMenu(QObject& parent, ScanLook& look);
 
 /// View > Images First.
 [[nodiscard]] Command imagesFirstCommand(PanePlaces& places);

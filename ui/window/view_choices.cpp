@@ -1,0 +1,126 @@
+// Choices in the menu View.
+#include "ui/window/view_choices.h"
+
+#include "ui/base/language/languages.h"
+#include "ui/base/notice_bar.h"
+#include "ui/base/themes.h"
+#include "ui/controllers/scan_look.h"
+#include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/dialogs/sheets.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/pane_places.h"
+
+#include <QActionGroup>
+
+namespace edgescan::ui {
+
+Command themeMenu(QObject& parent, Preferences& preferences) {
+    constexpr const char* kKey = "view/theme";
+    const Theme& remembered = themeOf(preferences.text(kKey));
+    if (&remembered != &themeInUse()) useColours(remembered);
+    auto* group = new QActionGroup(&parent);
+    Command menu = submenu("&Theme", {});
+    for (const Theme& theme : themes()) {
+        Command made = toggle(theme.label, "", nullptr, false, [&preferences, &theme](bool) {
+            useColours(theme);
+            preferences.keep(kKey, QString(theme.key));
+        });
+        menu.submenu.push_back(choice(std::move(made), *group, QString("theme-") + theme.key, &theme == &themeInUse()));
+    }
+    return menu;
+}
+
+Command languageMenu(QObject& parent, Preferences& preferences, NoticeBar& notice) {
+    auto* group = new QActionGroup(&parent);
+    Command menu = submenu("Lan&guage", {});
+    for (const Language& language : kLanguages) {
+        const QString code = language.code;
+        Command made{.text = QString::fromUtf8(language.name), .set = [&preferences, &notice, code](bool) {
+                         preferences.keep("language", code);
+                         notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window uses this language from the next start on."));
+                     }};
+        menu.submenu.push_back(choice(std::move(made), *group, "language-" + code, code == languageInUse()));
+    }
+    return menu;
+}
+
+Command mouseMenu(QObject& parent, CloudView& cloud, Preferences& preferences) {
+    constexpr const char* kKey = "view/mouse";
+    auto* group = new QActionGroup(&parent);
+    const QString remembered = preferences.text(kKey, "default");
+    const auto preset = [&, group](const char* text, const QString& name, MousePreset mouse) {
+        if (remembered == name) cloud.setMousePreset(mouse);
+        Command made = toggle(text, "", nullptr, false, [&cloud, &preferences, name, mouse](bool) {
+            cloud.setMousePreset(mouse);
+            preferences.keep(kKey, name);
+        });
+        return choice(std::move(made), *group, "mouse-" + name, remembered == name);
+    };
+    return submenu("&Mouse", {
+                                 preset("&Default: middle pans, right zooms", "default", MousePreset::Default),
+                                 preset("&CloudCompare: right pans, middle zooms", "cloudcompare", MousePreset::CloudCompare),
+                                 kLine,
+                                 habit(toggle("&Wheel the other way", "", "view/wheel-reversed", false,
+                                              [&cloud](bool on) { cloud.setWheelReversed(on); })),
+                             });
+}
+
+Command colourMenu(QObject& parent, ScanLook& look) {
+    auto* group = new QActionGroup(&parent);
+    const auto row = [group, &look](Command made, ColourBy by) {
+        made.set = [&look, by](bool) { look.setColourBy(by); };
+        return linked(made, [group, &look, by](QAction& action) {
+            group->addAction(&action);
+            action.setObjectName(QString("colour-") + colourKey(by));
+            action.setChecked(look.colourBy() == by);
+            QObject::connect(&look, &ScanLook::colourByChanged, &action, [&action, by](ColourBy now) {
+                if (now == by) action.setChecked(true);
+            });
+        });
+    };
+    const auto whereKnown = [&look](const Command& made) {
+        return linked(made, [&look, link = made.link](QAction& action) {
+            link(action);
+            action.setProperty(kPlainName, QObject::tr("By &Intensity"));
+            const auto follow = [&action](bool some) {
+                action.setEnabled(some);
+                action.setText(some ? QObject::tr("By &Intensity") : QObject::tr("By &Intensity (this scan has none)"));
+            };
+            follow(false);
+            QObject::connect(&look, &ScanLook::intensityKnown, &action, follow);
+        });
+    };
+    return submenu("Cloud C&olour", {
+                                        row(toggle("G&ray", "", nullptr, false, nullptr), ColourBy::Nothing),
+                                        row(toggle("By &Range", "Shift+J", nullptr, false, nullptr), ColourBy::Range),
+                                        row(toggle("By &Height", "Shift+H", nullptr, false, nullptr), ColourBy::Height),
+                                        row(toggle("By &Line", "", nullptr, false, nullptr), ColourBy::Line),
+                                        whereKnown(row(toggle("By &Intensity", "", nullptr, false, nullptr), ColourBy::Intensity)),
+                                    });
+}
+
+Command imagesFirstCommand(PanePlaces& places) {
+    return following(toggle("Images F&irst", "Ctrl+M", "view/images-first", false, [&places](bool on) { places.setImagesFirst(on); }),
+                     places, &PanePlaces::imagesFirstChanged);
+}
+
+Command cabCommand(CabMode& cab, Preferences& preferences) {
+    constexpr const char* kKey = "view/cab";
+    const auto use = [&cab, &preferences](bool on) {
+        cab.set(on);
+        preferences.keep(kKey, on);
+    };
+    QObject::connect(&cab, &CabMode::leaveRequested, &cab, [use] { use(false); });
+    return linked(toggle("C&ab Mode", "Shift+F11", nullptr, false, use), [&cab](QAction& action) {
+        action.setObjectName("cab-mode");
+        const auto follow = [&action](bool on) {
+            action.setChecked(on);
+            action.setEnabled(!on); // holding Locked ends cab mode
+        };
+        follow(cab.on());
+        QObject::connect(&cab, &CabMode::changed, &action, follow);
+    });
+}
+
+} // namespace edgescan::ui
