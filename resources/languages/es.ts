@@ -354,7 +354,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Save the calibration</source><translation>Guardar la calibración</translation></message>
 <message><source>a calibration</source><translation>una calibración</translation></message>
 <message><source>The calibration could not be saved (%1).</source><translation>No se pudo guardar la calibración (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Este escaneo se abrió sin pose, así que no tiene un lugar que la calibración pueda corregir: indique ambas en Escaneo &gt; Cómo se lee el escaneo.</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; Pose and Mounting.</source><translation>Este escaneo se abrió sin pose, así que no tiene un lugar que la calibración pueda corregir: indique ambas en Escaneo &gt; Pose y montaje.</translation></message>
 <message><source>Apply Calibration</source><translation>Aplicar la calibración</translation></message>
 <message><source>lever arm t1, in the scan plane</source><translation>brazo de palanca t1, en el plano de barrido</translation></message>
 <message><source>lever arm t2, across the plane</source><translation>brazo de palanca t2, transversal al plano</translation></message>
@@ -667,7 +667,7 @@ mantenga \ para verla</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
-<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sin coordenadas de mina: %1. Escaneo &gt; Cómo se lee el escaneo admite una pose y una calibración.</translation></message>
+<message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Sin coordenadas mina: %1. Escaneo &gt; Pose y montaje acepta una pose y una calibración.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>

@@ -354,7 +354,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Save the calibration</source><translation>Enregistrer l'étalonnage</translation></message>
 <message><source>a calibration</source><translation>un étalonnage</translation></message>
 <message><source>The calibration could not be saved (%1).</source><translation>L'étalonnage n'a pas pu être enregistré (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Ce scan a été ouvert sans pose, il n'a donc pas de position que l'étalonnage pourrait corriger : donnez les deux dans Scan &gt; Comment le scan est lu.</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; Pose and Mounting.</source><translation>Ce scan a été ouvert sans pose, il n'a donc pas de position que l'étalonnage pourrait corriger : donnez les deux dans Scan &gt; Pose et montage.</translation></message>
 <message><source>Apply Calibration</source><translation>Appliquer l'étalonnage</translation></message>
 <message><source>lever arm t1, in the scan plane</source><translation>bras de levier t1, dans le plan de balayage</translation></message>
 <message><source>lever arm t2, across the plane</source><translation>bras de levier t2, en travers du plan</translation></message>
@@ -667,7 +667,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
-<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Comment le scan est lu accepte une pose et un étalonnage.</translation></message>
+<message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Pose et montage accepte une pose et un étalonnage.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>

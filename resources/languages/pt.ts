@@ -354,7 +354,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Save the calibration</source><translation>Salvar a calibração</translation></message>
 <message><source>a calibration</source><translation>uma calibração</translation></message>
 <message><source>The calibration could not be saved (%1).</source><translation>Não foi possível salvar a calibração (%1).</translation></message>
-<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Esta varredura foi aberta sem pose, então não tem um lugar que a calibração pudesse corrigir: dê as duas em Varredura &gt; Como a varredura é lida.</translation></message>
+<message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; Pose and Mounting.</source><translation>Esta varredura foi aberta sem pose, por isso não tem um lugar que a calibração pudesse corrigir: indique ambas em Varredura &gt; Pose e montagem.</translation></message>
 <message><source>Apply Calibration</source><translation>Aplicar a calibração</translation></message>
 <message><source>lever arm t1, in the scan plane</source><translation>braço de alavanca t1, no plano de varredura</translation></message>
 <message><source>lever arm t2, across the plane</source><translation>braço de alavanca t2, transversal ao plano</translation></message>
@@ -667,7 +667,7 @@ segure \ para vê-la</translation></message>
 <message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
-<message><source>No mine grid: %1. Scan &gt; How the Scan Is Read takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Como a varredura é lida aceita uma pose e uma calibração.</translation></message>
+<message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Pose e montagem aceita uma pose e uma calibração.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>

@@ -13,6 +13,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTimer>
 #include <QtTest>
@@ -75,6 +77,21 @@ private slots:
         QVERIFY(dialog.findChild<QLabel*>("reason")->text().contains("the scan has no pose"));
         QCOMPARE(dialog.options().frame, CoordinateFrame::Scanner);
         QVERIFY(dialog.findChild<QCheckBox*>("attached")->isHidden());
+    }
+
+    void everyQuestionIsInSight() {
+        for (const auto& file : {bare_, placed_}) { // with and without the text about the mine grid
+            ExportDialog dialog(detectionOf(*files::openScan(file)), exports::ExportContent::EdgeCloud);
+            dialog.offerFormats({{"Point Cloud Library (*.pcd)", ".pcd"}, {"Polygon (*.ply)", ".ply"}}, ".pcd");
+            dialog.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&dialog, kPatienceMs));
+            const auto* area = dialog.findChild<QScrollArea*>();
+            QTRY_COMPARE(area->verticalScrollBar()->maximum(), 0);
+            QVERIFY2(dialog.height() <= 700, qPrintable(QString::number(dialog.height())));
+            QTest::mouseClick(dialog.findChild<QAbstractButton*>("for-program"), Qt::LeftButton);
+            const int room = QGuiApplication::primaryScreen()->availableSize().height() - 100;
+            if (dialog.height() < room) QTRY_COMPARE(area->verticalScrollBar()->maximum(), 0);
+        }
     }
 
     void theCountIsThatOfTheFile() {

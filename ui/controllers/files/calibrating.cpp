@@ -300,9 +300,8 @@ QString Calibrating::whyNotApplied() const {
     const bool recorded = scan.format == "recording" || scan.format == "sweep";
     const bool posed = !files_.options().pose.empty() || isFile(exactText(files::poseSidecar(scan.path).string()));
     if (posed || (recorded && scan.placement)) return {};
-    return tr(
-        "This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan > How the Scan Is "
-        "Read.");
+    return tr("This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan > Pose and "
+              "Mounting.");
 }
 
 void Calibrating::apply() {

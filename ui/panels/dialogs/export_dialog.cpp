@@ -63,6 +63,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
     connect(more_, &QToolButton::toggled, this, [this](bool on) {
         more_->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
         writingGroup_->setVisible(on);
+        fit();
     });
     onlySelected_->setObjectName("onlySelected");
     onlySelected_->setText(tr("Only what is selected (%1 cells)").arg(number(selected_.cells ? selected_.cells->size() : 0)));
@@ -78,13 +79,10 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
     showCounts();
     count_->setObjectName("count");
     auto* whole = new QVBoxLayout(this);
-    QScrollArea* area = scrolled(*questions);
-    whole->addWidget(area, 1);
+    area_ = scrolled(*questions);
+    whole->addWidget(area_, 1);
     whole->addWidget(count_);
     whole->addWidget(buttons_);
-    const int wide = area->minimumWidth() + kMargins;
-    resize(QSize(wide, column->heightForWidth(wide) + count_->sizeHint().height() + buttons_->sizeHint().height() + kMargins)
-               .boundedTo(QGuiApplication::primaryScreen()->availableSize() - QSize(0, kMargins)));
     buttons_->button(QDialogButtonBox::Save)->setText(tr("Choose File…"));
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -92,6 +90,17 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
     for (const QCheckBox* box : {attached_, onlySelected_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::follow);
     contents_->button(static_cast<int>(wanted))->setChecked(true);
     follow();
+    fit();
+}
+
+/// As large as all questions, as far as the screen allows.
+void ExportDialog::fit() {
+    const QLayout& questions = *area_->widget()->layout();
+    const int wide = area_->minimumWidth() + kMargins;
+    // Without a wrapped text a layout has no height for a width.
+    const int high = std::max(questions.heightForWidth(wide), questions.sizeHint().height());
+    resize(QSize(wide, high + count_->sizeHint().height() + buttons_->sizeHint().height() + kMargins)
+               .boundedTo(QGuiApplication::primaryScreen()->availableSize() - QSize(0, kMargins)));
 }
 
 QGroupBox* ExportDialog::contentBox() {
@@ -125,6 +134,7 @@ void ExportDialog::offerFormats(const std::vector<Format>& formats, const QStrin
         if (format.extension == wanted) format_->setCurrentIndex(format_->count() - 1);
     }
     follow();
+    fit();
 }
 
 QString ExportDialog::extension() const { return exports::isCloud(content()) ? format_->currentData().toString() : QStringLiteral(".png"); }
@@ -146,7 +156,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
     coordinates_->button(static_cast<int>(files::usualFrame(*detection_->scan)))->setChecked(true);
     if (const auto why = files::checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
         const std::string& what = why.error().what;
-        auto* reason = new QLabel(tr("No mine grid: %1. Scan > How the Scan Is Read takes a pose and a calibration.").arg(shownText(what)));
+        auto* reason = new QLabel(tr("No mine grid: %1. Scan > Pose and Mounting takes a pose and a calibration.").arg(shownText(what)));
         reason->setObjectName("reason");
         reason->setWordWrap(true);
         column->addWidget(reason);

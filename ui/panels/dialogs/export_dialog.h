@@ -16,6 +16,7 @@ class QComboBox;
 class QDialogButtonBox;
 class QGroupBox;
 class QLabel;
+class QScrollArea;
 class QToolButton;
 
 namespace edgescan::ui {
@@ -54,12 +55,14 @@ private:
     [[nodiscard]] bool fillsToo() const;
     [[nodiscard]] std::size_t filledToo(bool edges, bool onlySelected) const;
     [[nodiscard]] std::size_t countOf(exports::ExportContent content, bool withAttached, bool onlySelected) const;
+    void fit();
     void follow();
     void showCounts();
 
     std::shared_ptr<const edges::Detection> detection_;
     QButtonGroup* contents_;
     QButtonGroup* coordinates_;
+    QScrollArea* area_ = nullptr; // of the questions
     QGroupBox* coordinatesGroup_ = nullptr;
     QToolButton* more_ = nullptr; // shows the questions for the reading program
     QGroupBox* writingGroup_ = nullptr;
