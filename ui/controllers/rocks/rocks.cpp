@@ -1,6 +1,7 @@
 // Shows rocks in all views.
 #include "ui/controllers/rocks/rocks.h"
 
+#include "core/scan/grid/assumed_mounting.h"
 #include "ui/base/notice_bar.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/panels/rocks/rock_card.h"
@@ -172,6 +173,7 @@ QString Rocks::remark() const {
     if (on_ && engine_.picture() && !picture_) words << tr("being worked out …");
     if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
+    if (picture_ && mountingAssumed(*picture_->detection->scan)) words << tr("▲ mounting assumed");
     return words.join(" · ");
 }
 
