@@ -34,6 +34,7 @@
 <message><source>sweep whole</source><translation>balayage entier</translation></message>
 <message><source>sweep ended</source><translation>balayage terminé</translation></message>
 <message><source>%1 left</source><translation>encore %1</translation></message>
+<message><source>%1, %2 ago</source><translation>%1, il y a %2</translation></message>
 <message><source>recording %1 MB, %2</source><translation>enregistrement %1 Mo, %2</translation></message>
 <message><source>recording %1 MB</source><translation>enregistrement %1 Mo</translation></message>
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>le disque a %1 s de retard (%2 Mo)</translation></message>
@@ -218,10 +219,12 @@ The strongest cell of its chain is ringed in both images; zoomed in, the chain i
 La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
 <message><source>Clicked</source><translation>Cliqué</translation></message>
 <message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
+<message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
+<message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
 <message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
-<message><source>Held: %1. Press Hold again to follow the scanner.</source><translation>Figé : %1. Appuyez encore sur Figer pour suivre le scanner.</translation></message>
+<message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Figé : %1. Appuyez sur Suivre pour continuer avec le scanner.</translation></message>
 <message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
@@ -361,6 +364,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
 <message><source>being worked out …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
@@ -694,12 +698,14 @@ tenez \ pour la voir</translation></message>
 <message><source>Keep last minute</source><translation>Conserver la dernière minute</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Écrire dans un nouveau fichier ce qui est arrivé pendant la dernière minute</translation></message>
 <message><source>Hold</source><translation>Figer</translation></message>
-<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>L'image reste telle quelle pendant que le scanner continue ; désactivé : elle croît avec le scanner</translation></message>
 <message><source>name or address of the scanner</source><translation>nom ou adresse du scanner</translation></message>
 <message><source>Sweep…</source><translation>Balayage…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
 <message><source>Stop recording</source><translation>Arrêter l'enregistrement</translation></message>
+<message><source>Follow</source><translation>Suivre</translation></message>
+<message><source>The picture is held: from now on it grows with the scanner again</source><translation>L'image est figée : désormais elle croît de nouveau avec le scanner</translation></message>
+<message><source>The picture stays as it is while the scanner goes on</source><translation>L'image reste telle quelle pendant que le scanner continue</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
 <message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
@@ -1159,6 +1165,9 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>free rotation</source><translation>rotation libre</translation></message>
 <message><source>orthographic</source><translation>orthographique</translation></message>
 <message><source>perspective</source><translation>perspective</translation></message>
+<message><source>Next Sweep</source><translation>Balayage suivant</translation></message>
+<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>Le balayage suivant a remplacé %1, qui a des cibles ou des mesures. Annuler (Ctrl+Z) le ramène avec elles.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 n'est plus comparé comme A, car il peut venir d'un autre endroit. Annuler (Ctrl+Z) le ramène.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
