@@ -37,15 +37,15 @@ std::string errorLine(const char* name, double value, double sd, const char* uni
 std::string tableOf(const inspect::SelfCalibration& found) {
     const AssemblyErrors& e = found.errors;
     const AssemblyErrors& sd = found.sd;
-    return "error of the assembly, +- 2 standard deviations\n" + errorLine("  lever arm t1  ", e.t1Mm(), sd.t1Mm(), "mm", 2) +
+    return "error of the mounting, +- 2 standard deviations\n" + errorLine("  lever arm t1  ", e.t1Mm(), sd.t1Mm(), "mm", 2) +
            errorLine("  lever arm t2  ", e.t2Mm(), sd.t2Mm(), "mm", 2) +
            errorLine("  tilt of fan   ", e.tiltDeg(), sd.tiltDeg(), "degrees", 4) +
            errorLine("  beam index    ", e.indexDeg(), sd.indexDeg(), "degrees", 4) +
            (found.turnIsEstimated ? errorLine("  turn at 180   ", e.turnDeg(), sd.turnDeg(), "degrees", 4)
                                   : "  turn at 180     a sweep mounting does not show it; the step stays as it is\n") +
-           "the two views of " + std::to_string(found.cells) + " cells lay " + fixedText(found.medianBeforeMm, 1) + " mm apart and lie " +
-           fixedText(found.medianAfterMm, 1) + " mm apart with these errors (median; noise explains " + fixedText(found.noiseMm, 1) +
-           " mm)\n";
+           "mismatch of the two views: " + fixedText(found.medianBeforeMm, 1) + " mm before, " + fixedText(found.medianAfterMm, 1) +
+           " mm with these errors (median of " + std::to_string(found.cells) + " cells; noise alone explains " +
+           fixedText(found.noiseMm, 1) + " mm)\n";
 }
 
 /// Writes the picture of the seam, and the number of matching edges into `report`.
@@ -75,9 +75,9 @@ Result<Done> reportBacklash(const Calibrate& asked, const std::vector<std::share
     if (!found) return Error{found.error().what, asked.files[1], found.error().hint};
     if (asked.json.empty()) {
         printResult("backlash: line angles of the second pass are" + rightAligned(fixedText(found->deg, 4), 8) + " +- " +
-                    fixedText(2 * found->sdDeg, 4) + " degrees ahead of those of the first (2 standard deviations); " +
-                    std::to_string(found->cells) + " cells lay " + fixedText(found->apartBeforeMm, 1) + " mm apart and lie " +
-                    fixedText(found->apartAfterMm, 1) + " mm apart without it (median)\nNothing is applied by itself.\n");
+                    fixedText(2 * found->sdDeg, 4) + " degrees ahead of those of the first (2 standard deviations); " + "mismatch " +
+                    fixedText(found->apartBeforeMm, 1) + " mm before, " + fixedText(found->apartAfterMm, 1) + " mm without it (median of " +
+                    std::to_string(found->cells) + " cells)\nNothing is applied automatically.\n");
         return Done{};
     }
     nlohmann::ordered_json report{{"there", {{"name", sources[0].name}, {"sha256", sources[0].sha256}}},
@@ -150,7 +150,7 @@ Result<Done> calibrate(const Calibrate& asked) {
     }
     if (!asked.json.empty()) return writeDocument(asked.json, document("calibrate", report));
     if (!isStandardOutput(asked.out))
-        printResult(tableOf(*found) + seamLine(report) + "Nothing is applied by itself: give the file with --calibration.\n");
+        printResult(tableOf(*found) + seamLine(report) + "Nothing is applied automatically: give the file with --calibration.\n");
     return Done{};
 }
 

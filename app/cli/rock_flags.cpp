@@ -14,7 +14,7 @@ void addRockFlags(CLI::App& command, RockFlags& flags, bool ofOneScan) {
         const auto take = [&flags, flag, limits, &p](const std::string& text) {
             flags.typed.emplace_back(&p, numberTyped(flag, text, limits, p.decimals == 0));
         };
-        const std::string unit = *p.unit == '\0' ? "" : std::string("; ") + p.unit;
+        const std::string unit = *p.unit == '\0' ? "" : std::string(" [") + p.unit + "]";
         command.add_option_function<std::string>(flag, take, p.help + unit)
             ->type_name(rangeName(limits))
             ->default_str(shortestText(p.get(rocks::RockSettings{})))

@@ -190,7 +190,7 @@ void addMeasurementFlags(CLI::App& command, Simulate& simulate) {
 
 /// Mounting errors that a calibration estimates (docs/reference/calibration.md).
 void addAssemblyFlags(CLI::App& command, sim::SimulationSettings& s) {
-    const char* group = "Assembly, unknown to the scan";
+    const char* group = "Mounting errors, unknown to the scan";
     add(command, group, "mount-t1", s);
     add(command, group, "mount-t2", s);
     add(command, group, "mount-tilt", s);

@@ -209,6 +209,7 @@ void nameValues(CLI::App& command) {
 
 void completeHelp(CLI::App& app, const PageText& page) {
     app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.get_formatter()->label("Positionals", "Arguments");
     app.footer(footer(page.examples, {}));
     nameValues(app);
     for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {

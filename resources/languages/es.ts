@@ -31,7 +31,7 @@
 <message><source>no pose</source><translation>sin pose</translation></message>
 <message><source>pose of unknown age</source><translation>pose de edad desconocida</translation></message>
 <message><source>pose %1 old</source><translation>pose de hace %1</translation></message>
-<message><source>sweep whole</source><translation>barrido completo</translation></message>
+<message><source>sweep complete</source><translation>barrido completo</translation></message>
 <message><source>sweep ended</source><translation>barrido terminado</translation></message>
 <message><source>%1 left</source><translation>faltan %1</translation></message>
 <message><source>%1, %2 ago</source><translation>%1, hace %2</translation></message>
@@ -44,7 +44,7 @@
 <message><source>Telegrams were lost: lines </source><translation>Se perdieron telegramas: líneas </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Se perdió un telegrama: línea </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Hubo telegramas con menos haces que el barrido, los demás se perdieron: </translation></message>
-<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
+<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>El escáner comunicó un error o no estaba listo</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>El escáner comunicó una ventana demasiado sucia para medir</translation></message>
@@ -128,6 +128,64 @@
 <message><source>check what else uses it</source><translation>compruebe qué más lo usa</translation></message>
 <message><source>a recording is being written already</source><translation>ya se está escribiendo una grabación</translation></message>
 <message><source>stop it first</source><translation>deténgala primero</translation></message>
+<message><source>the file ends within its E57 header</source><translation>el archivo termina dentro de su cabecera E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>esta es la versión %1 de E57, y se conoce la versión 1</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>expórtelo como E57 versión 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>la cabecera E57 indica páginas de %1 bytes</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>la cabecera E57 anuncia %1 bytes y el archivo contiene </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>las columnas de puntos de este archivo E57 están demasiado anidadas</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>los límites de la columna %1 de este archivo E57 no son posibles</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>el escaneo %1 de este archivo E57 no indica dónde están sus puntos ni cuántos son</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>según la cabecera E57, la parte XML está en el byte %1 y tiene </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>no se puede leer la parte XML de este archivo E57: </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>la parte XML de este archivo E57 no tiene e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la página %1 de %2 de este archivo E57 está dañada: su suma de control no coincide</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>este archivo E57 termina antes de algo que nombra</translation></message>
+<message><source>this E57 file holds no scan</source><translation>este archivo E57 no contiene ningún escaneo</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>el archivo contiene %1 escaneos y se pidió el número %2</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>el escaneo %1 de este archivo E57 no contiene puntos</translation></message>
+<message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
+<message><source>choose another file</source><translation>elija otro archivo</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>los puntos empezarían en el byte %1, que no está en el archivo</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>ninguna lista de puntos empieza donde indica el archivo E57</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>la cabecera de los puntos no corresponde al archivo</translation></message>
+<message><source>a packet of points </source><translation>un paquete de puntos </translation></message>
+<message><source>the file promises %1 points and </source><translation>el archivo anuncia %1 puntos y </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>este archivo ZIP no tiene directorio al final</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>el directorio de este archivo ZIP está dañado</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este archivo ZIP no empieza donde indica su directorio: hay otros bytes delante o dentro</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>esta parte del archivo está cifrada</translation></message>
+<message><source>save it without a password</source><translation>guárdelo sin contraseña</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>esta parte del archivo está comprimida con el método %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>comprímalo con DEFLATE, como es habitual</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>esta parte del archivo no está donde indica su directorio</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descomprimido son %1, mucho más de lo que puede ser un escaneo de ese tamaño</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>descomprímalo a mano y revíselo</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte del archivo está dañada: su longitud o su suma de control no coincide</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>es un bag de ROS de una versión distinta de 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>conviértalo con «rosbag migrate»</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada o dañada: no se pueden leer sus tablas</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite no es un bag de ROS: no tiene tabla de topics</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>no se puede abrir esta base SQLite</translation></message>
+<message><source>copy it again</source><translation>cópiela de nuevo</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>no es una grabación MCAP de una versión conocida</translation></message>
+<message><source>choose a recording</source><translation>elija una grabación</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>esta carpeta contiene %1 archivos de un bag</translation></message>
+<message><source>open one of them, as </source><translation>abra uno de ellos, por ejemplo </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>ningún topic de este %1 es de un láser</translation></message>
+<message><source>choose another bag</source><translation>elija otro bag</translation></message>
+<message><source>the bag has no topic </source><translation>el bag no tiene el topic </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>el topic %1 no contiene ningún escaneo</translation></message>
+<message><source>choose one of them with </source><translation>elija uno con </translation></message>
+<message><source>choose one of </source><translation>elija uno de </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>el láser no giró mientras medía</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>elija otro topic o indique la articulación que lo gira</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>no se pudo colocar ninguna línea del topic %1</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>ningún mensaje del topic %1 es una línea de distancias</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>ninguna transformación gira el sistema %1 del láser mientras mide</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>ninguna articulación giró mientras el láser medía</translation></message>
+<message><source>there is no joint called </source><translation>no hay ninguna articulación llamada </translation></message>
+<message><source>choose another topic</source><translation>elija otro topic</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>los puntos detrás de otros del diálogo de exportación</translation></message>
@@ -191,7 +249,7 @@
 <message><source>the demo</source><translation>la demo</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; lo que estaba en pantalla se queda.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar con un escaneo anterior</translation></message>
-<message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A no se recuperó: el contenido de %1 cambió desde entonces.</translation></message>
+<message><source>A was not restored: %1 has changed since.</source><translation>A no se recuperó: el contenido de %1 cambió desde entonces.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar con un escaneo</translation></message>
 <message><source>Comparing with A</source><translation>Comparando con A</translation></message>
 <message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
@@ -205,27 +263,57 @@ visible %6 m², a %7 m</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
 <message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
-<message><source>could not be worked out:
+<message><source>could not be computed:
 %1</source><translation>no se pudo calcular:
 %1</translation></message>
 <message><source>by confidence</source><translation>por confianza</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
-<message><source>Why could not be worked out (%1).</source><translation>No se pudo determinar el porqué (%1).</translation></message>
+<message><source>The reason could not be found (%1).</source><translation>No se pudo determinar la razón (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
-<message><source>Working out why …</source><translation>Buscando la razón …</translation></message>
+<message><source>Finding the reason …</source><translation>Buscando la razón …</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
 <message><source>Clicked</source><translation>Clic</translation></message>
-<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primero apunte a una celda o haga clic en ella; luego Por qué dice qué la decide.</translation></message>
+<message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Primero apunte a una celda o haga clic en ella. Por qué muestra luego qué decide si es un borde.</translation></message>
+<message><source>the demo after the blast</source><translation>la demo tras la voladura</translation></message>
+<message><source>%1, scan %2</source><translation>%1, escaneo %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>el primero: los demás se colocan respecto a él</translation></message>
+<message><source>registered, residual %1 mm</source><translation>registrado, residuo %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>colocado por objetivos, separación %1 mm</translation></message>
+<message><source>placed by pose</source><translation>colocado por la pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>No se pudo leer la capa (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>¿Dónde está ahora la capa?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Este punto es de la capa %1: actívela para medir en ella.</translation></message>
+<message><source>Make Active</source><translation>Activar</translation></message>
+<message><source>Add scans as layers</source><translation>Añadir escaneos como capas</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>Las capas son escaneos de archivos: abra el primero, o grabe el barrido y abra la grabación.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Una nube tiene como máximo %1 capas: quite alguna primero.</translation></message>
+<message><source>Add a Layer</source><translation>Añadir una capa</translation></message>
+<message><source>Remove the Layer</source><translation>Quitar la capa</translation></message>
+<message><source>Show the Layer</source><translation>Mostrar la capa</translation></message>
+<message><source>Hide the Layer</source><translation>Ocultar la capa</translation></message>
+<message><source>Locate the Layer</source><translation>Localizar la capa</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>Hacen falta tres lugares visibles en ambos escaneos: márquelos aquí como objetivos 1, 2 y 3, active %1, marque allí los mismos lugares en el mismo orden y vuelva.</translation></message>
+<message><source>Reading the layer %1</source><translation>Leyendo la capa %1</translation></message>
+<message><source>Cancelled</source><translation>Cancelado</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>El mismo escaneo ya es una capa: quite una de las dos.</translation></message>
+<message><source>Layer %1: %2</source><translation>Capa %1: %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 puntos · %2 de memoria</translation></message>
+<message><source>active</source><translation>activa</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ activa, sin colocar</translation></message>
+<message><source>▲ not placed</source><translation>▲ sin colocar</translation></message>
+<message><source>▲ not read</source><translation>▲ no leída</translation></message>
+<message><source>being read</source><translation>leyendo</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ sin colocar respecto a la activa</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
-<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Las primeras %1 líneas de este barrido llegaron hace demasiado tiempo para ponerlas en su nuevo lugar.</translation></message>
-<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
+<message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
+<message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retenido: %1. Pulse Seguir para continuar con el escáner.</translation></message>
-<message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
+<message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
 <message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
@@ -234,12 +322,12 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Report</source><translation>Informe</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para cualquier navegador (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
+<message><source>%1 was not written: the rocks are still being computed; try again.</source><translation>%1 no se escribió: las rocas todavía se están calculando; inténtelo de nuevo.</translation></message>
 <message><source>Making the report %1</source><translation>Creando el informe %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
-<message><source>The section could not be worked out (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
+<message><source>The section could not be computed (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cción</translation></message>
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de la última medición: mida primero una distancia entre dos celdas.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
@@ -261,29 +349,29 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Save preset</source><translation>Guardar el preajuste</translation></message>
 <message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 no es un preajuste y queda como está: elija otro nombre.</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falló (%1); cierre otros programas o use un escaneo más pequeño.</translation></message>
-<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que una calibración no podría nombrarlo: abra un escaneo o una grabación.</translation></message>
-<message><source>Scans of the same assembly</source><translation>Escaneos del mismo montaje</translation></message>
+<message><source>The picture does not come from a file, so a calibration cannot name it: open a scan or a recording.</source><translation>La imagen no viene de un archivo, así que una calibración no puede nombrarlo: abra un escaneo o una grabación.</translation></message>
+<message><source>Scans with the same mounting</source><translation>Escaneos con el mismo montaje</translation></message>
 <message><source>The robot's calibration</source><translation>La calibración del robot</translation></message>
 <message><source>Calibration (*.json)</source><translation>Calibración (*.json)</translation></message>
-<message><source>given up</source><translation>abandonado</translation></message>
+<message><source>stopped</source><translation>detenido</translation></message>
 <message><source>Save the calibration</source><translation>Guardar la calibración</translation></message>
 <message><source>a calibration</source><translation>una calibración</translation></message>
 <message><source>The calibration could not be saved (%1).</source><translation>No se pudo guardar la calibración (%1).</translation></message>
 <message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Este escaneo se abrió sin pose, así que no tiene un lugar que la calibración pueda corregir: indique ambas en Escaneo &gt; Cómo se lee el escaneo.</translation></message>
 <message><source>Apply Calibration</source><translation>Aplicar la calibración</translation></message>
-<message><source>lever arm t1, in the fan</source><translation>brazo de palanca t1, en el abanico</translation></message>
-<message><source>lever arm t2, across it</source><translation>brazo de palanca t2, transversal</translation></message>
-<message><source>tilt of the fan</source><translation>inclinación del abanico</translation></message>
+<message><source>lever arm t1, in the scan plane</source><translation>brazo de palanca t1, en el plano de barrido</translation></message>
+<message><source>lever arm t2, across the plane</source><translation>brazo de palanca t2, transversal al plano</translation></message>
+<message><source>tilt of the scan plane</source><translation>inclinación del plano de barrido</translation></message>
 <message><source>beam index</source><translation>índice de los haces</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
-<message><source>stays</source><translation>sin cambio</translation></message>
+<message><source>unchanged</source><translation>sin cambio</translation></message>
 <message><source>not measured</source><translation>no se determina</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>hallado con %1 celdas, %2° vistos dos veces</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Las dos vistas estaban a %1 mm y quedan a %2 mm con estos errores (mediana; el ruido explica %3 mm). Un escaneo nunca dice un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
+<message><source>Mismatch of the two views: %1 mm before, %2 mm with these errors (median; noise alone explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Diferencia entre las dos vistas: %1 mm antes, %2 mm con estos errores (mediana; el ruido solo explica %3 mm). Un escaneo nunca muestra un desplazamiento a lo largo del eje, un error común de las distancias ni el cero del motor.</translation></message>
 <message><source>Edges of both views</source><translation>Bordes de ambas vistas</translation></message>
 <message><source>orange – late view, blue | early view, white + both</source><translation>naranja – vista tardía, azul | primera vista, blanco + ambas</translation></message>
 <message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Antes: %1 % de %2 bordes tardíos están junto a uno de la primera vista (%3)</translation></message>
-<message><source>After: %1 % do</source><translation>Después: %1 %</translation></message>
+<message><source>After: %1 % of them</source><translation>Después: %1 % de ellos</translation></message>
 <message><source>Distance of the views</source><translation>Distancia de las vistas</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul más cerca, rojo más lejos que la vista tardía, color pleno a 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Después: a %1 mm</translation></message>
@@ -313,10 +401,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Escáner en E %1, N %2, RL %3. Sus puntos: </translation></message>
 <message><source>Store Pose</source><translation>Guardar la pose</translation></message>
 <message><source>Remove Pose</source><translation>Quitar la pose</translation></message>
-<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>Lo que está en pantalla no viene de ningún archivo, así que su pose no se podría guardar: abra un escaneo o una grabación.</translation></message>
+<message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>La imagen no viene de un archivo, así que su pose no se puede guardar: abra un escaneo o una grabación.</translation></message>
 <message><source>Store the mounting</source><translation>Guardar el montaje</translation></message>
 <message><source>Name of the scanner</source><translation>Nombre del escáner</translation></message>
-<message><source>No pose is stored with the scan any more.</source><translation>Ya no hay ninguna pose guardada con el escaneo.</translation></message>
+<message><source>The pose that was stored with the scan is removed.</source><translation>La pose guardada con el escaneo se ha eliminado.</translation></message>
 <message><source>Stored %1; it replaced the pose that was there.</source><translation>Se guardó %1; reemplazó la pose que había.</translation></message>
 <message><source>Stored %1.</source><translation>Se guardó %1.</translation></message>
 <message><source>The pose could not be stored (%1).</source><translation>No se pudo guardar la pose (%1).</translation></message>
@@ -336,19 +424,19 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>no time</source><translation>sin hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEN ANTERIOR</translation></message>
-<message><source>Another scan is on its way: this is the picture before it.</source><translation>Otro escaneo está en camino: esta es la imagen anterior.</translation></message>
+<message><source>Another scan is being opened. This is the picture before it.</source><translation>Se está abriendo otro escaneo. Esta es la imagen anterior.</translation></message>
 <message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
-<message><source>call of a rock</source><translation>clasificación como roca</translation></message>
-<message><source>call of no rock</source><translation>clasificación como no roca</translation></message>
+<message><source>mark as a rock</source><translation>marca de roca</translation></message>
+<message><source>mark as not a rock</source><translation>marca de no roca</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
 <message><source>Export %1 rocks</source><translation>Exportar %1 rocas</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Hasta entonces no se conservan las ediciones de las rocas.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>Las ediciones de las rocas no se conservan: %1</translation></message>
+<message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
+<message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
 <message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
 <message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
@@ -360,9 +448,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
+<message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
-<message><source>being worked out …</source><translation>en cálculo …</translation></message>
+<message><source>being computed …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
@@ -376,36 +464,36 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
+<message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Aún no hay nada que guardar: abra antes un escaneo. Un barrido en vivo se conserva grabándolo.</translation></message>
 <message><source>Save session</source><translation>Guardar sesión</translation></message>
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 no es una sesión y queda como está: elija otro nombre.</translation></message>
 <message><source>Open session</source><translation>Abrir sesión</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de pantalla (*.png)</translation></message>
-<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: el escaneo de esta sesión no está allí: se movió, o su disco no está aquí. Los ajustes y la vista han vuelto; el resto vendrá con el escaneo.</translation></message>
+<message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1: no se encontró el escaneo de esta sesión. Se movió, o falta su disco. Los ajustes y la vista se han restaurado. El resto necesita el escaneo.</translation></message>
 <message><source>Locate…</source><translation>Localizar…</translation></message>
 <message><source>Where is the scan now?</source><translation>¿Dónde está ahora el escaneo?</translation></message>
-<message><source>The session %1 stays as it was: this is another scan.</source><translation>La sesión %1 queda como estaba: este es otro escaneo.</translation></message>
-<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 no es el escaneo de esta sesión: su contenido es otro. Los ajustes y la vista han vuelto; los objetivos, la selección, las marcas, las rocas, A y la cámara no.</translation></message>
+<message><source>The session %1 is not changed: this is another scan.</source><translation>La sesión %1 no se modifica: este es otro escaneo.</translation></message>
+<message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 no es el escaneo de esta sesión: su contenido es distinto. Los ajustes y la vista se han restaurado; los objetivos, la selección, las marcas, las rocas, A y la cámara no.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla se ha guardado.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is stored.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla se ha guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>
 <message><source>This is &amp;not an edge</source><translation>Esto &amp;no es un borde</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Señale o haga clic primero en una celda; diga luego si hay un borde.</translation></message>
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta celda no se marcó: ya hay %1 marcas, borre antes algunas.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marca de borde</translation></message>
-<message><source>Mark of No Edge</source><translation>Marca de no borde</translation></message>
+<message><source>Mark as an Edge</source><translation>Marca de borde</translation></message>
+<message><source>Mark as Not an Edge</source><translation>Marca de no borde</translation></message>
 <message><source>Clear the Marks</source><translation>Borrar las marcas</translation></message>
 <message><source>✓ edge</source><translation>✓ borde</translation></message>
-<message><source>✕ no edge</source><translation>✕ sin borde</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Todavía no hay nada marcado: clic derecho en una celda y diga que es un borde, o que no lo es.</translation></message>
+<message><source>✕ not an edge</source><translation>✕ sin borde</translation></message>
+<message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Todavía no hay nada marcado: haga clic derecho en una celda y márquela como borde o como no borde.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>El barrido todavía crece: espere su final, o deténgalo.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Buscando ajustes para estas marcas: método %1 de %2 …</translation></message>
+<message><source>Finding settings for these marks: method %1 of %2 …</source><translation>Buscando ajustes para estas marcas: método %1 de %2 …</translation></message>
 <message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concuerdan con todas las marcas.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Ningún ajuste separa estas marcas. Los que aciertan en la mayoría van primero.</translation></message>
-<message><source>click the one end</source><translation>haga clic en un extremo</translation></message>
+<message><source>click one end</source><translation>haga clic en un extremo</translation></message>
 <message><source>click the other end</source><translation>haga clic en el otro extremo</translation></message>
 <message><source>click the lower cell</source><translation>haga clic en la celda más baja</translation></message>
 <message><source>click the higher cell</source><translation>haga clic en la celda más alta</translation></message>
@@ -421,8 +509,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>No se vio paso libre entre estos dos bordes: haga clic en celdas de los dos bordes de una abertura.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
-<message><source>There is no cell: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ El barrido continúa: se ocultan las celdas que están allí ahora; las líneas que vengan se muestran, sea cual sea su distancia.</translation></message>
+<message><source>There is no cell here: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
+<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ El barrido continúa. Se ocultan las celdas que están allí ahora. Las líneas nuevas se muestran a cualquier distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>No se conoce distancia ahí: haga clic o señale primero una celda que la tenga.</translation></message>
 <message><source>Clip to Box</source><translation>Recortar a una caja</translation></message>
@@ -435,7 +523,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Aislar</translation></message>
 <message><source>Show All</source><translation>Mostrar todo</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 celdas seleccionadas, %2 puntos, %3 bordes</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edge cells</source><translation>%1 celdas seleccionadas, %2 puntos, %3 celdas de borde</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 celdas ocultas</translation></message>
 <message><source>&amp;Isolate</source><translation>A&amp;islar</translation></message>
 <message><source>&amp;Select</source><translation>Se&amp;leccionar</translation></message>
@@ -445,21 +533,21 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
 <message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
 <message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>No se pudieron conservar los objetivos (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
+<message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
+<message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>No se conserva: esta imagen no es de ningún archivo, o no se recuerda nada.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ No se conserva: los objetivos de este escaneo fueron rechazados.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero suelte algunos.</translation></message>
+<message><source>Not stored: this picture does not come from a file, or EdgeScan runs with --no-settings.</source><translation>No se guarda: esta imagen no viene de un archivo, o EdgeScan se inició con --no-settings.</translation></message>
+<message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>Pin %1</source><translation>Fijar %1</translation></message>
 <message><source>Move %1</source><translation>Mover %1</translation></message>
-<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
-<message><source>Let Go of All</source><translation>Soltar todo</translation></message>
+<message><source>Remove %1</source><translation>Quitar %1</translation></message>
+<message><source>Remove All</source><translation>Quitar todos</translation></message>
 <message><source>Name %1</source><translation>Nombrar %1</translation></message>
 <message><source>Lock %1</source><translation>Bloquear %1</translation></message>
 <message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Esto no se conservó: hay %1 mediciones, primero quite algunas.</translation></message>
+<message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Esto no se guardó: hay %1 mediciones, primero quite algunas.</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
@@ -471,7 +559,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Aquí no hay ningún punto: no se midió nada, o está oculto.</translation></message>
-<message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta celda</translation></message>
+<message><source>Remove the target of this ce&amp;ll</source><translation>Quitar e&amp;l objetivo de esta celda</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vista desde el &amp;escáner</translation></message>
@@ -524,14 +612,14 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation>nada con qué comparar todavía:
+change a setting, or open another scan</source><translation>nada con qué comparar todavía:
 cambie un ajuste o abra otro escaneo</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
-<message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation>la mitad de las celdas difiere en menos de %1 mm
-un cambio es mayor que %2 mm a 5 m</translation></message>
-<message><source>half of the points are nearer than %1
-%2 are farther than %3</source><translation>la mitad de los puntos está a menos de %1
+<message><source>median difference %1 mm
+a change is more than %2 mm at 5 m</source><translation>diferencia mediana %1 mm
+un cambio supera %2 mm a 5 m</translation></message>
+<message><source>median distance %1
+%2 are farther than %3</source><translation>distancia mediana %1
 %2 están a más de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
 <message><source>A: %1
@@ -541,35 +629,35 @@ mantenga \ para verla</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % y más</translation></message>
 <message><source>Confidence of edges</source><translation>Confianza de los bordes</translation></message>
-<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>Los bordes que hallan menos ajustes cercanos se omiten en las vistas; las exportaciones los contienen todos.</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views. Exports have all of them.</source><translation>Los bordes que hallan menos ajustes cercanos se omiten en las vistas; las exportaciones los contienen todos.</translation></message>
 <message><source>Least confidence shown</source><translation>Confianza mínima mostrada</translation></message>
 <message><source>Shown: %1 % and more</source><translation>Se muestra: %1 % y más</translation></message>
 <message><source>Shown: all</source><translation>Se muestra: todo</translation></message>
-<message><source>working it out: %1 %</source><translation>calculando: %1 %</translation></message>
-<message><source>found too by how many of %1 nearby settings</source><translation>cuántos de %1 ajustes cercanos los hallan también</translation></message>
+<message><source>computing: %1 %</source><translation>calculando: %1 %</translation></message>
+<message><source>share of %1 nearby settings that find the edge</source><translation>parte de los %1 ajustes próximos que encuentran el borde</translation></message>
 <message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
-<message><source>Calibrate the Assembly</source><translation>Calibrar el montaje</translation></message>
+<message><source>Calibrate the Mounting</source><translation>Calibrar el montaje</translation></message>
 <message><source>&amp;Save As…</source><translation>&amp;Guardar como…</translation></message>
 <message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a este escaneo</translation></message>
-<message><source>How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 show more. Nothing is applied by itself.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
-<message><source>Scans of one assembly:</source><translation>Escaneos de un montaje:</translation></message>
+<message><source>EdgeScan finds how the scanner is mounted on its stepper, from surfaces that one turn measures twice. Turn 200 degrees instead of 180 once per mounting; 360 degrees show more. Nothing is applied automatically.</source><translation>Cómo está el escáner sobre su motor, según superficies que un giro ve dos veces. Gire 200 grados en vez de 180 una vez por montaje; 360 dicen más. Nada se aplica por sí solo.</translation></message>
+<message><source>Scans with one mounting:</source><translation>Escaneos de un montaje:</translation></message>
 <message><source>A&amp;dd Scans…</source><translation>Aña&amp;dir escaneos…</translation></message>
 <message><source>&amp;Remove</source><translation>&amp;Quitar</translation></message>
 <message><source>Robot's &amp;File…</source><translation>Archi&amp;vo del robot…</translation></message>
-<message><source>The robot's present calibration: its stepper is replaced, all else stays</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
-<message><source>error of the assembly</source><translation>error del montaje</translation></message>
+<message><source>The robot's present calibration: only its stepper is replaced</source><translation>La calibración actual del robot: su motor se ajusta de nuevo, lo demás queda</translation></message>
+<message><source>error of the mounting</source><translation>error del montaje</translation></message>
 <message><source>value</source><translation>valor</translation></message>
 <message><source>± 2 sd</source><translation>± 2 desv. est.</translation></message>
-<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Archivo del robot: ninguno; el archivo nuevo contiene solo el motor.</translation></message>
-<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Archivo del robot: %1; queda todo menos su motor.</translation></message>
-<message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
+<message><source>Robot's file: none. The new file has the stepper only.</source><translation>Archivo del robot: ninguno; el archivo nuevo contiene solo el motor.</translation></message>
+<message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Archivo del robot: %1; queda todo menos su motor.</translation></message>
+<message><source>S&amp;top</source><translation>&amp;Detener</translation></message>
 <message><source>working …</source><translation>trabajando …</translation></message>
-<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
-<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
+<message><source>Save the file first: a record names the file from which a place was computed</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
+<message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algunas letras de un comando</translation></message>
 <message><source>Values of %1</source><translation>Valores de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La misma imagen con otros valores de %1. Un clic toma ese valor; Ctrl+Z lo deshace.</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value. Ctrl+Z undoes it.</source><translation>La misma imagen con otros valores de %1. Un clic toma ese valor; Ctrl+Z lo deshace.</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● actual</translation></message>
 <message><source>▭ steady</source><translation>▭ constante</translation></message>
@@ -588,17 +676,17 @@ mantenga \ para verla</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
 <message><source>doubtful</source><translation>dudoso</translation></message>
-<message><source>found out</source><translation>deducido</translation></message>
-<message><source>as you said</source><translation>como se indicó</translation></message>
-<message><source>as the file says</source><translation>según el archivo</translation></message>
+<message><source>detected</source><translation>deducido</translation></message>
+<message><source>given by you</source><translation>como se indicó</translation></message>
+<message><source>from the file</source><translation>según el archivo</translation></message>
 <message><source>Does This Look Right?</source><translation>¿Parece correcto?</translation></message>
 <message><source>&amp;Close</source><translation>&amp;Cerrar</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adoptar</translation></message>
-<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Un clic en otra lectura muestra así el escaneo; Adoptar la conserva como un paso que se puede deshacer, Cerrar devuelve lo que había.</translation></message>
+<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Haga clic en otra lectura para ver el escaneo leído así. Adoptar la toma, y Ctrl+Z lo deshace. Cerrar restaura la lectura anterior.</translation></message>
 <message><source>or</source><translation>o</translation></message>
-<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada en su lectura podría ser de otro modo.</translation></message>
-<message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
-<message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
+<message><source>%1: there is no other way to read it.</source><translation>%1: no hay otra forma de leerlo.</translation></message>
+<message><source>%1: something contradicts how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
+<message><source>%1: nothing contradicts how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose y montaje</translation></message>
 <message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montaje</translation></message>
@@ -612,12 +700,12 @@ mantenga \ para verla</translation></message>
 <message><source>From Fi&amp;le…</source><translation>De un &amp;archivo…</translation></message>
 <message><source>Nominal mounting</source><translation>Montaje nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic en una fila la muestra; Adoptar la conserva, Cerrar devuelve lo que había antes.</translation></message>
+<message><source>Click a row to see it. Adopt takes it. Close restores the former settings.</source><translation>Haga clic en una fila para verla. Adoptar la toma. Cerrar restaura los ajustes anteriores.</translation></message>
 <message><source>Range gate</source><translation>Ventana de distancia</translation></message>
 <message><source>Draw cells from</source><translation>Dibujar celdas desde</translation></message>
 <message><source>to</source><translation>hasta</translation></message>
 <message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas las demás se ocultan en todas las vistas. Bordes, cuentas y exportaciones quedan como están.</translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un campo vacío: como dice el archivo, o como se averigüe. El archivo mismo queda como está.</translation></message>
+<message><source>An empty field: from the file, or detected. The file itself is not changed.</source><translation>Un campo vacío: según el archivo, o detectado. El archivo mismo no se modifica.</translation></message>
 <message><source>Read Again</source><translation>Leer de nuevo</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
 <message><source>Choose…</source><translation>Elegir…</translation></message>
@@ -661,7 +749,7 @@ mantenga \ para verla</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
 <message><source>Scan</source><translation>Escaneo</translation></message>
 <message><source>About EdgeScan</source><translation>Acerca de EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is not a judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;It shows geometry from one viewpoint. It does not judge any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause&lt;br&gt;Drawn by %2</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encuentra los bordes de las rocas en un escaneo láser de distancias y los muestra en la nube de puntos.&lt;br&gt;Lo que muestra es geometría vista desde un solo punto; no es un juicio sobre ninguna roca.&lt;br&gt;&lt;br&gt;Licencia: BSD-3-Clause&lt;br&gt;Dibujado por %2</translation></message>
 <message><source>&amp;No Key</source><translation>&amp;Ninguna tecla</translation></message>
 <message><source>&amp;Reset</source><translation>&amp;Restablecer</translation></message>
 <message><source>Change Keys</source><translation>Cambiar teclas</translation></message>
@@ -671,8 +759,8 @@ mantenga \ para verla</translation></message>
 <message><source>Reset &amp;All</source><translation>Restablecer &amp;todo</translation></message>
 <message><source>Press the new key:</source><translation>Pulse la nueva tecla:</translation></message>
 <message><source>%1 has no key now.</source><translation>%1 ya no tiene tecla.</translation></message>
-<message><source>%1 has the key that it came with.</source><translation>%1 tiene de nuevo su tecla original.</translation></message>
-<message><source>Every command has the key that it came with.</source><translation>Cada comando tiene de nuevo su tecla original.</translation></message>
+<message><source>%1 has its original key again.</source><translation>%1 tiene de nuevo su tecla original.</translation></message>
+<message><source>Every command has its original key again.</source><translation>Cada comando tiene de nuevo su tecla original.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
 <message><source>along the line</source><translation>a lo largo de la línea</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
@@ -682,19 +770,24 @@ mantenga \ para verla</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
-<message><source>cancel and let go</source><translation>cancelar y soltar</translation></message>
+<message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
+<message><source>cancel, or remove the target</source><translation>cancelar, o quitar el objetivo</translation></message>
 <message><source>to the next field</source><translation>al campo siguiente</translation></message>
 <message><source>to the field before</source><translation>al campo anterior</translation></message>
 <message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
 <message><source>the cell cursor</source><translation>el cursor de celdas</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A mientras se mantiene</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Añadir un escaneo como capa…</translation></message>
+<message><source>Remove</source><translation>Quitar</translation></message>
+<message><source>Place by Targets</source><translation>Colocar por objetivos</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Muestra la imagen y los bordes de este escaneo; los demás quedan en la nube</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque los mismos tres lugares en ambos escaneos como objetivos con los mismos números: llevan la capa a su sitio</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
-<message><source>Lines whose telegrams never came; hatched in the images</source><translation>Líneas cuyos telegramas nunca llegaron; achuradas en las imágenes</translation></message>
+<message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Líneas cuyos telegramas no llegaron: guiones en las imágenes</translation></message>
 <message><source>Scanner</source><translation>Escáner</translation></message>
-<message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
+<message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
 <message><source>Record</source><translation>Grabar</translation></message>
-<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escribir cada telegrama en un archivo nuevo, sin tocarlo, a medida que llega</translation></message>
+<message><source>Write every telegram to a new file, unchanged, as it arrives</source><translation>Escribir cada telegrama en un archivo nuevo, sin tocarlo, a medida que llega</translation></message>
 <message><source>Keep last minute</source><translation>Conservar el último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escribir en un archivo nuevo lo que llegó durante el último minuto</translation></message>
 <message><source>Hold</source><translation>Retener</translation></message>
@@ -707,7 +800,7 @@ mantenga \ para verla</translation></message>
 <message><source>The picture is held: from now on it grows with the scanner again</source><translation>La imagen está retenida: desde ahora vuelve a crecer con el escáner</translation></message>
 <message><source>The picture stays as it is while the scanner goes on</source><translation>La imagen queda como está mientras el escáner continúa</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
-<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
+<message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
 <message><source>not known</source><translation>desconocido</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconocido (se supone 0.18°)</translation></message>
@@ -733,21 +826,21 @@ mantenga \ para verla</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>aquí no se midió nada, o ningún trozo corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
 <message><source>outside the region of interest</source><translation>fuera de la región de interés</translation></message>
-<message><source>called none by hand</source><translation>clasificado a mano como no roca</translation></message>
+<message><source>marked by hand as not a rock</source><translation>marcada a mano como no roca</translation></message>
 <message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
 <message><source>Merge</source><translation>Fusionar</translation></message>
-<message><source>No Rock</source><translation>No es roca</translation></message>
-<message><source>Let go of this rock</source><translation>Soltar esta roca</translation></message>
+<message><source>Not a Rock</source><translation>No es roca</translation></message>
+<message><source>Deselect this rock</source><translation>Deseleccionar esta roca</translation></message>
 <message><source>. Hidden parts are not counted.</source><translation>. Las partes ocultas no se cuentan.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Luego haga clic en la parte de la roca que es una roca aparte; la rueda toma una parte más pequeña o más grande (S)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation>▲ contorno dudoso: achurado</translation></message>
-<message><source>called a rock by hand</source><translation>clasificado a mano como roca</translation></message>
+<message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incierto: rayado</translation></message>
+<message><source>marked by hand as a rock</source><translation>marcada a mano como roca</translation></message>
 <message><source>A Rock</source><translation>Es roca</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
-<message><source>This is a rock after all (N)</source><translation>Sí es una roca (N)</translation></message>
+<message><source>This is a rock (N)</source><translation>Sí es una roca (N)</translation></message>
 <message><source>Rock %1</source><translation>Roca %1</translation></message>
 <message><source>visible spans</source><translation>extensiones visibles</translation></message>
 <message><source>distance</source><translation>distancia</translation></message>
@@ -760,14 +853,14 @@ mantenga \ para verla</translation></message>
 <message><source>free height below</source><translation>altura libre debajo</translation></message>
 <message><source>arch angle</source><translation>ángulo del arco</translation></message>
 <message><source>confidence p</source><translation>confianza p</translation></message>
-<message><source>No rock</source><translation>No es roca</translation></message>
+<message><source>Not a rock</source><translation>No es roca</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>cells</source><translation>celdas</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · a %5 m</translation></message>
-<message><source> · ▲ doubtful outline</source><translation> · ▲ contorno dudoso</translation></message>
-<message><source>no doubtful ones</source><translation>sin las dudosas</translation></message>
+<message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
+<message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
+<message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
 <message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con p menor que 0.85, que están achuradas, se omiten en la tabla</translation></message>
 <message><source>b at least</source><translation>b al menos</translation></message>
 <message><source>%1 rocks</source><translation>%1 rocas</translation></message>
@@ -781,18 +874,19 @@ mantenga \ para verla</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
 <message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad: P20 %1, P50 %2, P80 %3, el mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % de las rocas no son visiblemente más anchas que %2 m</translation></message>
+<message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % de las rocas tienen un ancho visible de %2 m como máximo</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
-<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L; solo se envían lecturas y una suscripción</translation></message>
-<message><source>Carry on with the last session</source><translation>Seguir con la última sesión</translation></message>
+<message><source>Ctrl+L: EdgeScan only reads from it</source><translation>Ctrl+L: EdgeScan solo lee</translation></message>
+<message><source>Go on with the last session</source><translation>Seguir con la última sesión</translation></message>
 <message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
 <message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
 <message><source>Demo before and after a blast</source><translation>Demostración antes y después de una tronadura</translation></message>
@@ -801,18 +895,18 @@ mantenga \ para verla</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
 <message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lee rejillas sin procesar, grabaciones (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ y otros.</translation></message>
-<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>Solo envía al escáner lecturas y una suscripción.</translation></message>
+<message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>Solo envía al escáner lecturas y una suscripción.</translation></message>
 <message><source>Cab mode</source><translation>Modo cabina</translation></message>
-<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ no encontrado: se movió, o su disco no está aquí. Localizar…</translation></message>
+<message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ no encontrado: se movió, o falta su disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: un embudo colgado antes y después de una tronadura.</translation></message>
 <message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
 <message><source>View from the scanner</source><translation>Ver desde el escáner</translation></message>
-<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges depend little on it.</source><translation>Ajuste primero la fuerza de los bordes. La curva de abajo muestra cuántos bordes hay para cada valor; donde es plana, los bordes dependen poco del ajuste.</translation></message>
+<message><source>Change Edge strength first. The curve under it shows the number of edge cells for every value. Where it is flat, the edges depend little on it.</source><translation>Ajuste primero la fuerza de los bordes. La curva de abajo muestra cuántos bordes hay para cada valor; donde es plana, los bordes dependen poco del ajuste.</translation></message>
 <message><source>Show the edges panel</source><translation>Mostrar el panel de bordes</translation></message>
-<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>Las rocas se encuentran a partir de los bordes, con su tamaño visible y la probabilidad de cada una. La tabla las muestra; un clic elige una roca en todas las vistas.</translation></message>
+<message><source>EdgeScan finds rocks from the edges, with visible sizes and a confidence. The table lists them. A click selects a rock in all views.</source><translation>EdgeScan encuentra las rocas a partir de los bordes, con su tamaño visible y una confianza. La tabla las muestra. Un clic elige una roca en todas las vistas.</translation></message>
 <message><source>Show the rocks</source><translation>Mostrar las rocas</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Las herramientas de arriba miden. Archivo exporta bordes, nubes y un informe. Los comandos tienen teclas; Ayuda las muestra todas, y también este recorrido.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar las teclas</translation></message>
@@ -825,19 +919,19 @@ mantenga \ para verla</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc y Soltar todo lo dejan donde está</translation></message>
-<message><source>Let go of this target</source><translation>Soltar este objetivo</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz; lo que el escáner mide mal en todas partes no está incluido</translation></message>
+<message><source>Locked: Esc and Remove All do not remove it</source><translation>Bloqueado: Esc y Quitar todos no lo quitan</translation></message>
+<message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Metros en el sistema del escaneo</translation></message>
 <message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Este, Norte y Cota en coordenadas mina, metros</translation></message>
+<message><source>Easting, Northing and elevation in the mine grid, in metres</source><translation>Este, Norte y Cota en coordenadas mina, metros</translation></message>
 <message><source>Rock, visible</source><translation>Roca, visible</translation></message>
 <message><source>none here</source><translation>ninguna aquí</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensiones de lo que se ve de ella; las partes ocultas no se cuentan</translation></message>
+<message><source>Length and width of its visible part. Hidden parts are not included.</source><translation>Largo y ancho de su parte visible. Las partes ocultas no están incluidas.</translation></message>
 <message><source>Resolves</source><translation>Resolución</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
 <message><source>Surface</source><translation>Superficie</translation></message>
@@ -855,7 +949,7 @@ mantenga \ para verla</translation></message>
 <message><source>, strength %1</source><translation>, fuerza %1</translation></message>
 <message><source>Edge</source><translation>Borde</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La fuerza 1 está en el umbral; Por qué dice más</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>De los ajustes próximos a los de la pantalla, cuántos encuentran también este borde; se calcula un momento después del último cambio. Dice cuánto depende el borde de los ajustes, no si hay una roca</translation></message>
+<message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Parte de los ajustes próximos que encuentran también este borde, calculada después de cada cambio. Muestra cuánto depende el borde de los ajustes, no si hay una roca.</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m detrás de un borde; medido en su lado cercano</translation></message>
@@ -870,12 +964,10 @@ mantenga \ para verla</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
-<message><source>Remove</source><translation>Quitar</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
-<message><source>The measurement that is chosen</source><translation>La medición elegida</translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, logarítmico. Achurado: el tramo más largo en que no desaparece más de un quinto de ellas. La línea vertical es el umbral en uso.</translation></message>
-<message><source>number of edges: not known yet</source><translation>número de bordes: aún desconocido</translation></message>
-<message><source>%1 edges</source><translation>%1 bordes</translation></message>
+<message><source>The selected measurement</source><translation>La medición elegida</translation></message>
+<message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, en escala logarítmica. Rayado: el tramo más ancho en que desaparece un quinto de ellas como máximo. La línea vertical es el umbral en uso.</translation></message>
+<message><source>counting the edge cells …</source><translation>contando las celdas de borde …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
@@ -893,7 +985,7 @@ mantenga \ para verla</translation></message>
 <message><source>Save…</source><translation>Guardar…</translation></message>
 <message><source>Save these settings as a preset file</source><translation>Guardar estos ajustes como archivo de preajuste</translation></message>
 <message><source>Preset</source><translation>Preajuste</translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Los escalones de profundidad que alcanzan los umbrales, calculados a partir de los kernels: el número menor para un escalón en diagonal, el mayor para uno a lo largo de líneas o haces. En el campo de arriba se puede escribir una profundidad como 0.5 m; con niveles de gris logarítmicos se toma a la distancia que se da aquí, y una proporción como 5 % vale a cualquier distancia.</translation></message>
+<message><source>The steps in depth that reach the thresholds, computed from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Los escalones de profundidad que alcanzan los umbrales, calculados a partir de los kernels: el número menor para un escalón en diagonal, el mayor para uno a lo largo de líneas o haces. En el campo de arriba se puede escribir una profundidad como 0.5 m; con niveles de gris logarítmicos se toma a la distancia que se da aquí, y una proporción como 5 % vale a cualquier distancia.</translation></message>
 <message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Bloqueado: el umbral superior es 3 veces el inferior, como en la tesis. Haga clic para abrir el bloqueo.</translation></message>
 <message><source>Locked 1 : 3</source><translation>Bloqueado 1 : 3</translation></message>
 <message><source>Unlocked</source><translation>Desbloqueado</translation></message>
@@ -934,33 +1026,30 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema del escáner, sin pose: sin E N RL</translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sin pose no se sabe nada de las coordenadas mina: las coordenadas se cuentan desde el escáner.</translation></message>
+<message><source>▲ no pose: no mine coordinates</source><translation>▲ sin pose: sin E N RL</translation></message>
+<message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sin pose, las coordenadas se cuentan desde el escáner, no desde la cuadrícula de la mina.</translation></message>
 <message><source>mine grid</source><translation>coordenadas mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
-<message><source>time not known</source><translation>hora desconocida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
-<message><source>The file does not say when it was measured.</source><translation>El archivo no dice cuándo se midió.</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
 <message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
 <message><source> · %1 filled</source><translation> · %1 rellenadas</translation></message>
-<message><source>settings: %1</source><translation>ajustes: %1</translation></message>
-<message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
+<message><source>Edges found in %1 ms</source><translation>Bordes encontrados en %1 ms</translation></message>
+<message><source>default settings</source><translation>ajustes predeterminados</translation></message>
+<message><source>settings: %1 changed</source><translation>ajustes: %1 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
+<message><source>Set of default settings: %1</source><translation>Conjunto de ajustes predeterminados: %1</translation></message>
 <message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
-<message><source>
-Ctrl+D restores the default settings.</source><translation>
-Ctrl+D restaura los ajustes predeterminados.</translation></message>
-<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>1 warning</source><translation>1 advertencia</translation></message>
 <message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Muestra las advertencias de este escaneo y las marca como vistas; permanecen, y figuran en los registros y las capturas de pantalla</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Muestra las advertencias de este escaneo y las marca como vistas. Permanecen en los registros y las capturas de pantalla.</translation></message>
 <message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
+<message><source>no point to show: no cell of this scan has a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
 <message><source>grid %1</source><translation>cuadrícula %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distancia [m]</translation></message>
@@ -994,6 +1083,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
+<message><source>By &amp;Intensity</source><translation>Por &amp;intensidad</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidad (este escaneo no la tiene)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;olor de la nube</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distancia</translation></message>
@@ -1011,7 +1102,9 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
+<message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
+<message><source>Fold</source><translation>Plegar</translation></message>
 <message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
@@ -1020,8 +1113,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
 <message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
-<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Al cerrar termina aquí; lo grabado hasta ahora queda en su archivo.</translation></message>
-<message><source>Closing waits until it is whole.</source><translation>El cierre espera hasta que esté completo.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Al cerrar termina la grabación. Lo grabado hasta ahora queda en su archivo.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>El cierre espera hasta que esté completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
@@ -1047,7 +1140,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: el derecho desplaza, el central acerca y aleja</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Rueda en sentido inverso</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
-<message><source>The window speaks this language from its next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
+<message><source>The window uses this language from the next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Puntos de borde</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
@@ -1089,6 +1182,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Scan</source><translation>E&amp;scaneo</translation></message>
 <message><source>&amp;Next Scan</source><translation>Escaneo &amp;siguiente</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Escaneo &amp;anterior</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Añadir un escaneo como capa…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Grabar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar el último minuto</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar la imagen al final del barrido</translation></message>
@@ -1123,7 +1217,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir en el próximo clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;No es roca, o sí lo es</translation></message>
+<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;No es roca, o sí lo es</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
@@ -1139,8 +1233,8 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Sección po&amp;r la roca</translation></message>
 <message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
-<message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este objetivo</translation></message>
-<message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos los objetivos</translation></message>
+<message><source>Remove This Tar&amp;get</source><translation>&amp;Quitar este objetivo</translation></message>
+<message><source>Remove All &amp;Targets</source><translation>Quitar &amp;todos los objetivos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar todo</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a una &amp;caja en torno a la selección</translation></message>
@@ -1156,7 +1250,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
-<message><source>%1 of %2 edges</source><translation>%1 de %2 bordes</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
 <message><source>growing</source><translation>creciendo</translation></message>
@@ -1214,7 +1308,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Rough scans</source><translation>Escaneos rugosos</translation></message>
 <message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Cuando la mitad de los pliegues está en superficies plegadas por todas partes, como montones de bolos pequeños, un pliegue solo cuenta si supera su entorno.</translation></message>
 <message><source>Fill gaps</source><translation>Rellenar huecos</translation></message>
-<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Los huecos de hasta este ancho se rellenan con lo que los rodea, nunca sobre un salto; las celdas rellenadas se marcan y no cuentan como medidas. 0 no rellena ninguno.</translation></message>
+<message><source>Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.</source><translation>Los huecos de hasta este ancho se rellenan con lo que los rodea, nunca sobre un salto; las celdas rellenadas se marcan y no cuentan como medidas. 0 no rellena ninguno.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordes en huecos</translation></message>
 <message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>Las celdas rellenadas participan en la búsqueda de bordes, y pueden ser bordes que nadie midió.</translation></message>
 <message><source>Lower threshold</source><translation>Umbral inferior</translation></message>
@@ -1282,13 +1376,13 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superficies planas y con poco ruido: los escalones bajos son bordes también de lejos.</translation></message>
 <message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Los ajustes predeterminados de la versión 3: sin bordes de vacíos abiertos, cadenas de cinco celdas o más, sin atender a escaneos rugosos ni a retrocesos del motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grueso</translation></message>
-<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de qué indicio dos trozos son dos rocas: más bajo corta más, más alto une más.</translation></message>
+<message><source>How easily pieces are joined into one rock. Lower: more and smaller rocks. Higher: fewer and larger rocks.</source><translation>Con qué facilidad los trozos se unen en una roca. Más bajo: más rocas y más pequeñas. Más alto: menos rocas y más grandes.</translation></message>
 <message><source>Smallest rock</source><translation>Roca más pequeña</translation></message>
-<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Los trozos de menos celdas medidas son finos y no rocas.</translation></message>
+<message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Los trozos de menos celdas medidas son finos y no rocas.</translation></message>
 <message><source>Farthest rock</source><translation>Roca más lejana</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>Lo que está más lejos no es una roca.</translation></message>
 <message><source>Largest size expected</source><translation>Mayor tamaño esperado</translation></message>
-<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Los trozos más grandes necesitan mejores señales de ser una roca y no una pared.</translation></message>
+<message><source>Larger pieces need better evidence that they are rocks and not walls.</source><translation>Los trozos más grandes necesitan mejores señales de ser una roca y no una pared.</translation></message>
 <message><source>Oversize</source><translation>Sobretamaño</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Ángulo del primer haz [grados]</translation></message>
@@ -1299,16 +1393,16 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Millimetres per number in the file</source><translation>Milímetros por número del archivo</translation></message>
 <message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Celdas de una nube que se proyecta [grados]; si no, según el espaciado de sus puntos</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>En torno a qué gira el motor paso a paso: spin (dirección de visión) o sweep (línea 0/180 grados)</translation></message>
-<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>Desde dónde se tomó una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
-<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
+<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar del escáner para una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
+<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, el láser con más líneas</translation></message>
-<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
-<message><source>Level RL [m]</source><translation>Cota RL [m]</translation></message>
+<message><source>Elevation RL [m]</source><translation>Cota RL [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Rumbo, desde el norte en sentido horario [grados]</translation></message>
 <message><source>North of the heading</source><translation>Norte del rumbo</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinación: cabeceo, morro arriba [grados]</translation></message>
@@ -1341,7 +1435,7 @@ Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
 <message><source>Largest change of tilt during a sweep [degrees]</source><translation>Mayor cambio de inclinación durante un barrido [grados]</translation></message>
 <message><source>Largest age of a pose [s]</source><translation>Mayor antigüedad de una pose [s]</translation></message>
-<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ y CSV con todas las columnas, y la cuadrícula y el registro en líneas de comentario: con lo que pueden tropezar los SIG y las planillas de cálculo</translation></message>
+<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ y CSV con todas las columnas, y la cuadrícula y el registro en líneas de comentario: los SIG y las planillas de cálculo pueden rechazarlos</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordenadas mina con números de 8 bytes, que PCL y Open3D no leen; si no, en metros desde un origen en un comentario</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de versión 2000 en vez de versión 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: también las líneas de borde de solo dos puntos</translation></message>

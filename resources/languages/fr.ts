@@ -31,7 +31,7 @@
 <message><source>no pose</source><translation>pas de pose</translation></message>
 <message><source>pose of unknown age</source><translation>pose d'âge inconnu</translation></message>
 <message><source>pose %1 old</source><translation>pose vieille de %1</translation></message>
-<message><source>sweep whole</source><translation>balayage entier</translation></message>
+<message><source>sweep complete</source><translation>balayage complet</translation></message>
 <message><source>sweep ended</source><translation>balayage terminé</translation></message>
 <message><source>%1 left</source><translation>encore %1</translation></message>
 <message><source>%1, %2 ago</source><translation>%1, il y a %2</translation></message>
@@ -44,7 +44,7 @@
 <message><source>Telegrams were lost: lines </source><translation>Des télégrammes ont été perdus : lignes </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Un télégramme a été perdu : ligne </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : </translation></message>
-<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
+<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>Le scanner a signalé une erreur ou n'était pas prêt</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>Le scanner a signalé une fenêtre trop sale pour mesurer</translation></message>
@@ -128,6 +128,64 @@
 <message><source>check what else uses it</source><translation>vérifiez ce qui l'utilise aussi</translation></message>
 <message><source>a recording is being written already</source><translation>un enregistrement est déjà en cours</translation></message>
 <message><source>stop it first</source><translation>arrêtez-le d'abord</translation></message>
+<message><source>the file ends within its E57 header</source><translation>le fichier finit dans son en-tête E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>c'est la version %1 d'E57, et la version 1 est connue</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>exportez-le en E57 version 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>l'en-tête E57 donne des pages de %1 octets</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>l'en-tête E57 annonce %1 octets et le fichier en contient </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>les colonnes de points de ce fichier E57 sont trop imbriquées</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>les limites de la colonne %1 de ce fichier E57 sont impossibles</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>le scan %1 de ce fichier E57 n'indique ni où sont ses points ni combien il y en a</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>selon l'en-tête E57, la partie XML est à l'octet %1 et a </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>la partie XML de ce fichier E57 est illisible : </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>la partie XML de ce fichier E57 n'a pas d'e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>la page %1 sur %2 de ce fichier E57 est endommagée : sa somme de contrôle est fausse</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>ce fichier E57 finit avant ce qu'il annonce</translation></message>
+<message><source>this E57 file holds no scan</source><translation>ce fichier E57 ne contient aucun scan</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>le fichier contient %1 scans, et le numéro %2 était demandé</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>le scan %1 de ce fichier E57 ne contient aucun point</translation></message>
+<message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
+<message><source>choose another file</source><translation>choisissez un autre fichier</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>les points commenceraient à l'octet %1, qui n'est pas dans le fichier</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>aucune liste de points ne commence là où le fichier E57 l'indique</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>l'en-tête des points ne correspond pas au fichier</translation></message>
+<message><source>a packet of points </source><translation>un paquet de points </translation></message>
+<message><source>the file promises %1 points and </source><translation>le fichier annonce %1 points et </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>cette archive ZIP n'a pas de répertoire à sa fin</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>le répertoire de cette archive ZIP est endommagé</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>cette archive ZIP ne commence pas là où son répertoire l'indique : d'autres octets la précèdent ou s'y trouvent</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>cette partie de l'archive est chiffrée</translation></message>
+<message><source>save it without a password</source><translation>enregistrez-la sans mot de passe</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>cette partie de l'archive est compressée par la méthode %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>compressez-la avec DEFLATE, comme d'habitude</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>cette partie de l'archive n'est pas là où son répertoire l'indique</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>décompressé, cela fait %1, bien plus qu'un scan de cette taille</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>décompressez-la à la main et regardez-la</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>cette partie de l'archive est endommagée : sa longueur ou sa somme de contrôle est fausse</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>c'est un bag ROS d'une autre version que 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>convertissez-le avec « rosbag migrate »</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>cette base SQLite est tronquée ou endommagée : ses tables sont illisibles</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>cette base SQLite n'est pas un bag ROS : elle n'a pas de table de topics</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>cette base SQLite ne peut pas être ouverte</translation></message>
+<message><source>copy it again</source><translation>copiez-la à nouveau</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>ce n'est pas un enregistrement MCAP d'une version connue</translation></message>
+<message><source>choose a recording</source><translation>choisissez un enregistrement</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>ce dossier contient %1 fichiers d'un bag</translation></message>
+<message><source>open one of them, as </source><translation>ouvrez-en un, par exemple </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>aucun topic de ce %1 n'est d'un laser</translation></message>
+<message><source>choose another bag</source><translation>choisissez un autre bag</translation></message>
+<message><source>the bag has no topic </source><translation>le bag n'a pas de topic </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>le topic %1 ne contient aucun scan</translation></message>
+<message><source>choose one of them with </source><translation>choisissez-en un avec </translation></message>
+<message><source>choose one of </source><translation>choisissez parmi </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>le laser n'a pas tourné pendant la mesure</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>choisissez un autre topic, ou donnez l'articulation qui le tourne</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>aucune ligne du topic %1 n'a pu être placée</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>aucun message du topic %1 n'est une ligne de distances</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>aucune transformation ne tourne le repère %1 du laser pendant la mesure</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>aucune articulation n'a tourné pendant la mesure du laser</translation></message>
+<message><source>there is no joint called </source><translation>il n'y a pas d'articulation nommée </translation></message>
+<message><source>choose another topic</source><translation>choisissez un autre topic</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>les points derrière d'autres dans le dialogue d'exportation</translation></message>
@@ -191,7 +249,7 @@
 <message><source>the demo</source><translation>la démo</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Annulé ; ce qui était à l'écran reste.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparer avec un scan antérieur</translation></message>
-<message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A n'a pas été repris : le contenu de %1 a changé depuis.</translation></message>
+<message><source>A was not restored: %1 has changed since.</source><translation>A n'a pas été repris : le contenu de %1 a changé depuis.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparer avec un scan</translation></message>
 <message><source>Comparing with A</source><translation>Comparaison avec A</translation></message>
 <message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
@@ -205,27 +263,57 @@ visible %6 m², à %7 m</translation></message>
 <message><source>nearer</source><translation>plus proche</translation></message>
 <message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
 <message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
-<message><source>could not be worked out:
+<message><source>could not be computed:
 %1</source><translation>n'a pas pu être calculée :
 %1</translation></message>
 <message><source>by confidence</source><translation>par confiance</translation></message>
 <message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
-<message><source>Why could not be worked out (%1).</source><translation>Le pourquoi n'a pas pu être établi (%1).</translation></message>
+<message><source>The reason could not be found (%1).</source><translation>La raison n'a pas pu être établie (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
-<message><source>Working out why …</source><translation>Recherche de la raison …</translation></message>
+<message><source>Finding the reason …</source><translation>Recherche de la raison …</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
 <message><source>Clicked</source><translation>Cliqué</translation></message>
-<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Pointez d'abord une cellule ou cliquez dessus ; Pourquoi dit ensuite ce qui en décide.</translation></message>
+<message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Pointez d'abord une cellule ou cliquez dessus. Pourquoi montre ensuite ce qui décide si elle est une arête.</translation></message>
+<message><source>the demo after the blast</source><translation>la démo après le tir</translation></message>
+<message><source>%1, scan %2</source><translation>%1, scan %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>le premier : les autres sont placés par rapport à lui</translation></message>
+<message><source>registered, residual %1 mm</source><translation>recalé, résidu %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>placé par cibles, écart %1 mm</translation></message>
+<message><source>placed by pose</source><translation>placé par la pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>La couche n'a pas pu être lue (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>Où est la couche maintenant ?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Ce point est de la couche %1 : activez-la pour y mesurer.</translation></message>
+<message><source>Make Active</source><translation>Activer</translation></message>
+<message><source>Add scans as layers</source><translation>Ajouter des scans comme couches</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>Les couches sont des scans de fichiers : ouvrez le premier, ou enregistrez le balayage et ouvrez l'enregistrement.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Un nuage a au plus %1 couches : retirez-en d'abord.</translation></message>
+<message><source>Add a Layer</source><translation>Ajouter une couche</translation></message>
+<message><source>Remove the Layer</source><translation>Retirer la couche</translation></message>
+<message><source>Show the Layer</source><translation>Afficher la couche</translation></message>
+<message><source>Hide the Layer</source><translation>Masquer la couche</translation></message>
+<message><source>Locate the Layer</source><translation>Localiser la couche</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>Il faut trois endroits visibles dans les deux scans : marquez-les ici comme cibles 1, 2 et 3, activez %1, marquez-y les mêmes endroits dans le même ordre, puis revenez.</translation></message>
+<message><source>Reading the layer %1</source><translation>Lecture de la couche %1</translation></message>
+<message><source>Cancelled</source><translation>Annulé</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>Le même scan est déjà une couche : retirez l'une des deux.</translation></message>
+<message><source>Layer %1: %2</source><translation>Couche %1 : %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 points · %2 de mémoire</translation></message>
+<message><source>active</source><translation>active</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ active, non placée</translation></message>
+<message><source>▲ not placed</source><translation>▲ non placée</translation></message>
+<message><source>▲ not read</source><translation>▲ non lue</translation></message>
+<message><source>being read</source><translation>en cours de lecture</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ non placée par rapport à l'active</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
-<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>Les %1 premières lignes de ce balayage sont arrivées il y a trop longtemps pour être mises à leur nouvelle place.</translation></message>
-<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
+<message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
+<message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Figé : %1. Appuyez sur Suivre pour continuer avec le scanner.</translation></message>
-<message><source>%1 is whole: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
+<message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
 <message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
@@ -234,12 +322,12 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Report</source><translation>Rapport</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Page pour tout navigateur (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
+<message><source>%1 was not written: the rocks are still being computed; try again.</source><translation>%1 n'a pas été écrit : les blocs sont encore en cours de calcul ; réessayez.</translation></message>
 <message><source>Making the report %1</source><translation>Création du rapport %1</translation></message>
 <message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
-<message><source>The section could not be worked out (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
+<message><source>The section could not be computed (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>&amp;Coupe</translation></message>
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités de la dernière mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
@@ -261,29 +349,29 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Save preset</source><translation>Enregistrer le préréglage</translation></message>
 <message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 n'est pas un préréglage et reste tel quel : choisissez un autre nom.</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Échec (%1) ; fermez d'autres programmes ou prenez un scan plus petit.</translation></message>
-<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, un étalonnage ne pourrait pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
-<message><source>Scans of the same assembly</source><translation>Scans du même montage</translation></message>
+<message><source>The picture does not come from a file, so a calibration cannot name it: open a scan or a recording.</source><translation>L'image ne vient pas d'un fichier, un étalonnage ne peut donc pas le nommer : ouvrez un scan ou un enregistrement.</translation></message>
+<message><source>Scans with the same mounting</source><translation>Scans avec le même montage</translation></message>
 <message><source>The robot's calibration</source><translation>L'étalonnage du robot</translation></message>
 <message><source>Calibration (*.json)</source><translation>Étalonnage (*.json)</translation></message>
-<message><source>given up</source><translation>abandonné</translation></message>
+<message><source>stopped</source><translation>arrêté</translation></message>
 <message><source>Save the calibration</source><translation>Enregistrer l'étalonnage</translation></message>
 <message><source>a calibration</source><translation>un étalonnage</translation></message>
 <message><source>The calibration could not be saved (%1).</source><translation>L'étalonnage n'a pas pu être enregistré (%1).</translation></message>
 <message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Ce scan a été ouvert sans pose, il n'a donc pas de position que l'étalonnage pourrait corriger : donnez les deux dans Scan &gt; Comment le scan est lu.</translation></message>
 <message><source>Apply Calibration</source><translation>Appliquer l'étalonnage</translation></message>
-<message><source>lever arm t1, in the fan</source><translation>bras de levier t1, dans l'éventail</translation></message>
-<message><source>lever arm t2, across it</source><translation>bras de levier t2, en travers</translation></message>
-<message><source>tilt of the fan</source><translation>inclinaison de l'éventail</translation></message>
+<message><source>lever arm t1, in the scan plane</source><translation>bras de levier t1, dans le plan de balayage</translation></message>
+<message><source>lever arm t2, across the plane</source><translation>bras de levier t2, en travers du plan</translation></message>
+<message><source>tilt of the scan plane</source><translation>inclinaison du plan de balayage</translation></message>
 <message><source>beam index</source><translation>index des faisceaux</translation></message>
 <message><source>turn at 180°</source><translation>rotation à 180°</translation></message>
-<message><source>stays</source><translation>inchangé</translation></message>
+<message><source>unchanged</source><translation>inchangé</translation></message>
 <message><source>not measured</source><translation>non déterminé</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>trouvé à partir de %1 cellules, %2° vus deux fois</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Les deux vues étaient à %1 mm l'une de l'autre et sont à %2 mm avec ces erreurs (médiane ; le bruit explique %3 mm). Un scan ne dit jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
+<message><source>Mismatch of the two views: %1 mm before, %2 mm with these errors (median; noise alone explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Écart des deux vues : %1 mm avant, %2 mm avec ces erreurs (médiane ; le bruit seul explique %3 mm). Un scan ne montre jamais un décalage le long de l'axe, un écart de toutes les distances ni le zéro du moteur.</translation></message>
 <message><source>Edges of both views</source><translation>Arêtes des deux vues</translation></message>
 <message><source>orange – late view, blue | early view, white + both</source><translation>orange – vue tardive, bleu | première vue, blanc + les deux</translation></message>
 <message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Avant : %1 % de %2 arêtes tardives sont à côté d'une première (%3)</translation></message>
-<message><source>After: %1 % do</source><translation>Après : %1 %</translation></message>
+<message><source>After: %1 % of them</source><translation>Après : %1 % d'entre elles</translation></message>
 <message><source>Distance of the views</source><translation>Écart des vues</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Avant : %1 mm d'écart (médiane ; bleu plus près, rouge plus loin que la vue tardive, pleine couleur à 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Après : %1 mm d'écart</translation></message>
@@ -313,10 +401,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Scanner à E %1, N %2, RL %3. Ses points : </translation></message>
 <message><source>Store Pose</source><translation>Enregistrer la pose</translation></message>
 <message><source>Remove Pose</source><translation>Enlever la pose</translation></message>
-<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>Ce qui est à l'écran ne vient d'aucun fichier, sa pose ne pourrait pas être enregistrée : ouvrez un scan ou un enregistrement.</translation></message>
+<message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>L'image ne vient pas d'un fichier, sa pose ne peut donc pas être enregistrée : ouvrez un scan ou un enregistrement.</translation></message>
 <message><source>Store the mounting</source><translation>Enregistrer le montage</translation></message>
 <message><source>Name of the scanner</source><translation>Nom du scanner</translation></message>
-<message><source>No pose is stored with the scan any more.</source><translation>Aucune pose n'est plus enregistrée avec le scan.</translation></message>
+<message><source>The pose that was stored with the scan is removed.</source><translation>La pose enregistrée avec le scan est supprimée.</translation></message>
 <message><source>Stored %1; it replaced the pose that was there.</source><translation>%1 enregistré ; il a remplacé la pose qui y était.</translation></message>
 <message><source>Stored %1.</source><translation>%1 enregistré.</translation></message>
 <message><source>The pose could not be stored (%1).</source><translation>La pose n'a pas pu être enregistrée (%1).</translation></message>
@@ -336,19 +424,19 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>no time</source><translation>sans heure</translation></message>
 <message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
 <message><source>OLD PICTURE</source><translation>ANCIENNE IMAGE</translation></message>
-<message><source>Another scan is on its way: this is the picture before it.</source><translation>Un autre scan arrive : ceci est l'image d'avant.</translation></message>
+<message><source>Another scan is being opened. This is the picture before it.</source><translation>Un autre scan s'ouvre. Ceci est l'image d'avant.</translation></message>
 <message><source>region of interest</source><translation>région d'intérêt</translation></message>
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
-<message><source>call of a rock</source><translation>classement comme bloc</translation></message>
-<message><source>call of no rock</source><translation>classement comme non-bloc</translation></message>
+<message><source>mark as a rock</source><translation>marque de bloc</translation></message>
+<message><source>mark as not a rock</source><translation>marque de non-bloc</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
 <message><source>Export %1 rocks</source><translation>Exporter %1 blocs</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Les modifications des blocs ne sont pas conservées jusque-là.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>Les modifications des blocs ne sont pas conservées : %1</translation></message>
+<message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
+<message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
 <message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
 <message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
@@ -360,9 +448,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
+<message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
-<message><source>being worked out …</source><translation>calcul en cours …</translation></message>
+<message><source>being computed …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
@@ -376,36 +464,36 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
+<message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Il n'y a encore rien à enregistrer : ouvrez d'abord un scan. Un balayage en direct se garde en l'enregistrant.</translation></message>
 <message><source>Save session</source><translation>Enregistrer la session</translation></message>
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 n'est pas une session et reste tel quel : choisissez un autre nom.</translation></message>
 <message><source>Open session</source><translation>Ouvrir une session</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Captures d'écran (*.png)</translation></message>
-<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1 : le scan de cette session n'y est pas : il a été déplacé, ou son disque n'est pas là. Réglages et vue sont repris ; le reste viendra avec le scan.</translation></message>
+<message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1 : le scan de cette session est introuvable. Il a été déplacé, ou son disque manque. Réglages et vue sont repris. Le reste demande le scan.</translation></message>
 <message><source>Locate…</source><translation>Localiser…</translation></message>
 <message><source>Where is the scan now?</source><translation>Où est le scan maintenant ?</translation></message>
-<message><source>The session %1 stays as it was: this is another scan.</source><translation>La session %1 reste telle quelle : ceci est un autre scan.</translation></message>
-<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 n'est pas le scan de cette session : son contenu est autre. Réglages et vue sont repris ; cibles, sélection, marques, rochers, A et caméra ne le sont pas.</translation></message>
+<message><source>The session %1 is not changed: this is another scan.</source><translation>La session %1 n'est pas modifiée : ceci est un autre scan.</translation></message>
+<message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 n'est pas le scan de cette session : son contenu diffère. Réglages et vue sont repris ; cibles, sélection, marques, blocs, A et caméra ne le sont pas.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran est gardé.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is stored.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran est gardé.</translation></message>
 <message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>
 <message><source>This is &amp;not an edge</source><translation>Ceci &amp;n'est pas une arête</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Pointez une cellule ou cliquez-la d'abord ; dites ensuite s'il y a une arête.</translation></message>
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marque d’arête</translation></message>
-<message><source>Mark of No Edge</source><translation>Marque de non-arête</translation></message>
+<message><source>Mark as an Edge</source><translation>Marque d’arête</translation></message>
+<message><source>Mark as Not an Edge</source><translation>Marque de non-arête</translation></message>
 <message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
 <message><source>✓ edge</source><translation>✓ arête</translation></message>
-<message><source>✕ no edge</source><translation>✕ pas d'arête</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Rien n'est encore marqué : clic droit sur une cellule et dites qu'elle est une arête, ou qu'elle n'en est pas.</translation></message>
+<message><source>✕ not an edge</source><translation>✕ pas d'arête</translation></message>
+<message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Rien n'est encore marqué : clic droit sur une cellule, puis marquez-la comme arête ou comme non-arête.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>Le balayage grandit encore : attendez sa fin, ou figez-le.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Recherche de réglages pour ces marques : méthode %1 sur %2 …</translation></message>
+<message><source>Finding settings for these marks: method %1 of %2 …</source><translation>Recherche de réglages pour ces marques : méthode %1 sur %2 …</translation></message>
 <message><source>Settings for These Marks</source><translation>Réglages pour ces marques</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 méthodes sur %2 s'accordent avec toutes les marques.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Aucun réglage ne sépare ces marques. Ceux qui en respectent le plus viennent d'abord.</translation></message>
-<message><source>click the one end</source><translation>cliquez sur une extrémité</translation></message>
+<message><source>click one end</source><translation>cliquez sur une extrémité</translation></message>
 <message><source>click the other end</source><translation>cliquez sur l'autre extrémité</translation></message>
 <message><source>click the lower cell</source><translation>cliquez sur la cellule du bas</translation></message>
 <message><source>click the higher cell</source><translation>cliquez sur la cellule du haut</translation></message>
@@ -421,8 +509,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords : cliquez des cellules sur les deux bords d'une ouverture.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
-<message><source>There is no cell: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ Le balayage continue : seules les cellules qui s’y trouvent maintenant sont masquées ; les lignes à venir sont montrées, quelle que soit leur distance.</translation></message>
+<message><source>There is no cell here: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
+<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ Le balayage continue. Les cellules qui s'y trouvent maintenant sont masquées. Les nouvelles lignes sont montrées à toute distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Aucune distance n'est connue là : cliquez ou pointez d'abord une cellule qui en a une.</translation></message>
 <message><source>Clip to Box</source><translation>Couper à une boîte</translation></message>
@@ -435,7 +523,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Hide</source><translation>Masquer</translation></message>
 <message><source>Isolate</source><translation>Isoler</translation></message>
 <message><source>Show All</source><translation>Tout afficher</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 cellules sélectionnées, %2 points, %3 arêtes</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edge cells</source><translation>%1 cellules sélectionnées, %2 points, %3 cellules d'arête</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 cellules masquées</translation></message>
 <message><source>&amp;Isolate</source><translation>&amp;Isoler</translation></message>
 <message><source>&amp;Select</source><translation>Sé&amp;lectionner</translation></message>
@@ -445,21 +533,21 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
 <message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
 <message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>Les cibles n'ont pas pu être conservées (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
+<message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
+<message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Non conservé : cette image ne vient d'aucun fichier, ou rien n'est mémorisé.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Non conservé : les cibles de ce scan ont été refusées.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, détachez-en d'abord quelques-unes.</translation></message>
+<message><source>Not stored: this picture does not come from a file, or EdgeScan runs with --no-settings.</source><translation>Non enregistré : cette image ne vient pas d'un fichier, ou EdgeScan a été lancé avec --no-settings.</translation></message>
+<message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Pin %1</source><translation>Épingler %1</translation></message>
 <message><source>Move %1</source><translation>Déplacer %1</translation></message>
-<message><source>Let Go of %1</source><translation>Détacher %1</translation></message>
-<message><source>Let Go of All</source><translation>Tout détacher</translation></message>
+<message><source>Remove %1</source><translation>Supprimer %1</translation></message>
+<message><source>Remove All</source><translation>Tout supprimer</translation></message>
 <message><source>Name %1</source><translation>Nommer %1</translation></message>
 <message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
 <message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été conservé : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
+<message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été enregistré : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
@@ -471,7 +559,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est masqué.</translation></message>
-<message><source>&amp;Let go of this cell</source><translation>&amp;Détacher cette cellule</translation></message>
+<message><source>Remove the target of this ce&amp;ll</source><translation>Supprimer &amp;la cible de cette cellule</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vue depuis le &amp;scanner</translation></message>
@@ -524,14 +612,14 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
 <message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation>rien encore à comparer :
-tournez un réglage, ou ouvrez un autre scan</translation></message>
+change a setting, or open another scan</source><translation>rien encore à comparer :
+changez un réglage, ou ouvrez un autre scan</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
-<message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation>la moitié des cellules diffère de moins de %1 mm
+<message><source>median difference %1 mm
+a change is more than %2 mm at 5 m</source><translation>différence médiane %1 mm
 un changement dépasse %2 mm à 5 m</translation></message>
-<message><source>half of the points are nearer than %1
-%2 are farther than %3</source><translation>la moitié des points est à moins de %1
+<message><source>median distance %1
+%2 are farther than %3</source><translation>distance médiane %1
 %2 sont à plus de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
 <message><source>A: %1
@@ -541,35 +629,35 @@ tenez \ pour la voir</translation></message>
 <message><source>below %1 %</source><translation>moins de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % et plus</translation></message>
 <message><source>Confidence of edges</source><translation>Confiance des arêtes</translation></message>
-<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>Les arêtes que moins de réglages voisins trouvent sont omises des vues ; les exports les contiennent toutes.</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views. Exports have all of them.</source><translation>Les arêtes que moins de réglages voisins trouvent sont omises des vues ; les exports les contiennent toutes.</translation></message>
 <message><source>Least confidence shown</source><translation>Confiance minimale affichée</translation></message>
 <message><source>Shown: %1 % and more</source><translation>Affiché : %1 % et plus</translation></message>
 <message><source>Shown: all</source><translation>Affiché : tout</translation></message>
-<message><source>working it out: %1 %</source><translation>calcul en cours : %1 %</translation></message>
-<message><source>found too by how many of %1 nearby settings</source><translation>trouvées aussi par combien de %1 réglages voisins</translation></message>
+<message><source>computing: %1 %</source><translation>calcul en cours : %1 %</translation></message>
+<message><source>share of %1 nearby settings that find the edge</source><translation>part des %1 réglages proches qui trouvent l'arête</translation></message>
 <message><source>&amp;Calibrate</source><translation>&amp;Étalonner</translation></message>
-<message><source>Calibrate the Assembly</source><translation>Étalonner le montage</translation></message>
+<message><source>Calibrate the Mounting</source><translation>Étalonner le montage</translation></message>
 <message><source>&amp;Save As…</source><translation>Enregi&amp;strer sous…</translation></message>
 <message><source>&amp;Apply to This Scan</source><translation>&amp;Appliquer à ce scan</translation></message>
-<message><source>How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 show more. Nothing is applied by itself.</source><translation>Comment le scanner est posé sur son moteur, d'après les surfaces qu'une rotation voit deux fois. Tournez de 200 degrés au lieu de 180 une fois par montage ; 360 en disent plus. Rien n'est appliqué de soi-même.</translation></message>
-<message><source>Scans of one assembly:</source><translation>Scans d'un même montage :</translation></message>
+<message><source>EdgeScan finds how the scanner is mounted on its stepper, from surfaces that one turn measures twice. Turn 200 degrees instead of 180 once per mounting; 360 degrees show more. Nothing is applied automatically.</source><translation>Comment le scanner est posé sur son moteur, d'après les surfaces qu'une rotation voit deux fois. Tournez de 200 degrés au lieu de 180 une fois par montage ; 360 en disent plus. Rien n'est appliqué de soi-même.</translation></message>
+<message><source>Scans with one mounting:</source><translation>Scans d'un même montage :</translation></message>
 <message><source>A&amp;dd Scans…</source><translation>A&amp;jouter des scans…</translation></message>
 <message><source>&amp;Remove</source><translation>&amp;Retirer</translation></message>
 <message><source>Robot's &amp;File…</source><translation>&amp;Fichier du robot…</translation></message>
-<message><source>The robot's present calibration: its stepper is replaced, all else stays</source><translation>L'étalonnage actuel du robot : son moteur est réglé à nouveau, le reste demeure</translation></message>
-<message><source>error of the assembly</source><translation>erreur du montage</translation></message>
+<message><source>The robot's present calibration: only its stepper is replaced</source><translation>L'étalonnage actuel du robot : son moteur est réglé à nouveau, le reste demeure</translation></message>
+<message><source>error of the mounting</source><translation>erreur du montage</translation></message>
 <message><source>value</source><translation>valeur</translation></message>
 <message><source>± 2 sd</source><translation>± 2 écarts-types</translation></message>
-<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Fichier du robot : aucun ; le nouveau fichier ne contient que le moteur.</translation></message>
-<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Fichier du robot : %1 ; tout reste sauf son moteur.</translation></message>
-<message><source>&amp;Give Up</source><translation>&amp;Abandonner</translation></message>
+<message><source>Robot's file: none. The new file has the stepper only.</source><translation>Fichier du robot : aucun ; le nouveau fichier ne contient que le moteur.</translation></message>
+<message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Fichier du robot : %1 ; tout reste sauf son moteur.</translation></message>
+<message><source>S&amp;top</source><translation>&amp;Interrompre</translation></message>
 <message><source>working …</source><translation>en cours …</translation></message>
-<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
-<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
+<message><source>Save the file first: a record names the file from which a place was computed</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
+<message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
 <message><source>Commands</source><translation>Commandes</translation></message>
 <message><source>A few letters of a command</source><translation>Quelques lettres d'une commande</translation></message>
 <message><source>Values of %1</source><translation>Valeurs de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>La même image à d'autres valeurs de %1. Un clic prend cette valeur ; Ctrl+Z la reprend.</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value. Ctrl+Z undoes it.</source><translation>La même image à d'autres valeurs de %1. Un clic prend cette valeur ; Ctrl+Z la reprend.</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calcul %1 sur %2 …</translation></message>
 <message><source>● now</source><translation>● actuel</translation></message>
 <message><source>▭ steady</source><translation>▭ constant</translation></message>
@@ -588,17 +676,17 @@ tenez \ pour la voir</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
 <message><source>doubtful</source><translation>douteux</translation></message>
-<message><source>found out</source><translation>déduit</translation></message>
-<message><source>as you said</source><translation>comme indiqué</translation></message>
-<message><source>as the file says</source><translation>d'après le fichier</translation></message>
+<message><source>detected</source><translation>déduit</translation></message>
+<message><source>given by you</source><translation>comme indiqué</translation></message>
+<message><source>from the file</source><translation>d'après le fichier</translation></message>
 <message><source>Does This Look Right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
 <message><source>&amp;Close</source><translation>&amp;Fermer</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adopter</translation></message>
-<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Un clic sur une autre lecture montre le scan ainsi ; Adopter la garde comme étape annulable, Fermer ramène ce qui était là.</translation></message>
+<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Cliquez une autre lecture pour voir le scan lu ainsi. Adopter la prend, et Ctrl+Z l'annule. Fermer rétablit la lecture d'avant.</translation></message>
 <message><source>or</source><translation>ou</translation></message>
-<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1 : rien dans sa lecture ne pourrait être autrement.</translation></message>
-<message><source>%1: something speaks against how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
-<message><source>%1: nothing speaks against how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
+<message><source>%1: there is no other way to read it.</source><translation>%1 : il n'y a pas d'autre façon de le lire.</translation></message>
+<message><source>%1: something contradicts how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
+<message><source>%1: nothing contradicts how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose et montage</translation></message>
 <message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montage</translation></message>
@@ -612,12 +700,12 @@ tenez \ pour la voir</translation></message>
 <message><source>From Fi&amp;le…</source><translation>D'un &amp;fichier…</translation></message>
 <message><source>Nominal mounting</source><translation>Montage nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Un clic sur une ligne la montre ; Adopter la garde, Fermer remet ce qui était réglé avant.</translation></message>
+<message><source>Click a row to see it. Adopt takes it. Close restores the former settings.</source><translation>Cliquez une ligne pour la voir. Adopter la prend. Fermer rétablit les réglages d'avant.</translation></message>
 <message><source>Range gate</source><translation>Fenêtre de distance</translation></message>
 <message><source>Draw cells from</source><translation>Dessiner les cellules de</translation></message>
 <message><source>to</source><translation>à</translation></message>
 <message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Toutes les autres sont masquées dans toutes les vues. Arêtes, nombres et exports restent tels quels.</translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Un champ vide : comme le dit le fichier, ou comme on le trouve. Le fichier lui-même reste tel quel.</translation></message>
+<message><source>An empty field: from the file, or detected. The file itself is not changed.</source><translation>Un champ vide : d'après le fichier, ou détecté. Le fichier lui-même n'est pas modifié.</translation></message>
 <message><source>Read Again</source><translation>Relire</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
 <message><source>Choose…</source><translation>Choisir…</translation></message>
@@ -661,7 +749,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
 <message><source>Scan</source><translation>Scan</translation></message>
 <message><source>About EdgeScan</source><translation>À propos d'EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is not a judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;It shows geometry from one viewpoint. It does not judge any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause&lt;br&gt;Drawn by %2</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Trouve les arêtes des blocs dans un scan laser de distances et les montre dans le nuage de points.&lt;br&gt;Ce qu'il montre est la géométrie vue d'un seul point ; ce n'est un jugement sur aucun bloc.&lt;br&gt;&lt;br&gt;Licence : BSD-3-Clause&lt;br&gt;Dessiné par %2</translation></message>
 <message><source>&amp;No Key</source><translation>A&amp;ucune touche</translation></message>
 <message><source>&amp;Reset</source><translation>&amp;Rétablir</translation></message>
 <message><source>Change Keys</source><translation>Changer les touches</translation></message>
@@ -671,8 +759,8 @@ tenez \ pour la voir</translation></message>
 <message><source>Reset &amp;All</source><translation>&amp;Tout rétablir</translation></message>
 <message><source>Press the new key:</source><translation>Pressez la nouvelle touche :</translation></message>
 <message><source>%1 has no key now.</source><translation>%1 n'a plus de touche.</translation></message>
-<message><source>%1 has the key that it came with.</source><translation>%1 a de nouveau sa touche d'origine.</translation></message>
-<message><source>Every command has the key that it came with.</source><translation>Chaque commande a de nouveau sa touche d'origine.</translation></message>
+<message><source>%1 has its original key again.</source><translation>%1 a de nouveau sa touche d'origine.</translation></message>
+<message><source>Every command has its original key again.</source><translation>Chaque commande a de nouveau sa touche d'origine.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • changée</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
@@ -682,19 +770,24 @@ tenez \ pour la voir</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
-<message><source>cancel and let go</source><translation>annuler et relâcher</translation></message>
+<message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
+<message><source>cancel, or remove the target</source><translation>annuler, ou supprimer la cible</translation></message>
 <message><source>to the next field</source><translation>vers le champ suivant</translation></message>
 <message><source>to the field before</source><translation>vers le champ précédent</translation></message>
 <message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
 <message><source>the cell cursor</source><translation>le curseur de cellule</translation></message>
 <message><source>show A while it is held</source><translation>montrer A tant qu'elle est enfoncée</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Ajouter un scan comme couche…</translation></message>
+<message><source>Remove</source><translation>Supprimer</translation></message>
+<message><source>Place by Targets</source><translation>Placer par cibles</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Affiche l'image et les arêtes de ce scan ; les autres restent dans le nuage</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marquez les trois mêmes endroits dans les deux scans comme cibles de mêmes numéros : elles mettent la couche à sa place</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
-<message><source>Lines whose telegrams never came; hatched in the images</source><translation>Lignes dont les télégrammes ne sont jamais arrivés ; hachurées dans les images</translation></message>
+<message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Lignes dont les télégrammes ne sont pas arrivés : des tirets dans les images</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
-<message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
+<message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
 <message><source>Record</source><translation>Enregistrer</translation></message>
-<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Écrire chaque télégramme dans un nouveau fichier, tel quel, dès son arrivée</translation></message>
+<message><source>Write every telegram to a new file, unchanged, as it arrives</source><translation>Écrire chaque télégramme dans un nouveau fichier, tel quel, dès son arrivée</translation></message>
 <message><source>Keep last minute</source><translation>Conserver la dernière minute</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Écrire dans un nouveau fichier ce qui est arrivé pendant la dernière minute</translation></message>
 <message><source>Hold</source><translation>Figer</translation></message>
@@ -707,7 +800,7 @@ tenez \ pour la voir</translation></message>
 <message><source>The picture is held: from now on it grows with the scanner again</source><translation>L'image est figée : désormais elle croît de nouveau avec le scanner</translation></message>
 <message><source>The picture stays as it is while the scanner goes on</source><translation>L'image reste telle quelle pendant que le scanner continue</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
-<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
+<message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
 <message><source>not known</source><translation>inconnu</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>inconnu (0.18° supposé)</translation></message>
@@ -733,21 +826,21 @@ tenez \ pour la voir</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>rien n'a été mesuré ici, ou aucun morceau ne convient</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
 <message><source>outside the region of interest</source><translation>hors de la région d'intérêt</translation></message>
-<message><source>called none by hand</source><translation>classé non-bloc à la main</translation></message>
+<message><source>marked by hand as not a rock</source><translation>marqué à la main comme non-bloc</translation></message>
 <message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
 <message><source>Split</source><translation>Scinder</translation></message>
 <message><source>Merge</source><translation>Fusionner</translation></message>
-<message><source>No Rock</source><translation>Pas un bloc</translation></message>
-<message><source>Let go of this rock</source><translation>Désélectionner ce bloc</translation></message>
+<message><source>Not a Rock</source><translation>Pas un bloc</translation></message>
+<message><source>Deselect this rock</source><translation>Désélectionner ce bloc</translation></message>
 <message><source>. Hidden parts are not counted.</source><translation>. Les parties cachées ne sont pas comptées.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Cliquez ensuite sur la partie du bloc qui est un bloc à part ; la molette prend une partie plus petite ou plus grande (S)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation>▲ contour douteux : hachuré</translation></message>
-<message><source>called a rock by hand</source><translation>classé bloc à la main</translation></message>
+<message><source>▲ uncertain outline: hatched</source><translation>▲ contour incertain : hachuré</translation></message>
+<message><source>marked by hand as a rock</source><translation>marqué à la main comme bloc</translation></message>
 <message><source>A Rock</source><translation>Un bloc</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
-<message><source>This is a rock after all (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
+<message><source>This is a rock (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
 <message><source>Rock %1</source><translation>Bloc %1</translation></message>
 <message><source>visible spans</source><translation>étendues visibles</translation></message>
 <message><source>distance</source><translation>distance</translation></message>
@@ -760,14 +853,14 @@ tenez \ pour la voir</translation></message>
 <message><source>free height below</source><translation>hauteur libre en dessous</translation></message>
 <message><source>arch angle</source><translation>angle de voûte</translation></message>
 <message><source>confidence p</source><translation>confiance p</translation></message>
-<message><source>No rock</source><translation>Pas un bloc</translation></message>
+<message><source>Not a rock</source><translation>Pas un bloc</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
 <message><source>cells</source><translation>cellules</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · à %5 m</translation></message>
-<message><source> · ▲ doubtful outline</source><translation> · ▲ contour douteux</translation></message>
-<message><source>no doubtful ones</source><translation>sans les douteux</translation></message>
+<message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
+<message><source>hide uncertain</source><translation>masquer incertains</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
+<message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
 <message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs de p inférieur à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
 <message><source>b at least</source><translation>b au moins</translation></message>
 <message><source>%1 rocks</source><translation>%1 blocs</translation></message>
@@ -781,39 +874,40 @@ tenez \ pour la voir</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
 <message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre : P20 %1, P50 %2, P80 %3, le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % des blocs ne sont visiblement pas plus larges que %2 m</translation></message>
+<message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % des blocs ont une largeur visible de %2 m au plus</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
-<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L ; rien n'est envoyé que des lectures et un abonnement</translation></message>
-<message><source>Carry on with the last session</source><translation>Continuer la dernière session</translation></message>
+<message><source>Ctrl+L: EdgeScan only reads from it</source><translation>Ctrl+L : EdgeScan ne fait que lire</translation></message>
+<message><source>Go on with the last session</source><translation>Continuer la dernière session</translation></message>
 <message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
 <message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
 <message><source>Demo before and after a blast</source><translation>Démo avant et après un tir</translation></message>
 <message><source>both, and what changed between them</source><translation>les deux, et ce qui a changé de l'un à l'autre</translation></message>
 <message><source>Recent</source><translation>Récents</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des rochers dans un scan laser de distances</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des blocs dans un scan laser de distances</translation></message>
 <message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lit les grilles brutes, les enregistrements (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ et d'autres.</translation></message>
-<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>N'envoie au scanner que des lectures et un abonnement.</translation></message>
+<message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>N'envoie au scanner que des lectures et un abonnement.</translation></message>
 <message><source>Cab mode</source><translation>Mode cabine</translation></message>
-<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ introuvable : déplacé, ou son disque n'est pas là. Localiser…</translation></message>
+<message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ introuvable : déplacé, ou son disque manque. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : un soutirage bloqué avant et après un tir.</translation></message>
 <message><source>Open the demo</source><translation>Ouvrir la démo</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
 <message><source>View from the scanner</source><translation>Voir depuis le scanner</translation></message>
-<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges depend little on it.</source><translation>Réglez d'abord la force des arêtes. La courbe en dessous montre le nombre d'arêtes pour chaque valeur ; là où elle est plate, les arêtes dépendent peu du réglage.</translation></message>
+<message><source>Change Edge strength first. The curve under it shows the number of edge cells for every value. Where it is flat, the edges depend little on it.</source><translation>Réglez d'abord la force des arêtes. La courbe en dessous montre le nombre d'arêtes pour chaque valeur ; là où elle est plate, les arêtes dépendent peu du réglage.</translation></message>
 <message><source>Show the edges panel</source><translation>Afficher le panneau des arêtes</translation></message>
-<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>Les rochers sont trouvés à partir des arêtes, avec leur taille visible et leur degré de certitude. Le tableau les liste ; un clic choisit un rocher dans toutes les vues.</translation></message>
-<message><source>Show the rocks</source><translation>Afficher les rochers</translation></message>
+<message><source>EdgeScan finds rocks from the edges, with visible sizes and a confidence. The table lists them. A click selects a rock in all views.</source><translation>EdgeScan trouve les blocs à partir des arêtes, avec leur taille visible et une confiance. Le tableau les énumère. Un clic choisit un bloc dans toutes les vues.</translation></message>
+<message><source>Show the rocks</source><translation>Afficher les blocs</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
 <message><source>Show the keys</source><translation>Afficher les touches</translation></message>
 <message><source>Back</source><translation>Arrière</translation></message>
@@ -825,19 +919,19 @@ tenez \ pour la voir</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
 <message><source>Lock</source><translation>Verrouiller</translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Verrouillée : Esc et Tout détacher la laissent où elle est</translation></message>
-<message><source>Let go of this target</source><translation>Détacher cette cible</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau ; ce que le scanner fausse partout n'y est pas</translation></message>
+<message><source>Locked: Esc and Remove All do not remove it</source><translation>Verrouillée : Esc et Tout supprimer ne la suppriment pas</translation></message>
+<message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Mètres dans le repère du scan</translation></message>
 <message><source>E, N, RL</source><translation>E, N, Alt</translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Est, nord et altitude en coordonnées de la mine, mètres</translation></message>
+<message><source>Easting, Northing and elevation in the mine grid, in metres</source><translation>Est, nord et altitude en coordonnées de la mine, mètres</translation></message>
 <message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
 <message><source>none here</source><translation>aucun ici</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Étendues de ce qu'on en voit ; les parties cachées ne sont pas comptées</translation></message>
+<message><source>Length and width of its visible part. Hidden parts are not included.</source><translation>Longueur et largeur de sa partie visible. Les parties cachées ne sont pas comprises.</translation></message>
 <message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
 <message><source>Surface</source><translation>Surface</translation></message>
@@ -855,7 +949,7 @@ tenez \ pour la voir</translation></message>
 <message><source>, strength %1</source><translation>, force %1</translation></message>
 <message><source>Edge</source><translation>Arête</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>La force 1 est au seuil ; Pourquoi en dit plus</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>Parmi les réglages proches de ceux à l'écran, combien trouvent aussi cette arête ; calculé un instant après le dernier changement. Cela dit combien l'arête dépend des réglages, non si un bloc est là</translation></message>
+<message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Part des réglages proches qui trouvent aussi cette arête, calculée après chaque changement. Cela montre combien l'arête dépend des réglages, non si un bloc est là.</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m derrière une arête ; mesuré de son côté proche</translation></message>
@@ -870,12 +964,10 @@ tenez \ pour la voir</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
-<message><source>Remove</source><translation>Supprimer</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
-<message><source>The measurement that is chosen</source><translation>La mesure choisie</translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, logarithmique. Hachuré : le plus long intervalle sur lequel pas plus d'un cinquième d'entre elles disparaît. Le trait vertical est le seuil utilisé.</translation></message>
-<message><source>number of edges: not known yet</source><translation>nombre d'arêtes : pas encore connu</translation></message>
-<message><source>%1 edges</source><translation>%1 arêtes</translation></message>
+<message><source>The selected measurement</source><translation>La mesure choisie</translation></message>
+<message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, sur une échelle logarithmique. Hachuré : le plus large intervalle sur lequel un cinquième d'entre elles au plus disparaît. Le trait vertical est le seuil utilisé.</translation></message>
+<message><source>counting the edge cells …</source><translation>comptage des cellules d'arête …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
@@ -893,7 +985,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Save…</source><translation>Enregistrer…</translation></message>
 <message><source>Save these settings as a preset file</source><translation>Enregistrer ces réglages dans un fichier de préréglage</translation></message>
 <message><source>Preset</source><translation>Préréglage</translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Les marches en profondeur qui atteignent les seuils, calculées à partir des noyaux : le plus petit nombre pour une marche en diagonale, le plus grand pour une marche le long des lignes ou des faisceaux. Une profondeur telle que 0.5 m peut être tapée dans le champ ci-dessus ; avec des niveaux de gris logarithmiques, elle est prise à la distance donnée ici, et une part telle que 5 % vaut à toute distance.</translation></message>
+<message><source>The steps in depth that reach the thresholds, computed from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Les marches en profondeur qui atteignent les seuils, calculées à partir des noyaux : le plus petit nombre pour une marche en diagonale, le plus grand pour une marche le long des lignes ou des faisceaux. Une profondeur telle que 0.5 m peut être tapée dans le champ ci-dessus ; avec des niveaux de gris logarithmiques, elle est prise à la distance donnée ici, et une part telle que 5 % vaut à toute distance.</translation></message>
 <message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Verrouillé : le seuil haut est 3 fois le seuil bas, comme dans la thèse. Cliquez pour ouvrir le verrou.</translation></message>
 <message><source>Locked 1 : 3</source><translation>Verrouillé 1 : 3</translation></message>
 <message><source>Unlocked</source><translation>Déverrouillé</translation></message>
@@ -934,33 +1026,30 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ repère du scanner, sans pose : pas de E N RL</translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sans pose, on ne sait rien des coordonnées de la mine : les coordonnées comptent à partir du scanner.</translation></message>
+<message><source>▲ no pose: no mine coordinates</source><translation>▲ sans pose : pas de E N RL</translation></message>
+<message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sans pose, les coordonnées comptent à partir du scanner, non de la grille de la mine.</translation></message>
 <message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
-<message><source>time not known</source><translation>heure inconnue</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>
-<message><source>The file does not say when it was measured.</source><translation>Le fichier ne dit pas quand il a été mesuré.</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
 <message><source> · %1 filled</source><translation> · %1 remplies</translation></message>
-<message><source>settings: %1</source><translation>réglages : %1</translation></message>
-<message><source>settings: %1, %2 changed</source><translation>réglages : %1, %2 modifié(s)</translation></message>
+<message><source>Edges found in %1 ms</source><translation>Arêtes trouvées en %1 ms</translation></message>
+<message><source>default settings</source><translation>réglages par défaut</translation></message>
+<message><source>settings: %1 changed</source><translation>réglages : %1 modifié(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
+<message><source>Set of default settings: %1</source><translation>Jeu de réglages par défaut : %1</translation></message>
 <message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
-<message><source>
-Ctrl+D restores the default settings.</source><translation>
-Ctrl+D rétablit les réglages par défaut.</translation></message>
-<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>1 warning</source><translation>1 avertissement</translation></message>
 <message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, vu</translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Montre les avertissements de ce scan et les marque comme vus ; ils restent, et figurent dans les comptes rendus et les captures d'écran</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Montre les avertissements de ce scan et les marque comme vus. Ils restent dans les comptes rendus et les captures d'écran.</translation></message>
 <message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
+<message><source>no point to show: no cell of this scan has a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
 <message><source>grid %1</source><translation>grille %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distance [m]</translation></message>
@@ -994,6 +1083,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
+<message><source>By &amp;Intensity</source><translation>Par &amp;intensité</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Par &amp;intensité (ce scan n'en a pas)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;ouleur du nuage</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Gris</translation></message>
 <message><source>By &amp;Range</source><translation>Par &amp;distance</translation></message>
@@ -1011,7 +1102,9 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
+<message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
+<message><source>Fold</source><translation>Replier</translation></message>
 <message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
@@ -1020,8 +1113,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
 <message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
-<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Fermer y met fin ici ; ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
-<message><source>Closing waits until it is whole.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Fermer met fin à l'enregistrement. Ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
@@ -1047,7 +1140,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare : droite déplace, milieu zoome</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Molette en sens inverse</translation></message>
 <message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
-<message><source>The window speaks this language from its next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
+<message><source>The window uses this language from the next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Points d'arête</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
@@ -1089,6 +1182,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Scan</translation></message>
 <message><source>&amp;Next Scan</source><translation>Scan &amp;suivant</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Scan &amp;précédent</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Ajouter un scan comme couche…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Enregistrer</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conserver la dernière minute</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>&amp;Figer l'image à la fin du balayage</translation></message>
@@ -1123,7 +1217,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
+<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
@@ -1139,8 +1233,8 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Coupe par le &amp;bloc</translation></message>
 <message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
-<message><source>Let &amp;Go of This Target</source><translation>Détacher &amp;cette cible</translation></message>
-<message><source>Let Go of All &amp;Targets</source><translation>Détacher t&amp;outes les cibles</translation></message>
+<message><source>Remove This Tar&amp;get</source><translation>Supprimer &amp;cette cible</translation></message>
+<message><source>Remove All &amp;Targets</source><translation>Supprimer t&amp;outes les cibles</translation></message>
 <message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
 <message><source>Sho&amp;w All</source><translation>Tout a&amp;fficher</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Couper à une &amp;boîte autour de la sélection</translation></message>
@@ -1156,7 +1250,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
-<message><source>%1 of %2 edges</source><translation>%1 arêtes sur %2</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
 <message><source>growing</source><translation>en cours</translation></message>
@@ -1214,7 +1308,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Rough scans</source><translation>Scans rugueux</translation></message>
 <message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Quand la moitié des plis se trouvent sur des surfaces plissées partout, comme des tas de petits blocs, un pli ne compte que s'il dépasse son entourage.</translation></message>
 <message><source>Fill gaps</source><translation>Combler les vides</translation></message>
-<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>Les vides jusqu'à cette largeur sont comblés d'après ce qui les entoure, jamais par-dessus un saut ; les cellules remplies sont marquées, et ne servent à aucune mesure. 0 n'en comble aucun.</translation></message>
+<message><source>Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.</source><translation>Les vides jusqu'à cette largeur sont comblés d'après ce qui les entoure, jamais par-dessus un saut ; les cellules remplies sont marquées, et ne servent à aucune mesure. 0 n'en comble aucun.</translation></message>
 <message><source>Edges in gaps</source><translation>Arêtes dans les vides</translation></message>
 <message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>Les cellules remplies participent à la recherche des arêtes, et peuvent être des arêtes que personne n'a mesurées.</translation></message>
 <message><source>Lower threshold</source><translation>Seuil bas</translation></message>
@@ -1282,13 +1376,13 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Comme default, pour des surfaces planes et peu bruitées : les marches basses sont des arêtes même au loin.</translation></message>
 <message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Les réglages par défaut de la version 3 : sans bords de vides ouverts, chaînes de cinq cellules et plus, sans égard aux scans rugueux ni aux retours du moteur.</translation></message>
 <message><source>Fine to coarse</source><translation>Fin à grossier</translation></message>
-<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>À partir de quel indice deux morceaux sont deux blocs : plus bas coupe davantage, plus haut joint davantage.</translation></message>
+<message><source>How easily pieces are joined into one rock. Lower: more and smaller rocks. Higher: fewer and larger rocks.</source><translation>Avec quelle facilité les morceaux sont joints en un bloc. Plus bas : des blocs plus nombreux et plus petits. Plus haut : des blocs moins nombreux et plus grands.</translation></message>
 <message><source>Smallest rock</source><translation>Plus petit bloc</translation></message>
-<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Les morceaux de moins de cellules mesurées sont des fines et non des blocs.</translation></message>
+<message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Les morceaux de moins de cellules mesurées sont des fines et non des blocs.</translation></message>
 <message><source>Farthest rock</source><translation>Bloc le plus éloigné</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>Ce qui est plus loin n'est pas un bloc.</translation></message>
 <message><source>Largest size expected</source><translation>Plus grande taille attendue</translation></message>
-<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Les morceaux plus grands demandent de meilleurs signes d'être un bloc et non une paroi.</translation></message>
+<message><source>Larger pieces need better evidence that they are rocks and not walls.</source><translation>Les morceaux plus grands demandent de meilleurs signes d'être un bloc et non une paroi.</translation></message>
 <message><source>Oversize</source><translation>Hors gabarit</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>La part des blocs dont la largeur visible est plus grande est indiquée ; 0 n'en indique aucune.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Angle du premier faisceau [degrés]</translation></message>
@@ -1299,16 +1393,16 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Millimetres per number in the file</source><translation>Millimètres par nombre du fichier</translation></message>
 <message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Cellules d'un nuage qui est projeté [degrés] ; sinon d'après l'espacement de ses points</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Ce autour de quoi le moteur pas à pas tourne : spin (direction de visée) ou sweep (ligne 0/180 degrés)</translation></message>
-<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>D'où un nuage sans grille a été pris, comme X,Y,Z [m]</translation></message>
-<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
+<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Place du scanner pour un nuage sans grille, comme X,Y,Z [m]</translation></message>
+<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon le laser qui a le plus de lignes</translation></message>
-<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Easting E [m]</source><translation>Est E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Nord N [m]</translation></message>
-<message><source>Level RL [m]</source><translation>Niveau RL [m]</translation></message>
+<message><source>Elevation RL [m]</source><translation>Altitude RL [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Cap, du nord dans le sens horaire [degrés]</translation></message>
 <message><source>North of the heading</source><translation>Nord du cap</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinaison : tangage, nez vers le haut [degrés]</translation></message>
@@ -1341,7 +1435,7 @@ Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>Scale of the grid</source><translation>Échelle de la grille</translation></message>
 <message><source>Largest change of tilt during a sweep [degrees]</source><translation>Plus grand changement d'inclinaison pendant un balayage [degrés]</translation></message>
 <message><source>Largest age of a pose [s]</source><translation>Plus grand âge d'une pose [s]</translation></message>
-<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ et CSV avec toutes les colonnes, et la grille et le compte rendu en lignes de commentaire : ce sur quoi SIG et tableurs peuvent buter</translation></message>
+<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ et CSV avec toutes les colonnes, et la grille et le compte rendu en lignes de commentaire : SIG et tableurs peuvent les refuser</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordonnées de la mine avec des nombres de 8 octets, que PCL et Open3D ne lisent pas ; sinon en mètres depuis une origine dans un commentaire</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF : aussi les lignes d'arête de deux points seulement</translation></message>

@@ -31,7 +31,7 @@
 <message><source>no pose</source><translation>sem pose</translation></message>
 <message><source>pose of unknown age</source><translation>pose de idade desconhecida</translation></message>
 <message><source>pose %1 old</source><translation>pose de há %1</translation></message>
-<message><source>sweep whole</source><translation>varredura completa</translation></message>
+<message><source>sweep complete</source><translation>varredura completa</translation></message>
 <message><source>sweep ended</source><translation>varredura terminada</translation></message>
 <message><source>%1 left</source><translation>faltam %1</translation></message>
 <message><source>%1, %2 ago</source><translation>%1, há %2</translation></message>
@@ -44,7 +44,7 @@
 <message><source>Telegrams were lost: lines </source><translation>Perderam-se telegramas: linhas </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Perdeu-se um telegrama: linha </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Houve telegramas com menos feixes que a varredura, os outros perderam-se: </translation></message>
-<message><source>The line angles are reckoned from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
+<message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>O scanner comunicou um erro ou não estava pronto</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>O scanner comunicou uma janela suja demais para medir</translation></message>
@@ -55,7 +55,7 @@
 <message><source> accepts the connection; asking what it is.</source><translation> aceita a conexão; pergunta-se o que é.</translation></message>
 <message><source> is sending again.</source><translation> envia de novo.</translation></message>
 <message><source> is sending.</source><translation> envia.</translation></message>
-<message><source>: no scan for %1 s.</source><translation>: sem scan há %1 s.</translation></message>
+<message><source>: no scan for %1 s.</source><translation>: sem varredura há %1 s.</translation></message>
 <message><source>: disconnected.</source><translation>: desconectado.</translation></message>
 <message><source>there is no such file</source><translation>esse arquivo não existe</translation></message>
 <message><source>check the spelling and the folder</source><translation>verifique o nome e a pasta</translation></message>
@@ -63,8 +63,8 @@
 <message><source>ask its owner for the right to read it</source><translation>peça ao dono permissão para o ler</translation></message>
 <message><source>this is a folder, not a file</source><translation>é uma pasta, não um arquivo</translation></message>
 <message><source>choose a file inside it</source><translation>escolha um arquivo dentro dela</translation></message>
-<message><source>there is not enough memory for this scan</source><translation>não há memória suficiente para este scan</translation></message>
-<message><source>close other programs or open a smaller scan</source><translation>feche outros programas ou abra um scan menor</translation></message>
+<message><source>there is not enough memory for this scan</source><translation>não há memória suficiente para esta varredura</translation></message>
+<message><source>close other programs or open a smaller scan</source><translation>feche outros programas ou abra uma varredura menor</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>foi cancelado, por isso nada foi escrito</translation></message>
 <message><source>save it again</source><translation>salve outra vez</translation></message>
 <message><source>the file cannot be read: </source><translation>o arquivo não pode ser lido: </translation></message>
@@ -128,6 +128,64 @@
 <message><source>check what else uses it</source><translation>verifique o que mais o usa</translation></message>
 <message><source>a recording is being written already</source><translation>uma gravação já está em andamento</translation></message>
 <message><source>stop it first</source><translation>pare-a primeiro</translation></message>
+<message><source>the file ends within its E57 header</source><translation>o arquivo termina dentro do cabeçalho E57</translation></message>
+<message><source>this is E57 version %1, and version 1 is known</source><translation>esta é a versão %1 do E57, e a versão 1 é conhecida</translation></message>
+<message><source>export it as E57 version 1.0</source><translation>exporte-o como E57 versão 1.0</translation></message>
+<message><source>the E57 header says that pages have %1 bytes</source><translation>o cabeçalho E57 indica páginas de %1 bytes</translation></message>
+<message><source>the E57 header promises %1 bytes and the file holds </source><translation>o cabeçalho E57 anuncia %1 bytes e o arquivo contém </translation></message>
+<message><source>the columns of points in this E57 file are nested too deep</source><translation>as colunas de pontos deste arquivo E57 estão aninhadas demais</translation></message>
+<message><source>the limits of the column %1 in this E57 file are not possible</source><translation>os limites da coluna %1 deste arquivo E57 não são possíveis</translation></message>
+<message><source>scan %1 of this E57 file does not say where its points are and how many</source><translation>a varredura %1 deste arquivo E57 não indica onde estão seus pontos nem quantos são</translation></message>
+<message><source>the E57 header says that the XML part is at byte %1 and has </source><translation>segundo o cabeçalho E57, a parte XML está no byte %1 e tem </translation></message>
+<message><source>the XML part of this E57 file cannot be read: </source><translation>não é possível ler a parte XML deste arquivo E57: </translation></message>
+<message><source>the XML part of this E57 file has no e57Root</source><translation>a parte XML deste arquivo E57 não tem e57Root</translation></message>
+<message><source>page %1 of %2 of this E57 file is damaged: its checksum does not fit</source><translation>a página %1 de %2 deste arquivo E57 está danificada: a soma de verificação não confere</translation></message>
+<message><source>this E57 file ends before something that it names</source><translation>este arquivo E57 termina antes de algo que nomeia</translation></message>
+<message><source>this E57 file holds no scan</source><translation>este arquivo E57 não contém nenhuma varredura</translation></message>
+<message><source>the file holds %1 scans, and number %2 was asked for</source><translation>o arquivo contém %1 varreduras e foi pedido o número %2</translation></message>
+<message><source>scan %1 of this E57 file holds no points</source><translation>a varredura %1 deste arquivo E57 não contém pontos</translation></message>
+<message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
+<message><source>choose another file</source><translation>escolha outro arquivo</translation></message>
+<message><source>the points are said to begin at byte %1, which is not in the file</source><translation>os pontos começariam no byte %1, que não está no arquivo</translation></message>
+<message><source>no list of points begins where the E57 file says</source><translation>nenhuma lista de pontos começa onde o arquivo E57 indica</translation></message>
+<message><source>the header of the points does not fit the file</source><translation>o cabeçalho dos pontos não corresponde ao arquivo</translation></message>
+<message><source>a packet of points </source><translation>um pacote de pontos </translation></message>
+<message><source>the file promises %1 points and </source><translation>o arquivo anuncia %1 pontos e </translation></message>
+<message><source>this ZIP archive has no directory at its end</source><translation>este arquivo ZIP não tem diretório no final</translation></message>
+<message><source>the directory of this ZIP archive is damaged</source><translation>o diretório deste arquivo ZIP está danificado</translation></message>
+<message><source>this ZIP archive does not begin where its directory says: other bytes are before it or in it</source><translation>este arquivo ZIP não começa onde seu diretório indica: há outros bytes antes ou dentro dele</translation></message>
+<message><source>this part of the archive is encrypted</source><translation>esta parte do arquivo está criptografada</translation></message>
+<message><source>save it without a password</source><translation>salve-o sem senha</translation></message>
+<message><source>this part of the archive is packed by method %1</source><translation>esta parte do arquivo está compactada com o método %1</translation></message>
+<message><source>pack it with DEFLATE, as usual</source><translation>compacte-o com DEFLATE, como de costume</translation></message>
+<message><source>this part of the archive is not where its directory says</source><translation>esta parte do arquivo não está onde seu diretório indica</translation></message>
+<message><source>unpacked this is %1, far more than a scan of its size can be</source><translation>descompactado são %1, muito mais do que uma varredura desse tamanho pode ter</translation></message>
+<message><source>unpack it by hand and look at it</source><translation>descompacte-o à mão e verifique-o</translation></message>
+<message><source>this part of the archive is damaged: its length or its checksum does not fit</source><translation>esta parte do arquivo está danificada: o comprimento ou a soma de verificação não confere</translation></message>
+<message><source>it is a ROS bag of another version than 2.0</source><translation>é um bag do ROS de versão diferente de 2.0</translation></message>
+<message><source>convert it with "rosbag migrate"</source><translation>converta-o com "rosbag migrate"</translation></message>
+<message><source>this SQLite database is cut off or damaged: its tables cannot be read</source><translation>esta base SQLite está cortada ou danificada: não é possível ler suas tabelas</translation></message>
+<message><source>this SQLite database is not a ROS bag: it has no table of topics</source><translation>esta base SQLite não é um bag do ROS: não tem tabela de tópicos</translation></message>
+<message><source>this SQLite database cannot be opened</source><translation>não é possível abrir esta base SQLite</translation></message>
+<message><source>copy it again</source><translation>copie-a novamente</translation></message>
+<message><source>this is not an MCAP recording of a known version</source><translation>não é uma gravação MCAP de versão conhecida</translation></message>
+<message><source>choose a recording</source><translation>escolha uma gravação</translation></message>
+<message><source>this folder holds %1 files of a bag</source><translation>esta pasta contém %1 arquivos de um bag</translation></message>
+<message><source>open one of them, as </source><translation>abra um deles, por exemplo </translation></message>
+<message><source>no topic of this %1 is a laser's</source><translation>nenhum tópico deste %1 é de um laser</translation></message>
+<message><source>choose another bag</source><translation>escolha outro bag</translation></message>
+<message><source>the bag has no topic </source><translation>o bag não tem o tópico </translation></message>
+<message><source>the topic %1 holds no scan</source><translation>o tópico %1 não contém nenhuma varredura</translation></message>
+<message><source>choose one of them with </source><translation>escolha um com </translation></message>
+<message><source>choose one of </source><translation>escolha um de </translation></message>
+<message><source>the laser did not turn while it measured</source><translation>o laser não girou enquanto media</translation></message>
+<message><source>choose another topic, or give the joint that turns it</source><translation>escolha outro tópico ou indique a junta que o gira</translation></message>
+<message><source>no line of the topic %1 could be placed</source><translation>não foi possível posicionar nenhuma linha do tópico %1</translation></message>
+<message><source>no message of the topic %1 is a line of ranges</source><translation>nenhuma mensagem do tópico %1 é uma linha de distâncias</translation></message>
+<message><source>no transform turns the laser's frame %1 while it measures</source><translation>nenhuma transformação gira o referencial %1 do laser enquanto mede</translation></message>
+<message><source>no joint turned while the laser measured</source><translation>nenhuma junta girou enquanto o laser media</translation></message>
+<message><source>there is no joint called </source><translation>não há nenhuma junta chamada </translation></message>
+<message><source>choose another topic</source><translation>escolha outro tópico</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>os pontos atrás de outros na caixa de exportação</translation></message>
@@ -191,8 +249,8 @@
 <message><source>the demo</source><translation>a demo</translation></message>
 <message><source>Cancelled; what was on the screen stays.</source><translation>Cancelado; o que estava na tela fica.</translation></message>
 <message><source>Compare with an earlier scan</source><translation>Comparar com uma varredura anterior</translation></message>
-<message><source>A was not brought back: %1 has another content since it was kept.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
-<message><source>Compare with Scan</source><translation>Comparar com um scan</translation></message>
+<message><source>A was not restored: %1 has changed since.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
+<message><source>Compare with Scan</source><translation>Comparar com uma varredura</translation></message>
 <message><source>Comparing with A</source><translation>Comparando com A</translation></message>
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
@@ -205,27 +263,57 @@ visível %6 m², a %7 m</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
 <message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
-<message><source>could not be worked out:
+<message><source>could not be computed:
 %1</source><translation>não pôde ser calculada:
 %1</translation></message>
 <message><source>by confidence</source><translation>por confiança</translation></message>
-<message><source>Open a scan first.</source><translation>Abra primeiro um scan.</translation></message>
+<message><source>Open a scan first.</source><translation>Abra primeiro uma varredura.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
-<message><source>Why could not be worked out (%1).</source><translation>Não foi possível determinar o porquê (%1).</translation></message>
+<message><source>The reason could not be found (%1).</source><translation>Não foi possível determinar a razão (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
-<message><source>Working out why …</source><translation>À procura da razão …</translation></message>
+<message><source>Finding the reason …</source><translation>À procura da razão …</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
 <message><source>Clicked</source><translation>Clique</translation></message>
-<message><source>Point at a cell or click one first; then Why says what decides about it.</source><translation>Primeiro aponte para uma célula ou clique nela; depois Por quê diz o que a decide.</translation></message>
+<message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Primeiro aponte para uma célula ou clique nela. Por quê mostra depois o que decide se ela é uma borda.</translation></message>
+<message><source>the demo after the blast</source><translation>a demonstração após o desmonte</translation></message>
+<message><source>%1, scan %2</source><translation>%1, varredura %2</translation></message>
+<message><source>the first: the others are placed against it</source><translation>o primeiro: os outros são posicionados em relação a ele</translation></message>
+<message><source>registered, residual %1 mm</source><translation>registrado, resíduo %1 mm</translation></message>
+<message><source>placed by targets, %1 mm apart</source><translation>posicionado por alvos, afastamento %1 mm</translation></message>
+<message><source>placed by pose</source><translation>posicionado pela pose</translation></message>
+<message><source>The layer could not be read (%1).</source><translation>Não foi possível ler a camada (%1).</translation></message>
+<message><source>Where is the layer now?</source><translation>Onde está a camada agora?</translation></message>
+<message><source>This point is of the layer %1: make it active to measure in it.</source><translation>Este ponto é da camada %1: ative-a para medir nela.</translation></message>
+<message><source>Make Active</source><translation>Ativar</translation></message>
+<message><source>Add scans as layers</source><translation>Adicionar varreduras como camadas</translation></message>
+<message><source>Layers are scans of files: open the first one, or record the sweep and open its recording.</source><translation>As camadas são varreduras de arquivos: abra a primeira, ou grave a varredura e abra a gravação.</translation></message>
+<message><source>A cloud has at most %1 layers: remove some first.</source><translation>Uma nuvem tem no máximo %1 camadas: remova algumas antes.</translation></message>
+<message><source>Add a Layer</source><translation>Adicionar uma camada</translation></message>
+<message><source>Remove the Layer</source><translation>Remover a camada</translation></message>
+<message><source>Show the Layer</source><translation>Mostrar a camada</translation></message>
+<message><source>Hide the Layer</source><translation>Ocultar a camada</translation></message>
+<message><source>Locate the Layer</source><translation>Localizar a camada</translation></message>
+<message><source>Three places are needed that both scans show: pin them here as targets 1, 2 and 3, make %1 active, pin the same places there in the same order, and come back.</source><translation>São precisos três lugares visíveis nas duas varreduras: marque-os aqui como alvos 1, 2 e 3, ative %1, marque lá os mesmos lugares na mesma ordem e volte.</translation></message>
+<message><source>Reading the layer %1</source><translation>Lendo a camada %1</translation></message>
+<message><source>Cancelled</source><translation>Cancelado</translation></message>
+<message><source>The same scan is a layer already: remove one of the two.</source><translation>A mesma varredura já é uma camada: remova uma das duas.</translation></message>
+<message><source>Layer %1: %2</source><translation>Camada %1: %2</translation></message>
+<message><source>%1 points · %2 of memory</source><translation>%1 pontos · %2 de memória</translation></message>
+<message><source>active</source><translation>ativa</translation></message>
+<message><source>▲ active, not placed</source><translation>▲ ativa, não posicionada</translation></message>
+<message><source>▲ not placed</source><translation>▲ não posicionada</translation></message>
+<message><source>▲ not read</source><translation>▲ não lida</translation></message>
+<message><source>being read</source><translation>sendo lida</translation></message>
+<message><source>▲ not placed against the active one</source><translation>▲ não posicionada em relação à ativa</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
-<message><source>The first %1 lines of this sweep came too long ago to be put into their new places.</source><translation>As primeiras %1 linhas desta varredura chegaram há tempo demais para serem postas no seu novo lugar.</translation></message>
-<message><source>The recording that is being written says the old mounting and steps: put it right with Scan &gt; How the Scan Is Read when it is opened, or begin another one.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
+<message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
+<message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retido: %1. Carregue em Seguir para continuar com o scanner.</translation></message>
-<message><source>%1 is whole: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
+<message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
 <message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
@@ -234,12 +322,12 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Report</source><translation>Relatório</translation></message>
 <message><source>Page for any browser (*.html)</source><translation>Página para qualquer navegador (*.html)</translation></message>
 <message><source>PDF (*.pdf)</source><translation>PDF (*.pdf)</translation></message>
-<message><source>%1 was not written: the rocks are still being worked out; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
+<message><source>%1 was not written: the rocks are still being computed; try again.</source><translation>%1 não foi escrito: as rochas ainda estão sendo calculadas; tente de novo.</translation></message>
 <message><source>Making the report %1</source><translation>Criando o relatório %1</translation></message>
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
-<message><source>The section could not be worked out (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
+<message><source>The section could not be computed (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cção</translation></message>
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades da última medição: meça primeiro uma distância entre duas células.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
@@ -261,29 +349,29 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Save preset</source><translation>Salvar a predefinição</translation></message>
 <message><source>%1 is not a preset and stays as it is: choose another name.</source><translation>%1 não é uma predefinição e fica como está: escolha outro nome.</translation></message>
 <message><source>It failed (%1); close other programs or use a smaller scan.</source><translation>Falhou (%1); feche outros programas ou use uma varredura menor.</translation></message>
-<message><source>What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, e uma calibração não poderia nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
-<message><source>Scans of the same assembly</source><translation>Varreduras da mesma montagem</translation></message>
+<message><source>The picture does not come from a file, so a calibration cannot name it: open a scan or a recording.</source><translation>A imagem não vem de um arquivo, e uma calibração não pode nomeá-lo: abra uma varredura ou uma gravação.</translation></message>
+<message><source>Scans with the same mounting</source><translation>Varreduras com a mesma montagem</translation></message>
 <message><source>The robot's calibration</source><translation>A calibração do robô</translation></message>
 <message><source>Calibration (*.json)</source><translation>Calibração (*.json)</translation></message>
-<message><source>given up</source><translation>abandonado</translation></message>
+<message><source>stopped</source><translation>parado</translation></message>
 <message><source>Save the calibration</source><translation>Salvar a calibração</translation></message>
 <message><source>a calibration</source><translation>uma calibração</translation></message>
 <message><source>The calibration could not be saved (%1).</source><translation>Não foi possível salvar a calibração (%1).</translation></message>
 <message><source>This scan was opened without a pose, so it has no place that the calibration could correct: give both in Scan &gt; How the Scan Is Read.</source><translation>Esta varredura foi aberta sem pose, então não tem um lugar que a calibração pudesse corrigir: dê as duas em Varredura &gt; Como a varredura é lida.</translation></message>
 <message><source>Apply Calibration</source><translation>Aplicar a calibração</translation></message>
-<message><source>lever arm t1, in the fan</source><translation>braço de alavanca t1, no leque</translation></message>
-<message><source>lever arm t2, across it</source><translation>braço de alavanca t2, transversal</translation></message>
-<message><source>tilt of the fan</source><translation>inclinação do leque</translation></message>
+<message><source>lever arm t1, in the scan plane</source><translation>braço de alavanca t1, no plano de varredura</translation></message>
+<message><source>lever arm t2, across the plane</source><translation>braço de alavanca t2, transversal ao plano</translation></message>
+<message><source>tilt of the scan plane</source><translation>inclinação do plano de varredura</translation></message>
 <message><source>beam index</source><translation>índice dos feixes</translation></message>
 <message><source>turn at 180°</source><translation>giro a 180°</translation></message>
-<message><source>stays</source><translation>inalterado</translation></message>
+<message><source>unchanged</source><translation>inalterado</translation></message>
 <message><source>not measured</source><translation>não determinado</translation></message>
 <message><source>found from %1 cells, %2° seen twice</source><translation>encontrado com %1 células, %2° vistos duas vezes</translation></message>
-<message><source>The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>As duas vistas estavam a %1 mm e ficam a %2 mm com estes erros (mediana; o ruído explica %3 mm). Uma varredura nunca diz um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
+<message><source>Mismatch of the two views: %1 mm before, %2 mm with these errors (median; noise alone explains %3 mm). One scan never shows a shift along the axis, an offset of all ranges or the stepper's zero.</source><translation>Diferença entre as duas vistas: %1 mm antes, %2 mm com estes erros (mediana; o ruído sozinho explica %3 mm). Uma varredura nunca mostra um deslocamento ao longo do eixo, um erro comum das distâncias nem o zero do motor.</translation></message>
 <message><source>Edges of both views</source><translation>Bordas das duas vistas</translation></message>
 <message><source>orange – late view, blue | early view, white + both</source><translation>laranja – vista tardia, azul | primeira vista, branco + ambas</translation></message>
 <message><source>Before: %1 % of %2 late edges are next to an early one (%3)</source><translation>Antes: %1 % de %2 bordas tardias estão ao lado de uma da primeira vista (%3)</translation></message>
-<message><source>After: %1 % do</source><translation>Depois: %1 %</translation></message>
+<message><source>After: %1 % of them</source><translation>Depois: %1 % delas</translation></message>
 <message><source>Distance of the views</source><translation>Distância das vistas</translation></message>
 <message><source>Before: %1 mm apart (median; blue nearer, red farther than the late view, full colour at 50 mm)</source><translation>Antes: a %1 mm (mediana; azul mais perto, vermelho mais longe que a vista tardia, cor plena a 50 mm)</translation></message>
 <message><source>After: %1 mm apart</source><translation>Depois: a %1 mm</translation></message>
@@ -313,10 +401,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Scanner em E %1, N %2, RL %3. Seus pontos: </translation></message>
 <message><source>Store Pose</source><translation>Guardar a pose</translation></message>
 <message><source>Remove Pose</source><translation>Remover a pose</translation></message>
-<message><source>What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording.</source><translation>O que está na tela não vem de nenhum arquivo, por isso a pose não poderia ser guardada: abra uma varredura ou uma gravação.</translation></message>
+<message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>A imagem não vem de um arquivo, por isso a pose não pode ser guardada: abra uma varredura ou uma gravação.</translation></message>
 <message><source>Store the mounting</source><translation>Guardar a montagem</translation></message>
 <message><source>Name of the scanner</source><translation>Nome do scanner</translation></message>
-<message><source>No pose is stored with the scan any more.</source><translation>Já não há nenhuma pose guardada com a varredura.</translation></message>
+<message><source>The pose that was stored with the scan is removed.</source><translation>A pose guardada com a varredura foi removida.</translation></message>
 <message><source>Stored %1; it replaced the pose that was there.</source><translation>%1 guardado; substituiu a pose que lá estava.</translation></message>
 <message><source>Stored %1.</source><translation>%1 guardado.</translation></message>
 <message><source>The pose could not be stored (%1).</source><translation>A pose não pôde ser guardada (%1).</translation></message>
@@ -336,19 +424,19 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>no time</source><translation>sem hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEM ANTERIOR</translation></message>
-<message><source>Another scan is on its way: this is the picture before it.</source><translation>Outro scan está a caminho: esta é a imagem anterior.</translation></message>
+<message><source>Another scan is being opened. This is the picture before it.</source><translation>Outra varredura está sendo aberta. Esta é a imagem anterior.</translation></message>
 <message><source>region of interest</source><translation>região de interesse</translation></message>
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
-<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado do scan; Ctrl+Z as traz de volta.</translation></message>
+<message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
-<message><source>call of a rock</source><translation>classificação como rocha</translation></message>
-<message><source>call of no rock</source><translation>classificação como não rocha</translation></message>
+<message><source>mark as a rock</source><translation>marca de rocha</translation></message>
+<message><source>mark as not a rock</source><translation>marca de não rocha</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
 <message><source>Export %1 rocks</source><translation>Exportar %1 rochas</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
-<message><source>%1 Edits of rocks are not kept until then.</source><translation>%1 Até lá as edições das rochas não são conservadas.</translation></message>
-<message><source>Edits of rocks are not kept: %1</source><translation>As edições das rochas não são conservadas: %1</translation></message>
+<message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
+<message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
 <message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
 <message><source>a click splits it off</source><translation>um clique o separa</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
@@ -360,9 +448,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
-<message><source>the rocks could not be worked out (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
+<message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
-<message><source>being worked out …</source><translation>em cálculo …</translation></message>
+<message><source>being computed …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
@@ -376,36 +464,36 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
-<message><source>There is nothing to save yet: open a scan first. A live sweep is kept by recording it.</source><translation>Ainda não há nada a salvar: abra primeiro um scan. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
+<message><source>There is nothing to save yet: open a scan first. To store a live sweep, record it.</source><translation>Ainda não há nada a salvar: abra primeiro uma varredura. Uma varredura ao vivo guarda-se gravando-a.</translation></message>
 <message><source>Save session</source><translation>Salvar sessão</translation></message>
 <message><source>%1 is not a session and stays as it is: choose another name.</source><translation>%1 não é uma sessão e fica como está: escolha outro nome.</translation></message>
 <message><source>Open session</source><translation>Abrir sessão</translation></message>
 <message><source>Screenshots (*.png)</source><translation>Capturas de tela (*.png)</translation></message>
-<message><source>%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest comes with the scan.</source><translation>%1: o scan desta sessão não está lá: foi movido, ou o disco não está aqui. Ajustes e vista voltaram; o resto vem com o scan.</translation></message>
+<message><source>%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The rest needs the scan.</source><translation>%1: a varredura desta sessão não foi encontrada. Foi movida, ou falta o disco. Ajustes e vista foram restaurados. O resto precisa da varredura.</translation></message>
 <message><source>Locate…</source><translation>Localizar…</translation></message>
-<message><source>Where is the scan now?</source><translation>Onde está o scan agora?</translation></message>
-<message><source>The session %1 stays as it was: this is another scan.</source><translation>A sessão %1 fica como estava: este é outro scan.</translation></message>
-<message><source>%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é o scan desta sessão: o conteúdo é outro. Ajustes e vista voltaram; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
-<message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro um scan.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is kept.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
+<message><source>Where is the scan now?</source><translation>Onde está a varredura agora?</translation></message>
+<message><source>The session %1 is not changed: this is another scan.</source><translation>A sessão %1 não é alterada: esta é outra varredura.</translation></message>
+<message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é a varredura desta sessão: o conteúdo é outro. Ajustes e vista foram restaurados; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
+<message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro uma varredura.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen is stored.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>
 <message><source>This is &amp;not an edge</source><translation>Isto &amp;não é uma borda</translation></message>
 <message><source>Point at a cell or click one first; then say whether an edge is there.</source><translation>Aponte ou clique primeiro em uma célula; depois diga se há uma borda.</translation></message>
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
-<message><source>Mark of an Edge</source><translation>Marca de borda</translation></message>
-<message><source>Mark of No Edge</source><translation>Marca de não borda</translation></message>
+<message><source>Mark as an Edge</source><translation>Marca de borda</translation></message>
+<message><source>Mark as Not an Edge</source><translation>Marca de não borda</translation></message>
 <message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
 <message><source>✓ edge</source><translation>✓ borda</translation></message>
-<message><source>✕ no edge</source><translation>✕ sem borda</translation></message>
-<message><source>Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none.</source><translation>Nada está marcado ainda: clique direito em uma célula e diga que é uma borda, ou que não é.</translation></message>
+<message><source>✕ not an edge</source><translation>✕ sem borda</translation></message>
+<message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Nada está marcado ainda: clique com o botão direito em uma célula e marque-a como borda ou como não borda.</translation></message>
 <message><source>The sweep is still growing: wait for its end, or hold it.</source><translation>A varredura ainda cresce: espere o fim, ou congele-a.</translation></message>
-<message><source>Working out settings for these marks: method %1 of %2 …</source><translation>Procurando ajustes para estas marcas: método %1 de %2 …</translation></message>
+<message><source>Finding settings for these marks: method %1 of %2 …</source><translation>Procurando ajustes para estas marcas: método %1 de %2 …</translation></message>
 <message><source>Settings for These Marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>%1 of %2 methods agree with all marks.</source><translation>%1 de %2 métodos concordam com todas as marcas.</translation></message>
 <message><source>No setting separates these marks. Those that get most of them right come first.</source><translation>Nenhum ajuste separa estas marcas. Os que acertam a maioria vêm primeiro.</translation></message>
-<message><source>click the one end</source><translation>clique em uma extremidade</translation></message>
+<message><source>click one end</source><translation>clique em uma extremidade</translation></message>
 <message><source>click the other end</source><translation>clique na outra extremidade</translation></message>
 <message><source>click the lower cell</source><translation>clique na célula mais baixa</translation></message>
 <message><source>click the higher cell</source><translation>clique na célula mais alta</translation></message>
@@ -421,8 +509,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No free way was seen between these two rims: click cells on the two borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas: clique em células das duas bordas de uma abertura.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
-<message><source>There is no cell: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
-<message><source>▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range.</source><translation>▲ A varredura continua: ocultam-se as células que estão ali agora; as linhas que vierem são mostradas, seja qual for a distância.</translation></message>
+<message><source>There is no cell here: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
+<message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ A varredura continua. Ocultam-se as células que estão ali agora. As linhas novas são mostradas a qualquer distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
 <message><source>No range is known there: click a cell, or point at one that has a range, first.</source><translation>Não se conhece distância ali: clique ou aponte primeiro uma célula que a tenha.</translation></message>
 <message><source>Clip to Box</source><translation>Recortar a uma caixa</translation></message>
@@ -435,7 +523,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Hide</source><translation>Ocultar</translation></message>
 <message><source>Isolate</source><translation>Isolar</translation></message>
 <message><source>Show All</source><translation>Mostrar tudo</translation></message>
-<message><source>%1 cells selected, %2 points, %3 edges</source><translation>%1 células selecionadas, %2 pontos, %3 bordas</translation></message>
+<message><source>%1 cells selected, %2 points, %3 edge cells</source><translation>%1 células selecionadas, %2 pontos, %3 células de borda</translation></message>
 <message><source>▲ %1 cells hidden</source><translation>▲ %1 células ocultas</translation></message>
 <message><source>&amp;Isolate</source><translation>&amp;Isolar</translation></message>
 <message><source>&amp;Select</source><translation>Se&amp;lecionar</translation></message>
@@ -445,21 +533,21 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
 <message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
 <message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
-<message><source>The targets could not be kept (%1).</source><translation>Não foi possível conservar os alvos (%1).</translation></message>
-<message><source>The targets could not be worked out (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
+<message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
+<message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
-<message><source>Not kept: this picture is of no file, or nothing is remembered.</source><translation>Não conservado: esta imagem não é de nenhum arquivo, ou nada é lembrado.</translation></message>
-<message><source>▲ Not kept: the targets of this scan were refused.</source><translation>▲ Não conservado: os alvos desta varredura foram recusados.</translation></message>
-<message><source>This cell was not pinned: there are %1 targets, let go of some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro solte alguns.</translation></message>
+<message><source>Not stored: this picture does not come from a file, or EdgeScan runs with --no-settings.</source><translation>Não guardado: esta imagem não vem de um arquivo, ou o EdgeScan foi iniciado com --no-settings.</translation></message>
+<message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
+<message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>Pin %1</source><translation>Fixar %1</translation></message>
 <message><source>Move %1</source><translation>Mover %1</translation></message>
-<message><source>Let Go of %1</source><translation>Soltar %1</translation></message>
-<message><source>Let Go of All</source><translation>Soltar tudo</translation></message>
+<message><source>Remove %1</source><translation>Remover %1</translation></message>
+<message><source>Remove All</source><translation>Remover todos</translation></message>
 <message><source>Name %1</source><translation>Nomear %1</translation></message>
 <message><source>Lock %1</source><translation>Bloquear %1</translation></message>
 <message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
-<message><source>This was not kept: there are %1 measurements, remove some first.</source><translation>Isto não foi conservado: há %1 medições, primeiro remova algumas.</translation></message>
+<message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Isto não foi guardado: há %1 medições, primeiro remova algumas.</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
@@ -471,7 +559,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Não há ponto aqui: nada foi medido, ou está oculto.</translation></message>
-<message><source>&amp;Let go of this cell</source><translation>&amp;Soltar esta célula</translation></message>
+<message><source>Remove the target of this ce&amp;ll</source><translation>Remover o a&amp;lvo desta célula</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vista a partir do s&amp;canner</translation></message>
@@ -524,14 +612,14 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>nothing to compare with yet:
-turn a setting, or open another scan</source><translation>nada ainda para comparar:
+change a setting, or open another scan</source><translation>nada ainda para comparar:
 mude um ajuste ou abra outra varredura</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
-<message><source>half of the cells differ by less than %1 mm
-a change is more than %2 mm at 5 m</source><translation>metade das células difere em menos de %1 mm
-uma mudança é maior que %2 mm a 5 m</translation></message>
-<message><source>half of the points are nearer than %1
-%2 are farther than %3</source><translation>metade dos pontos está a menos de %1
+<message><source>median difference %1 mm
+a change is more than %2 mm at 5 m</source><translation>diferença mediana %1 mm
+uma mudança passa de %2 mm a 5 m</translation></message>
+<message><source>median distance %1
+%2 are farther than %3</source><translation>distância mediana %1
 %2 estão a mais de %3</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
 <message><source>A: %1
@@ -541,35 +629,35 @@ segure \ para vê-la</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % e mais</translation></message>
 <message><source>Confidence of edges</source><translation>Confiança das bordas</translation></message>
-<message><source>Edges that fewer of the nearby settings find are left out of the views; exports hold them all.</source><translation>As bordas que menos ajustes próximos encontram são omitidas nas vistas; as exportações contêm todas.</translation></message>
+<message><source>Edges that fewer of the nearby settings find are left out of the views. Exports have all of them.</source><translation>As bordas que menos ajustes próximos encontram são omitidas nas vistas; as exportações contêm todas.</translation></message>
 <message><source>Least confidence shown</source><translation>Confiança mínima mostrada</translation></message>
 <message><source>Shown: %1 % and more</source><translation>Mostrado: %1 % e mais</translation></message>
 <message><source>Shown: all</source><translation>Mostrado: tudo</translation></message>
-<message><source>working it out: %1 %</source><translation>calculando: %1 %</translation></message>
-<message><source>found too by how many of %1 nearby settings</source><translation>quantos de %1 ajustes próximos também as encontram</translation></message>
+<message><source>computing: %1 %</source><translation>calculando: %1 %</translation></message>
+<message><source>share of %1 nearby settings that find the edge</source><translation>parte dos %1 ajustes próximos que encontram a borda</translation></message>
 <message><source>&amp;Calibrate</source><translation>&amp;Calibrar</translation></message>
-<message><source>Calibrate the Assembly</source><translation>Calibrar a montagem</translation></message>
+<message><source>Calibrate the Mounting</source><translation>Calibrar a montagem</translation></message>
 <message><source>&amp;Save As…</source><translation>&amp;Salvar como…</translation></message>
 <message><source>&amp;Apply to This Scan</source><translation>&amp;Aplicar a esta varredura</translation></message>
-<message><source>How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per assembly; 360 show more. Nothing is applied by itself.</source><translation>Como o scanner está sobre o seu motor, por superfícies que um giro vê duas vezes. Gire 200 graus em vez de 180 uma vez por montagem; 360 dizem mais. Nada é aplicado por si só.</translation></message>
-<message><source>Scans of one assembly:</source><translation>Varreduras de uma montagem:</translation></message>
+<message><source>EdgeScan finds how the scanner is mounted on its stepper, from surfaces that one turn measures twice. Turn 200 degrees instead of 180 once per mounting; 360 degrees show more. Nothing is applied automatically.</source><translation>Como o scanner está sobre o seu motor, por superfícies que um giro vê duas vezes. Gire 200 graus em vez de 180 uma vez por montagem; 360 dizem mais. Nada é aplicado por si só.</translation></message>
+<message><source>Scans with one mounting:</source><translation>Varreduras de uma montagem:</translation></message>
 <message><source>A&amp;dd Scans…</source><translation>A&amp;dicionar varreduras…</translation></message>
 <message><source>&amp;Remove</source><translation>&amp;Remover</translation></message>
 <message><source>Robot's &amp;File…</source><translation>Ar&amp;quivo do robô…</translation></message>
-<message><source>The robot's present calibration: its stepper is replaced, all else stays</source><translation>A calibração atual do robô: o seu motor é ajustado de novo, o resto fica</translation></message>
-<message><source>error of the assembly</source><translation>erro da montagem</translation></message>
+<message><source>The robot's present calibration: only its stepper is replaced</source><translation>A calibração atual do robô: o seu motor é ajustado de novo, o resto fica</translation></message>
+<message><source>error of the mounting</source><translation>erro da montagem</translation></message>
 <message><source>value</source><translation>valor</translation></message>
 <message><source>± 2 sd</source><translation>± 2 desvios</translation></message>
-<message><source>Robot's file: none; the new file holds the stepper alone.</source><translation>Arquivo do robô: nenhum; o novo arquivo contém só o motor.</translation></message>
-<message><source>Robot's file: %1; all but its stepper stays.</source><translation>Arquivo do robô: %1; fica tudo menos o seu motor.</translation></message>
-<message><source>&amp;Give Up</source><translation>A&amp;bandonar</translation></message>
+<message><source>Robot's file: none. The new file has the stepper only.</source><translation>Arquivo do robô: nenhum; o novo arquivo contém só o motor.</translation></message>
+<message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Arquivo do robô: %1; fica tudo menos o seu motor.</translation></message>
+<message><source>S&amp;top</source><translation>&amp;Parar</translation></message>
 <message><source>working …</source><translation>trabalhando …</translation></message>
-<message><source>Save the file first: a record names the file that a place was worked out with</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
-<message><source>Opens the scan again with this file; Ctrl+Z takes it back</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
+<message><source>Save the file first: a record names the file from which a place was computed</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
+<message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algumas letras de um comando</translation></message>
 <message><source>Values of %1</source><translation>Valores de %1</translation></message>
-<message><source>The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.</source><translation>A mesma imagem com outros valores de %1. Um clique toma esse valor; Ctrl+Z desfaz.</translation></message>
+<message><source>The same picture at other values of %1. A click takes that value. Ctrl+Z undoes it.</source><translation>A mesma imagem com outros valores de %1. Um clique toma esse valor; Ctrl+Z desfaz.</translation></message>
 <message><source>computing %1 of %2 …</source><translation>calculando %1 de %2 …</translation></message>
 <message><source>● now</source><translation>● atual</translation></message>
 <message><source>▭ steady</source><translation>▭ constante</translation></message>
@@ -588,17 +676,17 @@ segure \ para vê-la</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
 <message><source>doubtful</source><translation>duvidoso</translation></message>
-<message><source>found out</source><translation>deduzido</translation></message>
-<message><source>as you said</source><translation>como indicado</translation></message>
-<message><source>as the file says</source><translation>segundo o arquivo</translation></message>
+<message><source>detected</source><translation>deduzido</translation></message>
+<message><source>given by you</source><translation>como indicado</translation></message>
+<message><source>from the file</source><translation>segundo o arquivo</translation></message>
 <message><source>Does This Look Right?</source><translation>Parece correto?</translation></message>
 <message><source>&amp;Close</source><translation>&amp;Fechar</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adotar</translation></message>
-<message><source>A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there.</source><translation>Um clique em outra leitura mostra assim o scan; Adotar a mantém como um passo que se pode desfazer, Fechar traz de volta o que havia.</translation></message>
+<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Clique em outra leitura para ver a varredura lida assim. Adotar a toma, e Ctrl+Z o desfaz. Fechar restaura a leitura anterior.</translation></message>
 <message><source>or</source><translation>ou</translation></message>
-<message><source>%1: there is nothing in how it was read that could be otherwise.</source><translation>%1: nada em sua leitura poderia ser de outro modo.</translation></message>
-<message><source>%1: something speaks against how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
-<message><source>%1: nothing speaks against how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
+<message><source>%1: there is no other way to read it.</source><translation>%1: não há outra forma de lê-lo.</translation></message>
+<message><source>%1: something contradicts how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
+<message><source>%1: nothing contradicts how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose e montagem</translation></message>
 <message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montagem</translation></message>
@@ -612,12 +700,12 @@ segure \ para vê-la</translation></message>
 <message><source>From Fi&amp;le…</source><translation>De um &amp;arquivo…</translation></message>
 <message><source>Nominal mounting</source><translation>Montagem nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
-<message><source>A click on a row shows it; Adopt keeps it, Close brings back what was set before.</source><translation>Um clique em uma linha a mostra; Adotar a mantém, Fechar devolve o que havia antes.</translation></message>
+<message><source>Click a row to see it. Adopt takes it. Close restores the former settings.</source><translation>Clique em uma linha para vê-la. Adotar a toma. Fechar restaura os ajustes anteriores.</translation></message>
 <message><source>Range gate</source><translation>Janela de distância</translation></message>
 <message><source>Draw cells from</source><translation>Desenhar células de</translation></message>
 <message><source>to</source><translation>até</translation></message>
 <message><source>All others are hidden in all views. Edges, counts and exports stay as they are.</source><translation>Todas as outras são ocultadas em todas as vistas. Bordas, contagens e exportações ficam como estão.</translation></message>
-<message><source>An empty field: as the file says, or as it is found out. The file itself stays as it is.</source><translation>Um campo vazio: como diz o arquivo, ou como se descobrir. O próprio arquivo fica como está.</translation></message>
+<message><source>An empty field: from the file, or detected. The file itself is not changed.</source><translation>Um campo vazio: do arquivo, ou detectado. O próprio arquivo não é alterado.</translation></message>
 <message><source>Read Again</source><translation>Ler de novo</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
 <message><source>Choose…</source><translation>Escolher…</translation></message>
@@ -632,7 +720,7 @@ segure \ para vê-la</translation></message>
 <message><source>File</source><translation>Arquivo</translation></message>
 <message><source>Name</source><translation>Nome</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
-<message><source>Scan lines</source><translation>Linhas de scan</translation></message>
+<message><source>Scan lines</source><translation>Linhas da varredura</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
 <message><source>Cells</source><translation>Células</translation></message>
 <message><source>with a range</source><translation>com distância</translation></message>
@@ -661,7 +749,7 @@ segure \ para vê-la</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
 <message><source>Scan</source><translation>Varredura</translation></message>
 <message><source>About EdgeScan</source><translation>Sobre o EdgeScan</translation></message>
-<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;What it shows is geometry from one viewpoint; it is not a judgement of any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause</translation></message>
+<message><source>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Finds the edges of rocks in a laser range scan and shows them in the cloud.&lt;br&gt;It shows geometry from one viewpoint. It does not judge any rock.&lt;br&gt;&lt;br&gt;Licence: BSD-3-Clause&lt;br&gt;Drawn by %2</source><translation>&lt;h3&gt;EdgeScan %1&lt;/h3&gt;Encontra as bordas das rochas em uma varredura a laser de distâncias e as mostra na nuvem de pontos.&lt;br&gt;O que mostra é geometria vista de um só ponto; não é um julgamento sobre nenhuma rocha.&lt;br&gt;&lt;br&gt;Licença: BSD-3-Clause&lt;br&gt;Desenhado por %2</translation></message>
 <message><source>&amp;No Key</source><translation>&amp;Nenhuma tecla</translation></message>
 <message><source>&amp;Reset</source><translation>&amp;Repor</translation></message>
 <message><source>Change Keys</source><translation>Alterar teclas</translation></message>
@@ -671,8 +759,8 @@ segure \ para vê-la</translation></message>
 <message><source>Reset &amp;All</source><translation>Repor &amp;tudo</translation></message>
 <message><source>Press the new key:</source><translation>Pressione a nova tecla:</translation></message>
 <message><source>%1 has no key now.</source><translation>%1 não tem mais tecla.</translation></message>
-<message><source>%1 has the key that it came with.</source><translation>%1 tem de novo a tecla original.</translation></message>
-<message><source>Every command has the key that it came with.</source><translation>Cada comando tem de novo a tecla original.</translation></message>
+<message><source>%1 has its original key again.</source><translation>%1 tem de novo a tecla original.</translation></message>
+<message><source>Every command has its original key again.</source><translation>Cada comando tem de novo a tecla original.</translation></message>
 <message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
 <message><source>along the line</source><translation>ao longo da linha</translation></message>
 <message><source>across the lines</source><translation>através das linhas</translation></message>
@@ -682,19 +770,24 @@ segure \ para vê-la</translation></message>
 <message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
-<message><source>A key of %1 belongs to another command by now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
-<message><source>cancel and let go</source><translation>cancelar e soltar</translation></message>
+<message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
+<message><source>cancel, or remove the target</source><translation>cancelar, ou remover o alvo</translation></message>
 <message><source>to the next field</source><translation>para o campo seguinte</translation></message>
 <message><source>to the field before</source><translation>para o campo anterior</translation></message>
 <message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
 <message><source>the cell cursor</source><translation>o cursor de células</translation></message>
 <message><source>show A while it is held</source><translation>mostrar A enquanto pressionada</translation></message>
+<message><source>Add a Scan as a Layer…</source><translation>Adicionar varredura como camada…</translation></message>
+<message><source>Remove</source><translation>Remover</translation></message>
+<message><source>Place by Targets</source><translation>Posicionar por alvos</translation></message>
+<message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Mostra a imagem e as bordas desta varredura; as outras ficam na nuvem</translation></message>
+<message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque os mesmos três lugares nas duas varreduras como alvos com os mesmos números: eles põem a camada no lugar</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
-<message><source>Lines whose telegrams never came; hatched in the images</source><translation>Linhas cujos telegramas nunca chegaram; hachuradas nas imagens</translation></message>
+<message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Linhas cujos telegramas não chegaram: traços nas imagens</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
-<message><source>Reads and a subscription are all that is sent to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
+<message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
 <message><source>Record</source><translation>Gravar</translation></message>
-<message><source>Write every telegram to a new file, untouched, as it arrives</source><translation>Escrever cada telegrama em um arquivo novo, sem tocar nele, à medida que chega</translation></message>
+<message><source>Write every telegram to a new file, unchanged, as it arrives</source><translation>Escrever cada telegrama em um arquivo novo, sem tocar nele, à medida que chega</translation></message>
 <message><source>Keep last minute</source><translation>Conservar o último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escrever em um arquivo novo o que chegou durante o último minuto</translation></message>
 <message><source>Hold</source><translation>Reter</translation></message>
@@ -707,7 +800,7 @@ segure \ para vê-la</translation></message>
 <message><source>The picture is held: from now on it grows with the scanner again</source><translation>A imagem está retida: a partir de agora volta a crescer com o scanner</translation></message>
 <message><source>The picture stays as it is while the scanner goes on</source><translation>A imagem fica como está enquanto o scanner continua</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
-<message><source>Lines of the sweep; a red mark is a line that never came</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
+<message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
 <message><source>not known</source><translation>desconhecido</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconhecido (supõe-se 0.18°)</translation></message>
@@ -733,21 +826,21 @@ segure \ para vê-la</translation></message>
 <message><source>nothing was measured here, or no piece fits</source><translation>nada foi medido aqui, ou nenhum pedaço corresponde</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
 <message><source>outside the region of interest</source><translation>fora da região de interesse</translation></message>
-<message><source>called none by hand</source><translation>classificado à mão como não rocha</translation></message>
+<message><source>marked by hand as not a rock</source><translation>marcada à mão como não rocha</translation></message>
 <message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
 <message><source>Merge</source><translation>Mesclar</translation></message>
-<message><source>No Rock</source><translation>Não é rocha</translation></message>
-<message><source>Let go of this rock</source><translation>Soltar esta rocha</translation></message>
+<message><source>Not a Rock</source><translation>Não é rocha</translation></message>
+<message><source>Deselect this rock</source><translation>Desmarcar esta rocha</translation></message>
 <message><source>. Hidden parts are not counted.</source><translation>. As partes ocultas não são contadas.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Depois clique na parte da rocha que é uma rocha à parte; a roda toma uma parte menor ou maior (S)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
-<message><source>▲ doubtful outline: hatched</source><translation>▲ contorno duvidoso: hachurado</translation></message>
-<message><source>called a rock by hand</source><translation>classificado à mão como rocha</translation></message>
+<message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incerto: hachurado</translation></message>
+<message><source>marked by hand as a rock</source><translation>marcada à mão como rocha</translation></message>
 <message><source>A Rock</source><translation>É rocha</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
-<message><source>This is a rock after all (N)</source><translation>É uma rocha, sim (N)</translation></message>
+<message><source>This is a rock (N)</source><translation>É uma rocha, sim (N)</translation></message>
 <message><source>Rock %1</source><translation>Rocha %1</translation></message>
 <message><source>visible spans</source><translation>extensões visíveis</translation></message>
 <message><source>distance</source><translation>distância</translation></message>
@@ -760,14 +853,14 @@ segure \ para vê-la</translation></message>
 <message><source>free height below</source><translation>altura livre abaixo</translation></message>
 <message><source>arch angle</source><translation>ângulo do arco</translation></message>
 <message><source>confidence p</source><translation>confiança p</translation></message>
-<message><source>No rock</source><translation>Não é rocha</translation></message>
+<message><source>Not a rock</source><translation>Não é rocha</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>cells</source><translation>células</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 · a %5 m</translation></message>
-<message><source> · ▲ doubtful outline</source><translation> · ▲ contorno duvidoso</translation></message>
-<message><source>no doubtful ones</source><translation>sem as duvidosas</translation></message>
+<message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
+<message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
-<message><source>Rocks whose visible b is smaller are left out of the table, not out of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
+<message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
 <message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com p menor que 0.85, que estão hachuradas, ficam fora da tabela</translation></message>
 <message><source>b at least</source><translation>b pelo menos</translation></message>
 <message><source>%1 rocks</source><translation>%1 rochas</translation></message>
@@ -781,38 +874,39 @@ segure \ para vê-la</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
 <message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem: P20 %1, P50 %2, P80 %3, o maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
-<message><source>%1 % of the rocks are visibly no wider than %2 m</source><translation>%1 % das rochas não são visivelmente mais largas que %2 m</translation></message>
+<message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % das rochas têm uma largura visível de no máximo %2 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
 <message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
-<message><source>Open a scan…</source><translation>Abrir um scan…</translation></message>
+<message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
-<message><source>Ctrl+L; nothing but reads and a subscription is sent</source><translation>Ctrl+L; só se enviam leituras e uma assinatura</translation></message>
-<message><source>Carry on with the last session</source><translation>Seguir com a última sessão</translation></message>
+<message><source>Ctrl+L: EdgeScan only reads from it</source><translation>Ctrl+L: o EdgeScan só lê</translation></message>
+<message><source>Go on with the last session</source><translation>Seguir com a última sessão</translation></message>
 <message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
 <message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
 <message><source>Demo before and after a blast</source><translation>Demonstração antes e depois de um desmonte</translation></message>
 <message><source>both, and what changed between them</source><translation>ambos, e o que mudou entre eles</translation></message>
 <message><source>Recent</source><translation>Recentes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
-<message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas num scan laser de distâncias</translation></message>
+<message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas numa varredura laser de distâncias</translation></message>
 <message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
-<message><source>Sends nothing but reads and a subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
+<message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
 <message><source>Cab mode</source><translation>Modo cabine</translation></message>
-<message><source>✕ not found: it was moved, or its disk is not here. Locate…</source><translation>✕ não encontrado: foi movido, ou o disco não está aqui. Localizar…</translation></message>
+<message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ não encontrado: foi movido, ou falta o disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: um funil bloqueado antes e depois de um desmonte.</translation></message>
 <message><source>Open the demo</source><translation>Abrir a demonstração</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
 <message><source>View from the scanner</source><translation>Ver a partir do scanner</translation></message>
-<message><source>Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, the edges depend little on it.</source><translation>Ajuste primeiro a força das bordas. A curva abaixo mostra quantas bordas há para cada valor; onde ela é plana, as bordas dependem pouco do ajuste.</translation></message>
+<message><source>Change Edge strength first. The curve under it shows the number of edge cells for every value. Where it is flat, the edges depend little on it.</source><translation>Ajuste primeiro a força das bordas. A curva abaixo mostra quantas bordas há para cada valor; onde ela é plana, as bordas dependem pouco do ajuste.</translation></message>
 <message><source>Show the edges panel</source><translation>Mostrar o painel de bordas</translation></message>
-<message><source>Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects a rock in all views.</source><translation>As rochas são encontradas a partir das bordas, com o tamanho visível e o grau de certeza. A tabela as lista; um clique escolhe uma rocha em todas as vistas.</translation></message>
+<message><source>EdgeScan finds rocks from the edges, with visible sizes and a confidence. The table lists them. A click selects a rock in all views.</source><translation>O EdgeScan encontra as rochas a partir das bordas, com o tamanho visível e uma confiança. A tabela as lista. Um clique escolhe uma rocha em todas as vistas.</translation></message>
 <message><source>Show the rocks</source><translation>Mostrar as rochas</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
@@ -825,19 +919,19 @@ segure \ para vê-la</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
-<message><source>Locked: Esc and Let Go of All leave it where it is</source><translation>Bloqueado: Esc e Soltar tudo o deixam onde está</translation></message>
-<message><source>Let go of this target</source><translation>Soltar este alvo</translation></message>
-<message><source>Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe; o que o scanner mede mal em toda parte não está incluído</translation></message>
+<message><source>Locked: Esc and Remove All do not remove it</source><translation>Bloqueado: Esc e Remover todos não o removem</translation></message>
+<message><source>Remove this target</source><translation>Remover este alvo</translation></message>
+<message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
 <message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Metros no sistema da varredura</translation></message>
 <message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
-<message><source>Easting, Northing and level in the mine grid, metres</source><translation>Leste, Norte e Cota em coordenadas da mina, metros</translation></message>
+<message><source>Easting, Northing and elevation in the mine grid, in metres</source><translation>Leste, Norte e Cota em coordenadas da mina, metros</translation></message>
 <message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
 <message><source>none here</source><translation>nenhuma aqui</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
-<message><source>Spans of what is seen of it; hidden parts are not counted</source><translation>Extensões do que se vê dela; as partes ocultas não são contadas</translation></message>
+<message><source>Length and width of its visible part. Hidden parts are not included.</source><translation>Comprimento e largura da parte visível. As partes ocultas não estão incluídas.</translation></message>
 <message><source>Resolves</source><translation>Resolução</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
 <message><source>Surface</source><translation>Superfície</translation></message>
@@ -855,7 +949,7 @@ segure \ para vê-la</translation></message>
 <message><source>, strength %1</source><translation>, força %1</translation></message>
 <message><source>Edge</source><translation>Borda</translation></message>
 <message><source>Strength 1 is at the threshold; Why says more</source><translation>A força 1 está no limiar; Por quê diz mais</translation></message>
-<message><source>Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. It shows how much the edge depends on the settings, not whether a rock is there</source><translation>Dos ajustes próximos dos da tela, quantos encontram também esta borda; calculado um momento depois da última alteração. Diz quanto a borda depende dos ajustes, não se há ali uma rocha</translation></message>
+<message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Parte dos ajustes próximos que encontram também esta borda, calculada após cada alteração. Mostra quanto a borda depende dos ajustes, não se há ali uma rocha.</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m atrás de uma aresta; medido no seu lado próximo</translation></message>
@@ -870,12 +964,10 @@ segure \ para vê-la</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
-<message><source>Remove</source><translation>Remover</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
-<message><source>The measurement that is chosen</source><translation>A medição escolhida</translation></message>
-<message><source>Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of them goes. The upright line is the threshold in use.</source><translation>Número de células de borda em cada limiar, logarítmico. Hachurado: o trecho mais longo em que não desaparece mais de um quinto delas. A linha vertical é o limiar em uso.</translation></message>
-<message><source>number of edges: not known yet</source><translation>número de bordas: ainda desconhecido</translation></message>
-<message><source>%1 edges</source><translation>%1 bordas</translation></message>
+<message><source>The selected measurement</source><translation>A medição escolhida</translation></message>
+<message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de células de borda em cada limiar, em escala logarítmica. Hachurado: o trecho mais largo em que desaparece no máximo um quinto delas. A linha vertical é o limiar em uso.</translation></message>
+<message><source>counting the edge cells …</source><translation>contando as células de borda …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
@@ -893,7 +985,7 @@ segure \ para vê-la</translation></message>
 <message><source>Save…</source><translation>Salvar…</translation></message>
 <message><source>Save these settings as a preset file</source><translation>Salvar estes ajustes como arquivo de predefinição</translation></message>
 <message><source>Preset</source><translation>Predefinição</translation></message>
-<message><source>The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Os degraus de profundidade que atingem os limiares, calculados a partir dos kernels: o número menor para um degrau em diagonal, o maior para um ao longo de linhas ou feixes. No campo acima pode-se digitar uma profundidade como 0.5 m; com níveis de cinza logarítmicos ela é tomada à distância dada aqui, e uma proporção como 5 % vale a qualquer distância.</translation></message>
+<message><source>The steps in depth that reach the thresholds, computed from the kernels: the smaller number for a step that runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range.</source><translation>Os degraus de profundidade que atingem os limiares, calculados a partir dos kernels: o número menor para um degrau em diagonal, o maior para um ao longo de linhas ou feixes. No campo acima pode-se digitar uma profundidade como 0.5 m; com níveis de cinza logarítmicos ela é tomada à distância dada aqui, e uma proporção como 5 % vale a qualquer distância.</translation></message>
 <message><source>Locked: the upper threshold is 3 times the lower one, as in the thesis. Click to open the lock.</source><translation>Bloqueado: o limiar superior é 3 vezes o inferior, como na tese. Clique para abrir o bloqueio.</translation></message>
 <message><source>Locked 1 : 3</source><translation>Bloqueado 1 : 3</translation></message>
 <message><source>Unlocked</source><translation>Desbloqueado</translation></message>
@@ -934,33 +1026,30 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
-<message><source>▲ scanner frame, no pose: no E N RL</source><translation>▲ sistema do scanner, sem pose: sem E N RL</translation></message>
-<message><source>Without a pose nothing is known of the mine grid: coordinates count from the scanner.</source><translation>Sem pose nada se sabe das coordenadas da mina: as coordenadas contam a partir do scanner.</translation></message>
+<message><source>▲ no pose: no mine coordinates</source><translation>▲ sem pose: sem E N RL</translation></message>
+<message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sem pose, as coordenadas contam a partir do scanner, não da grade da mina.</translation></message>
 <message><source>mine grid</source><translation>coordenadas da mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
-<message><source>time not known</source><translation>hora desconhecida</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
-<message><source>The file does not say when it was measured.</source><translation>O arquivo não diz quando foi medido.</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
 <message><source> · %1 filled</source><translation> · %1 preenchidas</translation></message>
-<message><source>settings: %1</source><translation>ajustes: %1</translation></message>
-<message><source>settings: %1, %2 changed</source><translation>ajustes: %1, %2 modificado(s)</translation></message>
+<message><source>Edges found in %1 ms</source><translation>Bordas encontradas em %1 ms</translation></message>
+<message><source>default settings</source><translation>ajustes padrão</translation></message>
+<message><source>settings: %1 changed</source><translation>ajustes: %1 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
+<message><source>Set of default settings: %1</source><translation>Conjunto de ajustes padrão: %1</translation></message>
 <message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
-<message><source>
-Ctrl+D restores the default settings.</source><translation>
-Ctrl+D restaura os ajustes padrão.</translation></message>
-<message><source>%1 ms</source><translation>%1 ms</translation></message>
+<message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>1 warning</source><translation>1 aviso</translation></message>
 <message><source>%1 warnings</source><translation>%1 avisos</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
-<message><source>Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots</source><translation>Mostra os avisos desta varredura e os marca como vistos; eles permanecem, e constam nos registros e nas capturas de tela</translation></message>
+<message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Mostra os avisos desta varredura e os marca como vistos. Eles permanecem nos registros e nas capturas de tela.</translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
-<message><source>no point to show: no cell of this scan holds a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
+<message><source>no point to show: no cell of this scan has a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
 <message><source>grid %1</source><translation>grade %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distância [m]</translation></message>
@@ -975,7 +1064,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
 <message><source>Hold Locked for one second to leave cab mode.</source><translation>Segure Bloqueado um segundo para sair do modo cabine.</translation></message>
-<message><source>No scan</source><translation>Nenhum scan</translation></message>
+<message><source>No scan</source><translation>Nenhuma varredura</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
@@ -994,6 +1083,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
+<message><source>By &amp;Intensity</source><translation>Por &amp;intensidade</translation></message>
+<message><source>By &amp;Intensity (this scan has none)</source><translation>Por &amp;intensidade (esta varredura não tem)</translation></message>
 <message><source>Cloud C&amp;olour</source><translation>C&amp;or da nuvem</translation></message>
 <message><source>G&amp;ray</source><translation>&amp;Cinza</translation></message>
 <message><source>By &amp;Range</source><translation>Por &amp;distância</translation></message>
@@ -1011,17 +1102,19 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
+<message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
+<message><source>Fold</source><translation>Recolher</translation></message>
 <message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
-<message><source>Opening another scan · still shown: </source><translation>Abrindo outro scan · ainda na tela: </translation></message>
+<message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
 <message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
-<message><source>Closing ends it here; what was recorded so far stays in its file.</source><translation>Ao fechar ela termina aqui; o que foi gravado até agora fica no seu arquivo.</translation></message>
-<message><source>Closing waits until it is whole.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Ao fechar, a gravação termina. O que foi gravado até agora fica no seu arquivo.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
 <message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
@@ -1047,7 +1140,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: o direito desloca, o do meio aproxima e afasta</translation></message>
 <message><source>&amp;Wheel the other way</source><translation>&amp;Roda no sentido inverso</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
-<message><source>The window speaks this language from its next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
+<message><source>The window uses this language from the next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
 <message><source>&amp;Edge Points</source><translation>&amp;Pontos de borda</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
@@ -1089,6 +1182,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Scan</source><translation>&amp;Varredura</translation></message>
 <message><source>&amp;Next Scan</source><translation>&amp;Próxima varredura</translation></message>
 <message><source>Pre&amp;vious Scan</source><translation>Varredura &amp;anterior</translation></message>
+<message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Adicionar varredura como camada…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Gravar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar o último minuto</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar a imagem no fim da varredura</translation></message>
@@ -1123,7 +1217,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir no próximo clique</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
-<message><source>&amp;No Rock, or a Rock after All</source><translation>&amp;Não é rocha, ou é sim</translation></message>
+<message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Não é rocha, ou é sim</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
@@ -1139,8 +1233,8 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Secção pela &amp;rocha</translation></message>
 <message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
-<message><source>Let &amp;Go of This Target</source><translation>&amp;Soltar este alvo</translation></message>
-<message><source>Let Go of All &amp;Targets</source><translation>Soltar &amp;todos os alvos</translation></message>
+<message><source>Remove This Tar&amp;get</source><translation>&amp;Remover este alvo</translation></message>
+<message><source>Remove All &amp;Targets</source><translation>Remover &amp;todos os alvos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
 <message><source>Sho&amp;w All</source><translation>&amp;Mostrar tudo</translation></message>
 <message><source>Clip to Bo&amp;x round Selected</source><translation>Recortar a uma &amp;caixa em torno da seleção</translation></message>
@@ -1156,7 +1250,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
-<message><source>%1 of %2 edges</source><translation>%1 de %2 bordas</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
 <message><source>growing</source><translation>a crescer</translation></message>
@@ -1214,7 +1308,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Rough scans</source><translation>Varreduras rugosas</translation></message>
 <message><source>Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.</source><translation>Quando metade das dobras está em superfícies dobradas por toda a parte, como montes de blocos pequenos, uma dobra só conta se exceder o que a rodeia.</translation></message>
 <message><source>Fill gaps</source><translation>Preencher lacunas</translation></message>
-<message><source>Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.</source><translation>As lacunas de até esta largura são preenchidas com o que as cerca, nunca sobre um salto; as células preenchidas são marcadas e não contam como medidas. 0 não preenche nenhuma.</translation></message>
+<message><source>Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.</source><translation>As lacunas de até esta largura são preenchidas com o que as cerca, nunca sobre um salto; as células preenchidas são marcadas e não contam como medidas. 0 não preenche nenhuma.</translation></message>
 <message><source>Edges in gaps</source><translation>Bordas em lacunas</translation></message>
 <message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>As células preenchidas participam da busca de bordas, e podem ser bordas que ninguém mediu.</translation></message>
 <message><source>Lower threshold</source><translation>Limiar inferior</translation></message>
@@ -1282,13 +1376,13 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>As default, for flat and quiet surfaces: low steps are edges far away too.</source><translation>Como default, para superfícies planas e com pouco ruído: os degraus baixos são bordas também ao longe.</translation></message>
 <message><source>The default settings of version 3: no rims of open voids, chains of five cells and more, rough scans and turns of the stepper as any other.</source><translation>Os ajustes padrão da versão 3: sem beiras de vazios abertos, cadeias de cinco células ou mais, sem considerar varreduras rugosas nem recuos do motor.</translation></message>
 <message><source>Fine to coarse</source><translation>Fino a grosso</translation></message>
-<message><source>From which evidence on two pieces are two rocks: lower cuts more, higher joins more.</source><translation>A partir de que indício dois pedaços são duas rochas: mais baixo corta mais, mais alto une mais.</translation></message>
+<message><source>How easily pieces are joined into one rock. Lower: more and smaller rocks. Higher: fewer and larger rocks.</source><translation>Com que facilidade os pedaços são unidos em uma rocha. Mais baixo: mais rochas, e menores. Mais alto: menos rochas, e maiores.</translation></message>
 <message><source>Smallest rock</source><translation>Menor rocha</translation></message>
-<message><source>Pieces of fewer measured cells are fines and no rocks.</source><translation>Os pedaços de menos células medidas são finos e não rochas.</translation></message>
+<message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Os pedaços de menos células medidas são finos e não rochas.</translation></message>
 <message><source>Farthest rock</source><translation>Rocha mais distante</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>O que está mais longe não é uma rocha.</translation></message>
 <message><source>Largest size expected</source><translation>Maior tamanho esperado</translation></message>
-<message><source>Pieces that are larger need better signs of being a rock and not a wall.</source><translation>Os pedaços maiores precisam de melhores sinais de ser uma rocha e não uma parede.</translation></message>
+<message><source>Larger pieces need better evidence that they are rocks and not walls.</source><translation>Os pedaços maiores precisam de melhores sinais de ser uma rocha e não uma parede.</translation></message>
 <message><source>Oversize</source><translation>Sobretamanho</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>É indicada a proporção de rochas cuja largura visível é maior; 0 não indica nenhuma.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Ângulo do primeiro feixe [graus]</translation></message>
@@ -1299,16 +1393,16 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Millimetres per number in the file</source><translation>Milímetros por número do arquivo</translation></message>
 <message><source>Cells of a cloud that is projected [degrees]; else from the spacing of its points</source><translation>Células de uma nuvem que é projetada [graus]; senão, pelo espaçamento dos seus pontos</translation></message>
 <message><source>What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)</source><translation>Em torno de que gira o motor de passo: spin (direção de visada) ou sweep (linha 0/180 graus)</translation></message>
-<message><source>Where a cloud without a grid was taken from, as X,Y,Z [m]</source><translation>De onde foi tomada uma nuvem sem grade, como X,Y,Z [m]</translation></message>
-<message><source>Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
+<message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar do scanner para uma nuvem sem grade, como X,Y,Z [m]</translation></message>
+<message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Tópico de um bag do ROS que é a varredura; senão, o laser com mais linhas</translation></message>
-<message><source>Joint of a ROS bag that turns the laser; otherwise the transforms say it</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>
+<message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
-<message><source>Level RL [m]</source><translation>Cota RL [m]</translation></message>
+<message><source>Elevation RL [m]</source><translation>Cota RL [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Rumo, do norte em sentido horário [graus]</translation></message>
 <message><source>North of the heading</source><translation>Norte do rumo</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinação: arfagem, nariz para cima [graus]</translation></message>
@@ -1341,7 +1435,7 @@ Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>Scale of the grid</source><translation>Escala da grade</translation></message>
 <message><source>Largest change of tilt during a sweep [degrees]</source><translation>Maior mudança de inclinação durante uma passagem [graus]</translation></message>
 <message><source>Largest age of a pose [s]</source><translation>Maior idade de uma pose [s]</translation></message>
-<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over</source><translation>XYZ e CSV com todas as colunas, e a grade e o registro em linhas de comentário: em que os SIG e as planilhas podem tropeçar</translation></message>
+<message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ e CSV com todas as colunas, e a grade e o registro em linhas de comentário: os SIG e as planilhas podem recusá-los</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD em coordenadas da mina com números de 8 bytes, que PCL e Open3D não leem; senão, em metros a partir de uma origem num comentário</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF da versão 2000 em vez da versão 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF: também as linhas de borda de apenas dois pontos</translation></message>

@@ -7,16 +7,21 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/controllers/files/calibrating.h"
 #include "ui/panels/dialogs/calibration_card.h"
+#include "ui/panels/dialogs/opening_card.h"
 #include "ui/panels/rocks/rock_table.h"
 #include "ui/panels/rocks/rocks_panel.h"
+#include "ui/panels/tuning/count_curve.h"
 #include "ui/window/theme.h"
 
 #include <QPainter>
 #include <QScreen>
+#include <QStatusBar>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -63,12 +68,25 @@ bool opened(WindowFixture& on, const Bell& bell) {
     return true;
 }
 
+bool countedEdges(WindowFixture& on, const Bell& bell) {
+    if (!opened(on, bell)) return false;
+    auto* curve = on.window.findChild<CountCurve*>("curve-sensitivity");
+    return eventually([&] { return curve->curve() && !curve->curve()->edges.empty(); });
+}
+
+bool checked(WindowFixture& on, const Bell& bell) {
+    if (!opened(on, bell)) return false;
+    on.viewer.opening.show();
+    return eventually([&] { return on.viewer.opening.card() && on.viewer.opening.card()->isVisible(); }) && on.settled();
+}
+
 bool tuned(WindowFixture& on, const Bell& bell) {
     if (!opened(on, bell)) return false;
     on.slider("sensitivity")->setFocus();
     for (int n = 0; n < 12; ++n) QTest::keyClick(on.slider("sensitivity"), Qt::Key_Right);
     QTest::keyClick(&on.window, Qt::Key_C);
-    return on.settled();
+    auto* curve = on.window.findChild<CountCurve*>("curve-sensitivity");
+    return on.settled() && eventually([&] { return curve->curve() && !curve->curve()->edges.empty(); });
 }
 
 bool picked(WindowFixture& on, const Bell& bell) {
@@ -159,9 +177,49 @@ QImage pictureOf(MainWindow& window) {
 struct Task {
     const char* name;
     bool (*act)(WindowFixture&, const Bell&);
+    std::vector<const char*> numbered = {}; ///< widgets that the page explains by number, from 1
 };
-constexpr Task kTasks[]{{"open", opened},      {"tune", tuned}, {"pick", picked},          {"measure", measured},
-                        {"compare", compared}, {"live", live},  {"hand-over", handedOver}, {"calibrate", calibrated}};
+const std::vector<Task> kTasks{
+    {"window",
+     countedEdges,
+     {"gray", "edges", "cloud", "edge-legend", "scale-plate", "origin", "slider-sensitivity", "range-handles", "counts"}},
+    {"open", checked},
+    {"tune", tuned, {"slider-sensitivity", "curve-sensitivity", "slider-jump", "slider-crease", "slider-min-length", "edge-legend"}},
+    {"pick", picked},
+    {"measure", measured},
+    {"compare", compared},
+    {"live", live},
+    {"hand-over", handedOver},
+    {"calibrate", calibrated}};
+
+// A numbered disc at the left end of each widget.
+bool number(MainWindow& window, const std::vector<const char*>& widgets, QImage& picture) {
+    constexpr int kRadius = 12;
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font = painter.font();
+    font.setBold(true);
+    font.setPixelSize(15);
+    painter.setFont(font);
+    for (std::size_t n = 0; n < widgets.size(); ++n) {
+        const auto* widget = window.findChild<QWidget*>(widgets[n]);
+        if (widget == nullptr || !widget->isVisible()) {
+            std::cout << "no widget to number: " << widgets[n] << std::endl;
+            return false;
+        }
+        const QPoint corner = widget->mapTo(&window, QPoint());
+        const bool isView = widget->height() > 240, inStatusBar = window.statusBar()->isAncestorOf(widget);
+        QPoint at = corner + QPoint(-kRadius - 4, std::min(widget->height() / 2, kRadius));
+        if (isView) at = corner + QPoint(2 * kRadius, 2 * kRadius);
+        if (inStatusBar) at = corner + QPoint(widget->width() / 2, -kRadius);
+        at.setX(std::max(at.x(), kRadius + 2));
+        painter.setPen(QPen(Qt::white, 2));
+        painter.setBrush(QColor(11, 98, 176));
+        painter.drawEllipse(at, kRadius, kRadius);
+        painter.drawText(QRect(at - QPoint(kRadius, kRadius), QSize(2 * kRadius, 2 * kRadius)), Qt::AlignCenter, QString::number(n + 1));
+    }
+    return true;
+}
 
 int makePictures(const QString& folder, const QString& wanted) {
     const test::TemporaryFolder made;
@@ -190,7 +248,8 @@ int makePictures(const QString& folder, const QString& wanted) {
         const QString path = QString("%1/task-%2-%3.png").arg(folder, task.name).arg(size.width());
         well = on.show() && task.act(on, bell);
         for (int n = 0; n < 5; ++n) QApplication::processEvents(); // layouts that still wait
-        well = well && pictureOf(on.window).save(path);
+        QImage picture = pictureOf(on.window);
+        well = well && number(on.window, task.numbered, picture) && picture.save(path);
         std::cout << (well ? "made " : "NOT MADE: ") << path.toStdString() << std::endl;
     }
     return well ? 0 : 1;

@@ -36,6 +36,11 @@ inline inspect::ViewerState exampleSession(const std::filesystem::path& path) {
     state.marks = {{9, 3}, {12}};
     state.earlier = inspect::EarlierScan{state.scan, edges::cannySettings()};
     state.earlier->scan.path = path.parent_path() / "before.json";
+    state.layers = {{state.scan, true, inspect::LayerPlace{}}, {state.earlier->scan, false, std::nullopt}};
+    state.layers.front().place->toFirst.translationM = {1.5, -2.0, 0.25};
+    state.layers.front().place->by = inspect::StationBasis::Surfaces;
+    state.layers.front().place->residualM = 0.0042;
+    state.layers.front().place->warnings = {"OUT OF SPEC: far away."};
     state.view.camera = inspect::SessionCamera{{1, 2, 3}, {4, 5, 6}, {0, -1, 0}, 40.0, true};
     state.view.images = inspect::SessionImages{600.5, 50.25, 3.5};
     state.switches = {{"rocks/shown", true}, {"view/overlay", false}};

@@ -236,9 +236,9 @@ private slots:
         QVERIFY(on.ready);
         on.click("calibration-start");
         QVERIFY(on.card->working());
-        on.click("calibration-start"); // the button is "Give Up" now
+        on.click("calibration-start"); // the button is "Stop" now
         QVERIFY(!on.card->working());
-        QCOMPARE(on.card->verdict(), QString("✕ given up"));
+        QCOMPARE(on.card->verdict(), QString("✕ stopped"));
         on.click("calibration-start");
         QVERIFY(on.found()); // the cancelled question has no effect
         QVERIFY(on.open(half_));
@@ -254,7 +254,7 @@ private slots:
         on.viewer.files.openDemo();
         QVERIFY(on.settled());
         calibrateAction(on.window)->trigger();
-        QVERIFY(on.viewer.notice.text().contains("comes from no file"));
+        QVERIFY(on.viewer.notice.text().contains("does not come from a file"));
     }
 };
 

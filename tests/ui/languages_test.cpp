@@ -264,7 +264,7 @@ private slots:
             // The audit log uses the language of the sources too; the menu uses the window's language.
             on.viewer.markedEdges.mark(on.viewer.views.cellAt(20, 30), true);
             const QUndoStack& undo = on.viewer.undo;
-            QCOMPARE(undo.text(undo.index() - 1), QString("Mark of an Edge"));
+            QCOMPARE(undo.text(undo.index() - 1), QString("Mark as an Edge"));
             QCOMPARE(undo.undoText(), QString("Marque d’arête"));
             on.viewer.tuning.setParameter("classes", edges::kClassConvex);
             QVERIFY(undo.text(undo.index() - 1) != undo.undoText());

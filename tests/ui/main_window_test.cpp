@@ -52,7 +52,7 @@ void compareWithCommandLine(WindowFixture& on) {
     QCOMPARE(countPixels(*window.viewer().views.edges().image(), [](QRgb p) { return p == qRgb(255, 255, 255); }),
              static_cast<int>(detection.edges->size() - rims));
     QVERIFY(window.viewer().statusLine.countsShown().contains(
-        QLocale(QLocale::English).toString(static_cast<qulonglong>(detection.edges->size())) + " edges"));
+        QLocale(QLocale::English).toString(static_cast<qulonglong>(detection.edges->size())) + " edge cells"));
     std::string flags;
     const nlohmann::json settings = edges::settingsToJson(detection.settings);
     for (const auto& [key, value] : settings.items())

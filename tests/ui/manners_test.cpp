@@ -291,18 +291,21 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(placed_));
         QVERIFY(on.activate());
-        const QString usual = QString("settings: %1 %2").arg(edges::kDefaultSet.name).arg(edges::kDefaultSet.version);
+        const QString usual = "default settings", changed = "settings: 2 changed";
+        const QString set = QString("Set of default settings: %1 %2").arg(edges::kDefaultSet.name).arg(edges::kDefaultSet.version);
+        auto* label = on.window.findChild<QLabel*>("settings");
         QVERIFY(on.use(edges::Settings{}));
         QCOMPARE(on.viewer.statusLine.settingsShown(), usual);
         edges::Settings turned;
         turned.creaseDeg += 7;
         turned.growthPercent += 1;
         QVERIFY(on.use(turned));
-        QCOMPARE(on.viewer.statusLine.settingsShown(), usual + ", 2 changed");
-        QVERIFY(on.window.findChild<QLabel*>("settings")->toolTip().contains("Crease angle: 37 instead of 30"));
+        QCOMPARE(on.viewer.statusLine.settingsShown(), changed);
+        QVERIFY2(label->toolTip().startsWith(set) && label->toolTip().contains("Crease angle: 37 instead of 30"),
+                 qPrintable(label->toolTip()));
         // Also if a preset with these settings is chosen.
         on.viewer.tuning.usePreset({"mine", "", turned, {}});
-        QCOMPARE(on.viewer.statusLine.settingsShown(), usual + ", 2 changed");
+        QCOMPARE(on.viewer.statusLine.settingsShown(), changed);
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);
         QCOMPARE(on.viewer.statusLine.settingsShown(), usual);
         QVERIFY(on.viewer.engine.settings() == edges::Settings{});

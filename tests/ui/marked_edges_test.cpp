@@ -96,7 +96,7 @@ private slots:
         // The marks appear at their cells in all views, with different icons and words.
         const auto& tags = on.viewer.views.cloud().marks().targets;
         QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✓ edge"; }), 3);
-        QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✕ no edge"; }), 2);
+        QCOMPARE(std::ranges::count_if(tags, [](const TargetMark& mark) { return mark.tag == "✕ not an edge"; }), 2);
         action(on, "Settings for These Marks…")->trigger();
         ProposalsCard* card = on.viewer.markedEdges.card();
         // Running work is visible at once, and Esc cancels it.

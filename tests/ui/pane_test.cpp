@@ -133,7 +133,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_5);
         QCOMPARE(cloud.remark(), QString::fromUtf8("turntable · orthographic"));
         QTest::keyClick(&on.window, Qt::Key_5);
-        const QString all = counted(on.picture().detection->edges->size()) + " edges";
+        const QString all = counted(on.picture().detection->edges->size()) + " edge cells";
         QCOMPARE(edges.note(), all);
         QTest::keyClick(&on.window, Qt::Key_C);
         QCOMPARE(edges.note(), all + QString::fromUtf8(" · by class"));
@@ -161,7 +161,7 @@ private slots:
         edges::Settings fewer = on.viewer.engine.settings();
         fewer.method = edges::Method::Canny;
         QVERIFY(on.use(fewer));
-        QCOMPARE(edges.note(), counted(on.picture().detection->edges->size()) + " edges");
+        QCOMPARE(edges.note(), counted(on.picture().detection->edges->size()) + " edge cells");
     }
 
     void aButtonShowsAViewAlone() {

@@ -60,8 +60,8 @@ private slots:
         const QString expected = QString("E %1  N %2  RL %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3);
         QVERIFY2(window.viewer().statusLine.probeShown().contains(expected), qPrintable(window.viewer().statusLine.probeShown()));
         QVERIFY(on.open(bare_));
-        QCOMPARE(window.viewer().statusLine.placeShown(), QString::fromUtf8("▲ scanner frame, no pose: no E N RL"));
-        QCOMPARE(window.viewer().statusLine.recordedShown(), QString("time not known"));
+        QCOMPARE(window.viewer().statusLine.placeShown(), QString::fromUtf8("▲ no pose: no mine coordinates"));
+        QCOMPARE(window.viewer().statusLine.recordedShown(), QString());
         emit window.viewer().views.gray().clicked(30, 40);
         QVERIFY(window.viewer().statusLine.probeShown().startsWith("x "));
     }

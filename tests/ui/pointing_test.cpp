@@ -153,7 +153,7 @@ private slots:
         QVERIFY(chooseInMenu(cloud, *pixel(), "Pin"));
         QCOMPARE(*window_->viewer().views.pinned(), std::size_t{cell});
         QTRY_VERIFY(pixel());
-        QVERIFY(chooseInMenu(cloud, *pixel(), "Let go"));
+        QVERIFY(chooseInMenu(cloud, *pixel(), "Remove the target"));
         QVERIFY(!window_->viewer().views.pinned());
         ImageView& gray = window_->viewer().views.gray();
         const CameraPose before = cloud.camera();

@@ -578,7 +578,8 @@ private slots:
         QTest::mouseClick(on.viewer.rocksPanel.card().rockOrNot(), Qt::LeftButton);
         QVERIFY(settled(on));
         QCOMPARE(picture(on).labelAt(cell), 0U);
-        QVERIFY2(on.viewer.rocksPanel.card().text().contains("called none by hand"), qPrintable(on.viewer.rocksPanel.card().text()));
+        QVERIFY2(on.viewer.rocksPanel.card().text().contains("marked by hand as not a rock"),
+                 qPrintable(on.viewer.rocksPanel.card().text()));
         QTest::mouseClick(on.viewer.rocksPanel.card().rockOrNot(), Qt::LeftButton);
         QVERIFY(settled(on));
         QVERIFY(picture(on).labelAt(cell) != 0);

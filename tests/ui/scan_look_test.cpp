@@ -112,6 +112,38 @@ private slots:
         QVERIFY(!cloud.pointColours() && plate(on).scaleTitle().isEmpty());
     }
 
+    void intensityIsOfferedWhereTheFileHasIt() {
+        Scan scan = test::boxesScan(120, 160, 3, 0.02);
+        scan.intensity = Grid<float>(scan.lines(), scan.beams(), std::numeric_limits<float>::quiet_NaN());
+        for (std::size_t k = 0; k < scan.cells(); ++k) {
+            if (scan.state[k] == CellState::Valid && k % 160 >= 10) scan.intensity[k] = static_cast<float>(k % 160);
+        }
+        for (const char* name : {"strong.pcd", "strong.ply", "strong.las"}) {
+            const std::string path = (folder_ / name).string();
+            const auto saved = files::saveScan(scan, path);
+            QVERIFY2(saved, saved ? "" : saved.error().sentence().c_str());
+            WindowFixture on;
+            QVERIFY(shown(on, boxes_));
+            auto* action = on.window.findChild<QAction*>("colour-intensity");
+            QVERIFY(!action->isEnabled());
+            QVERIFY2(action->text().contains("this scan has none"), qPrintable(action->text()));
+            QVERIFY2(on.open(path) && rested(on), name);
+            QVERIFY2(action->isEnabled(), name);
+            action->trigger();
+            QVERIFY(rested(on));
+            QCOMPARE(plate(on).scaleTitle(), QString("Intensity"));
+            // Weak returns are blue, strong ones are not.
+            const Grid<float>& intensity = on.picture().detection->scan->intensity;
+            std::vector<std::pair<float, int>> blues;
+            for (std::size_t k = 0; k < intensity.size(); ++k) {
+                if (std::isfinite(intensity[k])) blues.emplace_back(intensity[k], qBlue(colourOf(on, k)));
+            }
+            QVERIFY(blues.size() > 1000);
+            std::ranges::sort(blues);
+            QVERIFY2(blues[blues.size() / 20].second > blues[blues.size() * 19 / 20].second + 30, name);
+        }
+    }
+
     void heightIsThatOfTheMineWhereThereIsAPose() {
         for (const bool placed : {false, true}) {
             WindowFixture on;

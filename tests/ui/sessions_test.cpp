@@ -221,7 +221,8 @@ private slots:
         WindowFixture on;
         QVERIFY(on.show());
         on.window.sessions().openSession(file);
-        QTRY_VERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("is not there"), qPrintable(on.viewer.notice.text()));
+        QTRY_VERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("was not found"),
+                     qPrintable(on.viewer.notice.text()));
         auto* locate = on.window.findChild<QToolButton*>("notice-action");
         QVERIFY(locate->isVisible());
         QCOMPARE(locate->text(), QString("Locate…"));

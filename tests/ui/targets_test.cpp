@@ -6,6 +6,7 @@
 #include "core/scan/grid/acquisition.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
+#include "tests/ui/mouse_wheel.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/dialogs/command_palette.h"
@@ -222,6 +223,34 @@ private slots:
         QCOMPARE(measuredIn.count(), 1);
     }
 
+    void aFarWallDoesNotShrinkASection() {
+        auto section = std::make_shared<inspect::Section>();
+        inspect::SectionLine near, far;
+        for (int n = 0; n <= 100; ++n) near.push_back({{0.02 * n, 0.3 * std::sin(0.1 * n)}, {}, static_cast<std::uint32_t>(n)});
+        for (int n = 0; n <= 100; ++n) far.push_back({{-40.0 + 0.8 * n, 60.0}, {}, static_cast<std::uint32_t>(1000 + n)});
+        section->lines = {near, far};
+        SectionPlot plot;
+        plot.resize(640, 420);
+        plot.setVisible(true);
+        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        const auto perM = [&plot] { return plot.placeOf({1.0, 0.0}).x() - plot.placeOf({0.0, 0.0}).x(); };
+        plot.show(section);
+        QCOMPARE(plot.outside(), std::size_t{0});
+        QVERIFY(perM() < 10);
+        plot.show(section, Eigen::AlignedBox2d(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(2.0, 0.0)));
+        QVERIFY(perM() > 100);
+        QCOMPARE(plot.outside(), far.size());
+        // No words of the scale are cut at the top: its highest row of pixels has lines only.
+        for (int high = 400; high < 440; ++high) {
+            plot.resize(640, high);
+            const QImage picture = plot.grab().toImage();
+            const int words = countPixels(picture.copy(0, 0, 60, 1), [](QRgb pixel) { return qRed(pixel) > 140; });
+            QCOMPARE(words, 0);
+        }
+        for (int n = 0; n < 30; ++n) wheel(plot, plot.rect().center(), -1);
+        QCOMPARE(plot.outside(), std::size_t{0});
+    }
+
     void theCardSaysWhatIsKnownAndWhatItWas() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));
@@ -342,7 +371,7 @@ private slots:
         QVERIFY(showWith(on, boxes_));
         ImageView& gray = on.viewer.views.gray();
         QTest::keyClick(&on.window, Qt::Key_U);
-        QVERIFY2(on.viewer.tools.shown().contains("click the one end"), qPrintable(on.viewer.tools.shown()));
+        QVERIFY2(on.viewer.tools.shown().contains("click one end"), qPrintable(on.viewer.tools.shown()));
         const std::vector<std::uint32_t> ends{meantUnder(on, 20, 30), meantUnder(on, 90, 120)};
         click(gray, 20, 30);
         QVERIFY(targets(on).empty()); // no target

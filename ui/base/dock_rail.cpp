@@ -20,7 +20,7 @@ struct PanelSign {
     const char* sign;
 };
 constexpr PanelSign kPanelSigns[] = {
-    {"dock-edges", "tune"}, {"dock-rocks", "rocks"}, {"dock-rock-table", "table"}, {"dock-targets", "pin"}};
+    {"dock-edges", "tune"}, {"dock-rocks", "rocks"}, {"dock-rock-table", "table"}, {"dock-targets", "pin"}, {"dock-layers", "layers"}};
 
 QIcon signOf(const QDockWidget& dock) {
     for (const PanelSign& each : kPanelSigns) {

@@ -211,9 +211,8 @@ void Comparing::takeRead(const Reading& asked, const Read& read) {
     const Scan& scan = *picture->detection->scan;
     const std::string& sha256 = from.scan.identity.sha256;
     if (!sha256.empty() && sha256 != scan.sha256) {
-        return refuse(
-            NoticeBar::Kind::Warning,
-            tr("A was not brought back: %1 has another content since it was kept.").arg(shownName(exactText(from.scan.path.string()))));
+        return refuse(NoticeBar::Kind::Warning,
+                      tr("A was not restored: %1 has changed since.").arg(shownName(exactText(from.scan.path.string()))));
     }
     from.scan.identity = inspect::notebookScan(scan);
     if (!asked.asStep) return use(picture, from);

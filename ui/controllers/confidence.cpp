@@ -130,7 +130,7 @@ std::shared_ptr<const edges::EdgeConfidence> Confidence::workOut(const Picture& 
 
 void Confidence::failed(const QString& what) {
     failed_ = true;
-    legend_.showNone(tr("could not be worked out:\n%1").arg(what));
+    legend_.showNone(tr("could not be computed:\n%1").arg(what));
     updateCards();
 }
 

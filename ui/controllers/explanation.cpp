@@ -67,7 +67,7 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               show(question, question.picture == views_.shown(), *why);
           },
           [this](const QString& what) {
-              const QString sentence = tr("Why could not be worked out (%1).").arg(what);
+              const QString sentence = tr("The reason could not be found (%1).").arg(what);
               notice_.showNotice(NoticeBar::Kind::Warning, sentence);
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
@@ -87,7 +87,7 @@ void Explanation::explain(const inspect::MeantCell& click) {
         });
     }
     card_->offerNearestEdge(0);
-    card_->showExplanation(tr("Working out why …"));
+    card_->showExplanation(tr("Finding the reason …"));
     why_.ask({picture, click});
 }
 
@@ -132,7 +132,8 @@ void Explanation::forgetTrail() { views_.setTrail({}); }
 void Explanation::explainMarked() {
     const auto cell = views_.marked();
     if (!cell)
-        return notice_.showNotice(NoticeBar::Kind::Warning, tr("Point at a cell or click one first; then Why says what decides about it."));
+        return notice_.showNotice(NoticeBar::Kind::Warning,
+                                  tr("Point at a cell or click one first. Why then shows what decides whether it is an edge."));
     explain(views_.pinned() ? inspect::exactly(*cell) : views_.meant(*cell));
 }
 

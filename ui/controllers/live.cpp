@@ -133,11 +133,11 @@ void Live::useSweep() {
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
     if (notice_.text() == mountingQuestion() && !sweep.axisAssumed && !sweep.stepAssumed) notice_.hide();
     QStringList remarks;
-    if (*gone > 0) remarks << tr("The first %1 lines of this sweep came too long ago to be put into their new places.").arg(*gone);
+    if (*gone > 0) remarks << tr("The first %1 lines of this sweep are too old to be moved to their new places.").arg(*gone);
     if (scanner_.recording())
         remarks << tr(
-            "The recording that is being written says the old mounting and steps: put it right with Scan > How the Scan Is Read when it "
-            "is opened, or begin another one.");
+            "The recording in progress has the old mounting and steps. Correct them with Scan > How the Scan Is Read after you open it, "
+            "or start another recording.");
     if (!remarks.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, remarks.join('\n'));
 }
 
@@ -178,7 +178,7 @@ void Live::reportSweepEnd() {
     for (const std::string& warning : scan.warnings) warnings << shownText(warning);
     const QString name = shownText(scan.name);
     if (warnings.isEmpty())
-        notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is whole: %2 lines.").arg(name).arg(scan.lines()));
+        notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()));
     else
         notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 has ended. ").arg(name) + warnings.join("\n"));
 }

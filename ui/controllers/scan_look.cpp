@@ -78,6 +78,7 @@ void ScanLook::followPicture() {
     if (!picture) return;
     if (coloured_.lock() == picture->cloud) return;
     coloured_ = picture->cloud;
+    emit intensityKnown(picture->detection->scan->intensity.size() > 0);
     colours_.ask({picture->detection->scan, picture->cloud, by_, picture->cloud == counted_.lock()});
 }
 

@@ -1,4 +1,4 @@
-// The display of the scan itself: cloud colours by range, height or line, and the window of the range image.
+// The display of the scan itself: cloud colours by range, height, line or intensity, and the window of the range image.
 #pragma once
 
 #include "ui/engine/worker_bridge/derived.h"
@@ -38,6 +38,8 @@ public:
 
 signals:
     void colourByChanged(edgescan::ui::ColourBy by);
+    /// Whether the scan on the screen has intensities.
+    void intensityKnown(bool some);
     /// The lock or the colours changed: session data that the views do not report.
     void changed();
 

@@ -104,7 +104,7 @@ std::string ScanReport::commandFor(const edges::Detection& detection, const QStr
 void ScanReport::writeTo(const QString& path, const ReportWords& words) {
     if (!engine_.picture()) return;
     if (rocks_.behind()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being worked out; try again.").arg(path));
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being computed; try again.").arg(path));
         return;
     }
     const std::shared_ptr<const RockPicture> rocks = rocks_.picture();

@@ -4,6 +4,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/files/open_save/sidecar_grid.h"
 #include "core/inspect/measure/cell_target.h"
+#include "core/scan/grid/cartesian.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
@@ -34,7 +35,7 @@ Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& ta
           },
           [this](const Question& question, const std::shared_ptr<const inspect::Section>& section) { take(question, section); },
           [this](const QString& what) {
-              notice_.showNotice(NoticeBar::Kind::Warning, tr("The section could not be worked out (%1).").arg(what));
+              notice_.showNotice(NoticeBar::Kind::Warning, tr("The section could not be computed (%1).").arg(what));
           }) {
     connect(&views_, &LinkedViews::probed, this, [this](const std::optional<edges::Probe>& probe) {
         if (card_ != nullptr && card_->isVisible()) card_->plot().mark(probe ? std::optional(probe->pointM) : std::nullopt);
@@ -67,7 +68,8 @@ void Sections::throughMeasurement() {
                            tr("A section goes through the two ends of the last measurement: measure a distance between two cells first."));
         return;
     }
-    ask(inspect::planeThrough(*engine_.picture()->detection->scan, measures.back().cells.front(), measures.back().cells[1]));
+    const std::vector<std::uint32_t> ends{measures.back().cells.front(), measures.back().cells[1]};
+    ask(inspect::planeThrough(*engine_.picture()->detection->scan, ends[0], ends[1]), ends);
 }
 
 void Sections::throughRock() {
@@ -82,12 +84,18 @@ void Sections::throughRock() {
     for (std::uint32_t k = 0; k < labels.size(); ++k) {
         if (labels[k] == label) cells.push_back(k);
     }
-    ask(inspect::planeThroughRock(*rocks_.picture()->detection->scan, cells));
+    ask(inspect::planeThroughRock(*rocks_.picture()->detection->scan, cells), cells);
 }
 
-void Sections::ask(const Result<inspect::SectionPlane>& plane) {
+void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells) {
     if (!plane) return notice_.showError(plane.error());
-    sections_.ask({engine_.picture(), *plane, study()});
+    const CartesianTables points(*engine_.picture()->detection->scan);
+    Eigen::AlignedBox2d about;
+    for (const std::uint32_t k : cells) {
+        const Eigen::Vector3d way = points.point(k) - plane->originM;
+        if (way.allFinite()) about.extend(Eigen::Vector2d(way.dot(plane->across), way.dot(plane->up)));
+    }
+    sections_.ask({engine_.picture(), *plane, study(), about});
 }
 
 void Sections::take(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
@@ -103,7 +111,7 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
         connect(&card_->plot(), &SectionPlot::hovered, this, [this](std::size_t cell) { views_.pointAt(cell); });
     }
     picture_ = question.picture;
-    card_->plot().show(section);
+    card_->plot().show(section, question.aboutM);
     QString words = tr("Vertical plane, true scale. Edges green%1.").arg(question.rocks ? tr(", rocks in colours") : QString());
     if (section->plane.upAssumed) words += " " + tr("▲ no pose: up is the scanner's z");
     card_->setWords(words);

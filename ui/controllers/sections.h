@@ -7,7 +7,11 @@
 
 #include <QObject>
 
+#include <Eigen/Geometry>
+
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace edgescan::rocks {
 struct Study;
@@ -42,8 +46,9 @@ private:
         std::shared_ptr<const Picture> picture;
         inspect::SectionPlane plane;
         std::shared_ptr<const rocks::Study> rocks; ///< null: rocks are not shown
+        Eigen::AlignedBox2d aboutM;                ///< the cells that the section was asked for, across and up
     };
-    void ask(const Result<inspect::SectionPlane>& plane);
+    void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells);
     void take(const Question& question, const std::shared_ptr<const inspect::Section>& section);
     void showLength(const inspect::SectionVertex& from, const inspect::SectionVertex& to);
     void askExport();

@@ -59,7 +59,6 @@ void Tuning::recall() {
 }
 
 void Tuning::noteChange() {
-    sinceChange_.start();
     panel_.show(engine_.settings());
     panel_.setBehind(engine_.behind());
     if (!starting_) preferences_.keepSettings(engine_.settings());
@@ -68,7 +67,6 @@ void Tuning::noteChange() {
 void Tuning::followPicture() {
     const Picture& picture = *engine_.picture();
     const bool newScan = std::exchange(shownScan_, picture.detection->scan) != picture.detection->scan;
-    updateMs_ = sinceChange_.isValid() && !newScan ? static_cast<double>(sinceChange_.nsecsElapsed()) / 1e6 : picture.detection->totalMs;
     panel_.showResult(*picture.detection);
     panel_.setBehind(engine_.behind());
     if (picture.source.growth.growing)

@@ -6,7 +6,6 @@
 #include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/engine.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QUndoStack>
 
@@ -38,9 +37,6 @@ public:
     void askOpenPreset();
     void askSavePreset();
 
-    /// Milliseconds from the last change of a setting to the shown picture; for a new scan the time of the method.
-    [[nodiscard]] double updateMs() const { return updateMs_; }
-
 private:
     void recall();
     void change(const edges::Settings& settings, bool dragging);
@@ -56,8 +52,6 @@ private:
     int drag_ = 0;        // number of the current drag, for undo
     bool starting_ = false;
     const edges::Parameter* lastChanged_ = nullptr;
-    QElapsedTimer sinceChange_;
-    double updateMs_ = 0.0;
     std::shared_ptr<const Scan> shownScan_;
 };
 

@@ -4,6 +4,7 @@
 #include "ui/base/dock_rail.h"
 #include "ui/base/scrolled.h"
 #include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/layers/layers_panel.h"
 #include "ui/panels/rocks/rock_table.h"
 #include "ui/panels/rocks/rocks_panel.h"
 #include "ui/panels/targets/targets_panel.h"
@@ -16,6 +17,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QStyle>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +34,8 @@ constexpr double kPanelHeight = 0.55; // of the window, of a panel that opens un
 constexpr int kLeastPanel = 240, kMostPanel = 400; // px; narrower panels cut off text
 constexpr int kSamePx = 2;                         // widths that differ by less count as equal
 constexpr const char* kByHand = "byHand";          // of a dock: "open" or "folded" if the operator opened or folded it
-constexpr const char *kEdges = "dock-edges", *kRocks = "dock-rocks", *kTargets = "dock-targets", *kTable = "dock-rock-table";
+constexpr const char *kEdges = "dock-edges", *kRocks = "dock-rocks", *kTargets = "dock-targets", *kTable = "dock-rock-table",
+                     *kLayers = "dock-layers";
 
 QString byHand(const QDockWidget& dock) { return dock.property(kByHand).toString(); }
 
@@ -45,14 +48,16 @@ Docks::Docks(QMainWindow& window, DockRail& rail, Viewer& viewer)
     add(tr("Edges"), kEdges, &viewer.panel, Side::Right, kPanelsFrom);
     add(tr("Rocks"), kRocks, scrolled(viewer.rocksPanel), Side::Right, kPanelsFrom);
     add(tr("Targets"), kTargets, scrolled(viewer.targetsPanel), Side::Right, kPanelsFrom);
+    add(tr("Layers"), kLayers, scrolled(viewer.layersPanel), Side::Right, kPanelsFrom);
     add(tr("Rock Table"), kTable, &viewer.rockTable, Side::Bottom, kPanelsFrom);
     place();
-    for (const char* name : {kRocks, kTargets, kTable}) rail_.setWanted(named(name).widget, false);
+    for (const char* name : {kRocks, kTargets, kLayers, kTable}) rail_.setWanted(named(name).widget, false);
     named(kEdges).wanted = true;
     connect(&viewer.rocks, &Rocks::shownChanged, this, [this](bool on) {
         want(kTable, on);
         want(kRocks, on);
     });
+    connect(&viewer.layers, &Layers::shownChanged, this, [this](bool on) { want(kLayers, on); });
     connect(&viewer.targets, &Targets::pinned, this, [this] { want(kTargets, true); });
 }
 
@@ -115,13 +120,15 @@ void Docks::fit(int most) {
     showTitles();
 }
 
-/// A tab says the title already.
+/// A tab says the title already: the row below it names its button.
 void Docks::showTitles() {
     for (const Dock& dock : docks_) {
         const auto others = window_.tabifiedDockWidgets(dock.widget);
         const bool tab = std::ranges::any_of(others, [](const QDockWidget* other) { return !other->isHidden(); });
+        const bool below = tab && !dock.widget->isHidden();
         if (auto* title = dock.widget->titleBarWidget()->findChild<QLabel*>())
-            title->setText(tab && !dock.widget->isHidden() ? QString() : dock.widget->windowTitle());
+            title->setText(below ? QString() : dock.widget->windowTitle());
+        if (auto* fold = dock.widget->titleBarWidget()->findChild<QToolButton*>()) fold->setText(below ? tr("Fold") + " »" : QString("»"));
     }
 }
 
@@ -172,6 +179,7 @@ void Docks::place() {
 /// On a low window one whole card is easier to read than a third of each; in a narrow one the table would take the images' room.
 void Docks::stack() {
     stackOnRocks(*named(kTargets).widget, window_.height() < kStackedFrom, Qt::RightDockWidgetArea);
+    stackOnRocks(*named(kLayers).widget, window_.height() < kStackedFrom, Qt::RightDockWidgetArea);
     stackOnRocks(*named(kTable).widget, sideOf(named(kTable)) == Side::Right, Qt::BottomDockWidgetArea);
 }
 

@@ -25,7 +25,6 @@
 #include "ui/panels/tuning/status_line.h"
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/views/cloud/cloud_view.h"
-#include "ui/views/cloud/gl_check.h"
 #include "ui/views/cloud/scale_plate.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/cab_mode.h"
@@ -127,7 +126,6 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(&rememberTimer_, &QTimer::timeout, this, &MainWindow::remember);
     restoreLayout();
     if (viewer_.preferences.flag("view/cab", false)) cab_->set(true);
-    viewer_.statusLine.showRenderer(checkGl().renderer);
 }
 
 MainWindow::~MainWindow() = default;
@@ -268,7 +266,6 @@ void MainWindow::connectEngine() {
         viewer_.statusLine.showPlace(*detection.scan, viewer_.engine.picture()->source.growth.growing);
         const ScannerLink& scanner = viewer_.live.scanner();
         viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && viewer_.engine.picture()->source.stream == scanner.stream());
-        viewer_.statusLine.showTime(viewer_.tuning.updateMs());
         viewer_.legend.showResult(detection);
         showWarnings();
         showTitle();
@@ -305,8 +302,8 @@ bool MainWindow::mayClose() {
     QMessageBox box(QMessageBox::Warning, tr("Close EdgeScan?"),
                     records ? tr("A recording is being written.") : tr("A file is still being written."), QMessageBox::Cancel, this);
     box.setObjectName("close-question");
-    box.setInformativeText(records ? tr("Closing ends it here; what was recorded so far stays in its file.")
-                                   : tr("Closing waits until it is whole."));
+    box.setInformativeText(records ? tr("Closing ends the recording. What was recorded so far remains in its file.")
+                                   : tr("Closing waits until it is complete."));
     QPushButton* end = box.addButton(records ? tr("End the Recording and Close") : tr("Close"), QMessageBox::DestructiveRole);
     end->setObjectName("end-and-close");
     box.setDefaultButton(QMessageBox::Cancel);

@@ -18,6 +18,7 @@
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/gl_check.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/window/colour_menu.h"
 #include "ui/window/compare_menu.h"
@@ -118,7 +119,7 @@ Command languageMenu(Viewer& v, QMainWindow& window) {
         const QString code = language.code;
         Command made{.text = QString::fromUtf8(language.name), .set = [&v, code](bool) {
                          v.preferences.keep("language", code);
-                         v.notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window speaks this language from its next start on."));
+                         v.notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window uses this language from the next start on."));
                      }};
         menu.submenu.push_back(linked(made, [languages, code](QAction& action) {
             languages->addAction(&action);
@@ -281,6 +282,7 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
         {
             command("&Next Scan", "PgDown", [&files] { files.step(1); }),
             command("Pre&vious Scan", "PgUp", [&files] { files.step(-1); }),
+            command("&Add a Scan as a Layer…", "", [&v] { v.layers.ask(); }),
             kLine,
             linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
             linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
@@ -364,7 +366,7 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
                        tool("S&plit at Next Click", "S", RockTool::Split),
                        tool("&Join along a Line", "J", RockTool::Join),
                        tool("C&ut along a Line", "X", RockTool::Cut),
-                       command("&No Rock, or a Rock after All", "N", [&rocks] { rocks.toggleSelected(); }),
+                       command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleSelected(); }),
                        kLine,
                        tool("Draw Region of &Interest", "G", RockTool::Region),
                        command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
@@ -413,8 +415,8 @@ Command measureMenu(Viewer& v) {
                                    usual("&Box", "B", Tool::Box),
                                    usual("&Lasso", "L", Tool::Lasso),
                                    kLine,
-                                   command("Let &Go of This Target", "Del", letGo),
-                                   command("Let Go of All &Targets", "", [&v] { v.targets.removeAll(); }),
+                                   command("Remove This Tar&get", "Del", letGo),
+                                   command("Remove All &Targets", "", [&v] { v.targets.removeAll(); }),
                                    command("&Copy This Target", "", [&v] { v.targets.copyCard(); }),
                                    kLine,
                                    command("&Isolate Selected", "I", [&selection] { selection.isolateSelected(); }),
@@ -445,7 +447,7 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
                               command("&Manual", "F1", commands.manual), command("&Keys and Mouse", "H; ?", showKeys),
                               command("&Tour", "", commands.tour),
                               command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); }),
-                              command("&About EdgeScan", "", [&window] { showAbout(&window); })})};
+                              command("&About EdgeScan", "", [&window] { showAbout(&window, checkGl().renderer); })})};
 }
 
 } // namespace edgescan::ui

@@ -26,8 +26,8 @@ QString edgeNote(MainWindow& window) {
     const std::size_t all = detection.edges->size();
     // In a comparison the shown edges come from two scans.
     const std::size_t shown = instead != nullptr && instead->overImageAsAsked && instead->cells.all ? instead->cells.all->size() : all;
-    const QString edges =
-        shown == all ? Pane::tr("%1 edges").arg(countText(all)) : Pane::tr("%1 of %2 edges").arg(countText(shown), countText(all));
+    const QString edges = shown == all ? Pane::tr("%1 edge cells").arg(countText(all))
+                                       : Pane::tr("%1 of %2 edge cells").arg(countText(shown), countText(all));
     if (instead != nullptr) return edges + " · " + instead->words;
     return views.edgesByClass() && detection.classes ? edges + " · " + Pane::tr("by class") : edges;
 }

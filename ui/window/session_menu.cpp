@@ -37,6 +37,7 @@ std::vector<StatePart> partsOf(MainWindow& w) {
     parts.insert(parts.end(), looks.begin(), looks.end());
     parts.push_back(
         partOf(w.viewer().comparing, &inspect::ViewerState::earlier, OnScan, &Comparing::pictureAChanged, &Comparing::rowsChanged));
+    parts.push_back(partOf(w.viewer().layers, &inspect::ViewerState::layers, OnScan, &Layers::changed));
     parts.push_back({[&w](inspect::ViewerState& state) { state.layout = w.layoutKept(); },
                      [&w](const inspect::ViewerState& state) { w.useLayout(state.layout); }, BeforeScan});
     return parts;

@@ -5,6 +5,7 @@
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/confidence/confidence_legend.h"
+#include "ui/panels/layers/layers_panel.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/timeline.h"
@@ -27,16 +28,17 @@ namespace edgescan::ui {
 Viewer::Viewer(Preferences& ofPerson)
     : preferences(ofPerson), gray(*new ImageView), edges(*new ImageView(gray.viewPort())), cloud(*new CloudView),
       scalePlate(*new ScalePlate(&cloud)), viewCube(*new ViewCube(&cloud)), panel(*new EdgesPanel), livePanel(*new LivePanel),
-      timeline(*new Timeline), rocksPanel(*new RocksPanel), rockTable(*new RockTable), targetsPanel(*new TargetsPanel), tools(*new ToolBar),
-      origin(*new StateBadge), notice(*new NoticeBar), statusLine(*new StatusLine), warnings(*new WarningButton), legend(*new EdgeLegend),
-      changeLegend(*new ChangeLegend), confidenceLegend(*new ConfidenceLegend), rangeWindow(*new RangeWindow),
-      views(engine, gray, edges, cloud), files(engine, notice, preferences, undo), opening(engine, files, notice),
-      exports(engine, files, notice, preferences), tuning(engine, panel, notice, preferences, undo),
+      timeline(*new Timeline), rocksPanel(*new RocksPanel), rockTable(*new RockTable), targetsPanel(*new TargetsPanel),
+      layersPanel(*new LayersPanel), tools(*new ToolBar), origin(*new StateBadge), notice(*new NoticeBar), statusLine(*new StatusLine),
+      warnings(*new WarningButton), legend(*new EdgeLegend), changeLegend(*new ChangeLegend), confidenceLegend(*new ConfidenceLegend),
+      rangeWindow(*new RangeWindow), views(engine, gray, edges, cloud), files(engine, notice, preferences, undo),
+      opening(engine, files, notice), exports(engine, files, notice, preferences), tuning(engine, panel, notice, preferences, undo),
       live(engine, livePanel, timeline, views, files, notice, preferences), explanation(views, notice),
       rocks(engine, views, rocksPanel, rockTable, notice, preferences, undo),
       targets(engine, views, rocks, targetsPanel, notice, preferences, undo), measures(views, targets, notice),
       selection(engine, views, rocks, notice, undo), sections(engine, views, rocks, targets, notice, preferences),
       comparing(engine, views, changeLegend, files, notice, preferences, undo),
+      layers(engine, views, files, targets, layersPanel, notice, preferences, undo),
       confidence(engine, views, targets, confidenceLegend, preferences), markedEdges(engine, views, targets, undo, notice),
       look(engine, views, scalePlate, rangeWindow, preferences), savedViews(views, notice),
       report(engine, files, rocks, targets, comparing, notice, preferences), audit(preferences.dataFolder(), engine, views, undo, notice) {
@@ -55,6 +57,7 @@ void Viewer::followPictures() {
     next(targets, &Targets::followPicture);
     next(selection, &Selection::followPicture);
     next(comparing, &Comparing::followPicture);
+    next(layers, &Layers::followPicture);
     next(confidence, &Confidence::followPicture);
     next(markedEdges, &MarkedEdges::followPicture);
     next(look, &ScanLook::followPicture);

@@ -8,6 +8,7 @@
 #include "ui/controllers/files/exports.h"
 #include "ui/controllers/files/files.h"
 #include "ui/controllers/files/opening.h"
+#include "ui/controllers/layers.h"
 #include "ui/controllers/live.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/saved_views.h"
@@ -31,6 +32,7 @@ class ConfidenceLegend;
 class EdgeLegend;
 class EdgesPanel;
 class ImageView;
+class LayersPanel;
 class LivePanel;
 class Preferences;
 class NoticeBar;
@@ -65,6 +67,7 @@ struct Viewer {
     RocksPanel& rocksPanel;
     RockTable& rockTable;
     TargetsPanel& targetsPanel;
+    LayersPanel& layersPanel;
     ToolBar& tools;
     StateBadge& origin; ///< the source and time of the picture: always visible
     NoticeBar& notice;
@@ -88,6 +91,7 @@ struct Viewer {
     Selection selection;
     Sections sections;
     Comparing comparing;
+    Layers layers;
     Confidence confidence;
     MarkedEdges markedEdges;
     ScanLook look;

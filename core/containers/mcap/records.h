@@ -157,12 +157,7 @@ public:
     [[nodiscard]] bool bad() const { return bad_; }
 
 private:
-    std::uint64_t number(std::size_t count) {
-        const auto part = raw(count);
-        std::uint64_t v = 0;
-        for (std::size_t i = part.size(); i-- > 0;) v = v << 8U | part[i];
-        return v;
-    }
+    std::uint64_t number(std::size_t count) { return littleEndian(raw(count)); }
     ByteView bytes_;
     bool bad_ = false;
 };

@@ -15,12 +15,6 @@ constexpr std::size_t kMostTopics = 10'000;
 
 enum Opcode : std::uint8_t { kMessage = 0x02, kBagHeader = 0x03, kIndex = 0x04, kChunk = 0x05, kChunkInfo = 0x06, kConnection = 0x07 };
 
-std::uint64_t littleEndian(ByteView bytes) {
-    std::uint64_t value = 0;
-    for (std::size_t n = std::min<std::size_t>(bytes.size(), 8); n-- > 0;) value = value << 8U | bytes[n];
-    return value;
-}
-
 std::string_view textOf(ByteView bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 /// Takes a piece with its length in front off the bytes; nothing: the bytes end before.

@@ -81,10 +81,12 @@ struct Offset {
 constexpr std::array<Offset, 4> kBefore{{{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}}};
 
 template <class Visit>
-void forNeighbours(const Grid<double>& grid, int line, int beam, Visit visit) {
-    for (int i = std::max(line - 1, 0); i <= std::min(line + 1, grid.lines - 1); ++i) {
-        for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, grid.beams - 1); ++j) {
-            if (i != line || j != beam) visit(grid.index(i, j));
+void forNeighbours(int lines, int beams, std::size_t k, Visit visit) {
+    const auto width = static_cast<std::size_t>(beams);
+    const int line = static_cast<int>(k / width), beam = static_cast<int>(k % width);
+    for (int i = std::max(line - 1, 0); i <= std::min(line + 1, lines - 1); ++i) {
+        for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, beams - 1); ++j) {
+            if (i != line || j != beam) visit(static_cast<std::size_t>(i) * width + static_cast<std::size_t>(j));
         }
     }
 }
@@ -123,12 +125,7 @@ double highestAt(int lines, int beams, std::size_t k, std::size_t minimumLength,
         level = std::min(level, next.limits.weak);
         strong = std::max(strong, next.limits.strong);
         if (length >= minimumLength) highest = std::max(highest, std::min(level, strong));
-        const int line = static_cast<int>(next.cell / static_cast<std::size_t>(beams));
-        const int beam = static_cast<int>(next.cell % static_cast<std::size_t>(beams));
-        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, lines - 1); ++i) {
-            for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, beams - 1); ++j)
-                look(static_cast<std::size_t>(i) * static_cast<std::size_t>(beams) + static_cast<std::size_t>(j));
-        }
+        forNeighbours(lines, beams, next.cell, look);
     }
     return highest;
 }
@@ -192,9 +189,7 @@ Grid<double> reconstructed(Grid<double> marker, const Grid<double>& mask) {
     }
     for (std::size_t at = 0; at < waiting.size(); ++at) {
         const std::size_t k = waiting[at];
-        const int line = static_cast<int>(k / static_cast<std::size_t>(beams));
-        const int beam = static_cast<int>(k % static_cast<std::size_t>(beams));
-        forNeighbours(marker, line, beam, [&](std::size_t n) {
+        forNeighbours(lines, beams, k, [&](std::size_t n) {
             if (marker[n] >= marker[k] || marker[n] >= mask[n]) return;
             marker[n] = std::min(marker[k], mask[n]);
             waiting.push_back(n);
@@ -289,9 +284,7 @@ void putOffShortChains(ThresholdMap& map, int minimumLength) {
         for (; at < order.size() && order[at].level == level; ++at) {
             const std::uint32_t k = order[at].cell;
             chains.add(k);
-            const int line = static_cast<int>(k / static_cast<std::uint32_t>(highest.beams));
-            const int beam = static_cast<int>(k % static_cast<std::uint32_t>(highest.beams));
-            forNeighbours(highest, line, beam, [&](std::size_t n) {
+            forNeighbours(highest.lines, highest.beams, k, [&](std::size_t n) {
                 if (chains.has(n)) chains.join(k, static_cast<std::uint32_t>(n));
             });
         }

@@ -90,7 +90,7 @@ const std::vector<Parameter>& table() {
          0, 2, 1, 0, EDGESCAN_NUMBER(Settings, noiseKind), 2, kNoAuto, kAdvanced, kNoiseKinds, !kSeveral, surface, Stage::Surface},
         {"rough-scans", "Rough scans", "", "Where half of the folds are on surfaces that fold everywhere, such as heaps of small boulders, a fold counts only if it exceeds its surroundings.",
          0, 1, 1, 0, EDGESCAN_NUMBER(Settings, roughScans), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, readers<kReadsCreases>, Stage::Responses},
-        {"fill", "Fill gaps", "cells", "Gaps up to this wide are filled from what surrounds them, never across a jump; filled cells are marked, and measured nowhere. 0 fills none.",
+        {"fill", "Fill gaps", "cells", "Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.",
          0, 20, 1, 0, EDGESCAN_NUMBER(Settings, fillCells), 20, kNoAuto, kAdvanced, {}, !kSeveral, always, Stage::Surface},
         {"fill-edges", "Edges in gaps", "", "Filled cells take part in finding edges, and may be edges that no beam measured.",
          0, 1, 1, 0, EDGESCAN_NUMBER(Settings, fillEdges), 1, kNoAuto, kAdvanced, kOffOn, !kSeveral, fillEdges, Stage::Surface},

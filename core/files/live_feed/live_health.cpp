@@ -59,7 +59,7 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
     const scanner::SweepProgress& sweep = status.sweep;
     if (sweep.expected == 0) return {};
     const int left = sweep.expected - sweep.lines;
-    if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep whole" : "sweep ended";
+    if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep complete" : "sweep ended";
     if (liveness != Liveness::Live || status.linesPerSecond <= 0.0) return {}; // without lines the time of the last one is unknown
     return ageText(std::ceil(left / status.linesPerSecond)) + " left";
 }

@@ -44,7 +44,7 @@ struct LiveHealth {
     Condition device = Condition::Good;
     std::string deviceState; ///< "device ok", "DEVICE ERROR"
     std::string pose;        ///< "no pose", "pose 12 s old"
-    std::string end;         ///< "27 s left", "sweep whole"; empty when it is not known
+    std::string end;         ///< "27 s left", "sweep complete"; empty when it is not known
     std::string recording;   ///< "recording 1.2 MB", "RECORDING ENDED: why"; empty when none is written
     Condition recorded = Condition::Good;
 

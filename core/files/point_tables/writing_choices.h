@@ -23,8 +23,7 @@ struct WritingChoice {
 };
 
 inline constexpr std::array<WritingChoice, 6> kWritingChoices{{
-    {"comments",
-     "XYZ and CSV with all columns, and the grid and the record in comment lines: what GIS and spreadsheet programs may stumble over",
+    {"comments", "XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them",
      &WritingChoices::comments},
     {"doubles",
      "PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment",

@@ -77,7 +77,7 @@ std::string changeText(const Scan& later, const SceneChange& change) {
     text += "\ncells: " + counted("nearer", ranges.nearer) + ", " + counted("farther", ranges.farther) + ", " +
             counted("same", ranges.same) + ", " + counted("no range now", ranges.noReturnNow) + ", " +
             counted("no range before", ranges.noReturnBefore);
-    text += "\nhalf of the cells differ by less than " + fixedText(change.differMm, 1) + " mm";
+    text += "\nmedian difference " + fixedText(change.differMm, 1) + " mm";
     text += "\na change is more than " + fixedText(kChangeSigmas, 0) +
             " standard deviations: " + fixedText(kChangeSigmas * change.noise.at(5.0), 0) + " mm at 5 m, " +
             fixedText(kChangeSigmas * change.noise.at(10.0), 0) + " mm at 10 m";

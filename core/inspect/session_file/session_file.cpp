@@ -178,6 +178,7 @@ std::string sessionText(const ViewerState& state, const fs::path& folder, const 
     if (state.earlier)
         whole["kept"] = {{"scan", sessionScanJson(state.earlier->scan, folder)},
                          {"settings", edges::settingsToJson(state.earlier->settings)}};
+    if (!state.layers.empty()) whole["layers"] = layersJson(state.layers, folder);
     if (state.view.camera) whole["camera"] = cameraJson(*state.view.camera);
     if (state.view.images)
         whole["images"] = {{"beam", state.view.images->beam}, {"line", state.view.images->line}, {"zoom", state.view.images->zoom}};
@@ -222,6 +223,11 @@ Result<ReadSession> sessionFromText(std::string_view text, const fs::path& folde
         if (!settings) return settings.error();
         kept.done();
         state.earlier = EarlierScan{std::move(of->scan), *settings};
+    }
+    if (fields.has("layers")) {
+        auto layers = layersFrom(fields, "layers", folder, where);
+        if (!layers) return layers.error();
+        state.layers = std::move(*layers);
     }
     if (fields.has("camera")) state.view.camera = cameraFrom(fields.object("camera"));
     if (fields.has("images")) {

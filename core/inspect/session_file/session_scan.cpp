@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestPath = 4096;
 constexpr int kMostSide = 1'000'000;
 constexpr std::uint64_t kMostSessionCells = std::uint64_t{1} << 28U;
+const std::vector<std::string> kBases{"poses", "pairs", "surfaces"};                        // as StationBasis
 const std::vector<std::string> kScanKinds{"file", "demo", "demo_after_blast", "recording"}; // as SessionScan::Kind
 
 /// The relative path if it remains valid when both files are moved together: for paths in or below the folder above `folder`. Otherwise
@@ -56,6 +57,30 @@ std::string pathThere(const std::vector<fs::path>& paths) {
         if (fs::exists(path, none)) return path.string();
     }
     return paths.empty() ? std::string() : paths.front().string();
+}
+
+nlohmann::ordered_json placeJson(const LayerPlace& place) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (int i = 0; i < 3; ++i) rows.push_back({place.toFirst.rotation(i, 0), place.toFirst.rotation(i, 1), place.toFirst.rotation(i, 2)});
+    const Eigen::Vector3d& shift = place.toFirst.translationM;
+    nlohmann::ordered_json json{{"by", kBases[static_cast<std::size_t>(place.by)]},
+                                {"rotation", std::move(rows)},
+                                {"translation_m", {shift.x(), shift.y(), shift.z()}}};
+    if (place.residualM) json["residual_m"] = *place.residualM;
+    if (place.pairsM) json["pairs_m"] = *place.pairsM;
+    if (!place.warnings.empty()) json["warnings"] = place.warnings;
+    return json;
+}
+
+LayerPlace placeFrom(JsonFields fields) {
+    LayerPlace place;
+    place.by = static_cast<StationBasis>(fields.choice("by", kBases));
+    place.toFirst = {fields.rotation("rotation"), fields.neededVector("translation_m")};
+    if (fields.has("residual_m")) place.residualM = fields.neededNumber("residual_m", {0.0, 1e6});
+    if (fields.has("pairs_m")) place.pairsM = fields.neededNumber("pairs_m", {0.0, 1e6});
+    place.warnings = fields.texts("warnings");
+    fields.done();
+    return place;
 }
 
 fs::path absolutePath(const fs::path& path) { return path.empty() ? path : fs::absolute(path).lexically_normal(); }
@@ -110,6 +135,30 @@ Result<PlacedSessionScan> sessionScanFrom(JsonFields fields, const fs::path& fol
     fields.done();
     if (fields.problem()) return *fields.problem();
     return placed;
+}
+
+nlohmann::ordered_json layersJson(const std::vector<Layer>& layers, const fs::path& folder) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Layer& layer : layers) {
+        nlohmann::ordered_json one{{"scan", sessionScanJson(layer.scan, folder)}, {"visible", layer.visible}};
+        if (layer.place) one["place"] = placeJson(*layer.place);
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+Result<std::vector<Layer>> layersFrom(JsonFields& fields, const char* key, const fs::path& folder, const std::string& where) {
+    std::vector<Layer> layers;
+    for (JsonFields& one : fields.objects(key)) {
+        auto scan = sessionScanFrom(one.object("scan"), folder, where);
+        if (!scan) return scan.error();
+        Layer layer{std::move(scan->scan), one.boolean("visible", true), std::nullopt};
+        if (one.has("place")) layer.place = placeFrom(one.object("place"));
+        one.done();
+        layers.push_back(std::move(layer));
+    }
+    if (layers.size() > kMostLayers) fields.refuse(key, "must be a list of at most 50 scans");
+    return layers;
 }
 
 } // namespace edgescan::inspect

@@ -5,6 +5,7 @@
 #include "core/edges/tuning/marked_edges.h"
 #include "core/inspect/measure/cell_sets.h"
 #include "core/inspect/measure/notebook.h"
+#include "core/inspect/registration/stations.h"
 #include "core/rocks/selection/preset.h"
 #include "core/scan/grid/reading_options.h"
 
@@ -53,6 +54,30 @@ struct EarlierScan {
     edges::Settings settings;
 };
 
+/// The same content of the same file.
+[[nodiscard]] inline bool isSame(const NotebookScan& a, const NotebookScan& b) {
+    return a.sha256 == b.sha256 && a.name == b.name && a.lines == b.lines && a.beams == b.beams;
+}
+
+/// Where a layer is.
+struct LayerPlace {
+    RigidTransform toFirst; ///< scanner frame of the layer -> scanner frame of the scan that was the first layer
+    StationBasis by = StationBasis::Poses;
+    std::optional<double> residualM; ///< of the surfaces; empty: they did not correct the place
+    std::optional<double> pairsM;    ///< root mean square distance of the picked points
+    std::vector<std::string> warnings;
+    bool operator==(const LayerPlace&) const = default;
+};
+
+inline constexpr std::size_t kMostLayers = 50;
+
+/// One of several scans of one place that are drawn in one cloud.
+struct Layer {
+    SessionScan scan;
+    bool visible = true;
+    std::optional<LayerPlace> place; ///< empty: not known yet
+};
+
 /// Local metres of the cloud, as in ui/views/cloud.
 struct SessionCamera {
     Eigen::Vector3d position{0, 0, 0}, focus{0, 0, 1}, up{0, 1, 0};
@@ -97,6 +122,7 @@ struct ViewerState {
     std::optional<rocks::Preset> rocks; ///< empty: rocks were not shown
     edges::EdgeMarks marks;
     std::optional<EarlierScan> earlier; ///< A
+    std::vector<Layer> layers;          ///< with the scan of the session; empty: it is alone
     ViewPart view;
     std::map<std::string, bool> switches; ///< switches of menus, by key
     /// settings of the views that are not switches: colours of the cloud, range window, size of points ...

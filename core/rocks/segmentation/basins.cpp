@@ -1,6 +1,7 @@
 // Basins by steepest ascent, and the joining of basins.
 #include "core/rocks/segmentation/basins.h"
 
+#include "core/base/bands.h"
 #include "core/base/simd.h"
 #include "core/rocks/segmentation/segments.h"
 
@@ -23,12 +24,14 @@ struct LinkMarks {
     explicit LinkMarks(const CellLinks& links)
         : toNextBeam(links.support.lines, links.support.beams), toNextLine(links.support.lines, links.support.beams) {
         const auto beams = static_cast<std::size_t>(toNextBeam.beams);
-        for (int i = 0; i < toNextBeam.lines; ++i) {
-            const std::size_t first = toNextBeam.index(i, 0);
-            vectorised<markLinks>(&links.support[first], &links.cracks.jumpBeams[first], 1, beams - 1, &toNextBeam[first]);
-            if (i + 1 < toNextBeam.lines)
-                vectorised<markLinks>(&links.support[first], &links.cracks.jumpLines[first], beams, beams, &toNextLine[first]);
-        }
+        runInBands(toNextBeam.lines, bandsFor(toNextBeam.size(), 0), [&](int from, int end) {
+            for (int i = from; i < end; ++i) {
+                const std::size_t first = toNextBeam.index(i, 0);
+                vectorised<markLinks>(&links.support[first], &links.cracks.jumpBeams[first], 1, beams - 1, &toNextBeam[first]);
+                if (i + 1 < toNextBeam.lines)
+                    vectorised<markLinks>(&links.support[first], &links.cracks.jumpLines[first], beams, beams, &toNextLine[first]);
+            }
+        });
     }
 };
 
@@ -67,7 +70,7 @@ std::vector<std::uint32_t> ascents(const Grid<float>& distance, const LinkMarks&
     const auto beams = static_cast<std::uint32_t>(distance.beams);
     std::vector<std::uint32_t> to(distance.size());
     const std::vector<std::uint8_t> none(beams);
-    for (int i = 0; i < distance.lines; ++i) {
+    const auto ascend = [&](int i) {
         const bool isFirst = i == 0;
         const bool isLast = i + 1 == distance.lines;
         const AscentLine at{distance.line(isFirst ? i : i - 1), distance.line(i),
@@ -80,7 +83,10 @@ std::vector<std::uint32_t> ascents(const Grid<float>& distance, const LinkMarks&
                                    j > 0 && at.toNext[j - 1] != 0 ? at.here[j - 1] : -1.0F, at.toNext[j] != 0 ? at.here[j + 1] : -1.0F,
                                    at.toBelow[j] != 0 ? at.below[j] : -1.0F);
         }
-    }
+    };
+    runInBands(distance.lines, bandsFor(distance.size(), 0), [&](int from, int end) {
+        for (int i = from; i < end; ++i) ascend(i);
+    });
     return to;
 }
 

@@ -1,6 +1,7 @@
 // Computes segments with their borders and sums from the inputs.
 #include "core/rocks/segmentation/segments.h"
 
+#include "core/base/bands.h"
 #include "core/rocks/segmentation/basins.h"
 #include "core/rocks/segmentation/borders.h"
 #include "core/rocks/segmentation/cuts.h"
@@ -126,9 +127,11 @@ Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std:
     segments.borders = segmentBorders(inputs, segments.segment);
     const std::uint32_t count = lastSegment(segments.segment);
     refineSegments(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), segments.segment, count);
-    segments.beamRuns = runsAlongBeams(segments.segment);
-    segments.sums = segmentSums(inputs, segments.beamRuns, count);
-    segments.lineRuns = runsAlongLines(segments.segment);
+    const auto sumUp = [&] {
+        segments.beamRuns = runsAlongBeams(segments.segment);
+        segments.sums = segmentSums(inputs, segments.beamRuns, count);
+    };
+    runParts(bandsFor(segments.segment.size(), 0), {sumUp, [&] { segments.lineRuns = runsAlongLines(segments.segment); }});
     return segments;
 }
 

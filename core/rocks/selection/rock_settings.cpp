@@ -18,14 +18,15 @@ constexpr int kMostLines = 1'000'000;
 constexpr std::size_t kMostCorners = 1000;
 
 constexpr std::array kRockParameters{
-    RockParameter{"level", "Fine to coarse", "", "From which evidence on two pieces are two rocks: lower cuts more, higher joins more.", -4,
-                  4, 0.1, 1, EDGESCAN_NUMBER(RockSettings, level)},
-    RockParameter{"min-cells", "Smallest rock", "cells", "Pieces of fewer measured cells are fines and no rocks.", 20, 100000, 1, 0,
+    RockParameter{"level", "Fine to coarse", "",
+                  "How easily pieces are joined into one rock. Lower: more and smaller rocks. Higher: fewer and larger rocks.", -4, 4, 0.1,
+                  1, EDGESCAN_NUMBER(RockSettings, level)},
+    RockParameter{"min-cells", "Smallest rock", "cells", "Pieces with fewer measured cells are fines, not rocks.", 20, 100000, 1, 0,
                   EDGESCAN_NUMBER(RockSettings, minimumCells)},
     RockParameter{"farthest", "Farthest rock", "m", "A region farther away is not a rock.", 0.5, 100, 0.5, 1,
                   EDGESCAN_NUMBER(RockSettings, farthestM)},
-    RockParameter{"largest", "Largest size expected", "m", "Pieces that are larger need better signs of being a rock and not a wall.", 0.1,
-                  50, 0.1, 1, EDGESCAN_NUMBER(RockSettings, largestM)},
+    RockParameter{"largest", "Largest size expected", "m", "Larger pieces need better evidence that they are rocks and not walls.", 0.1, 50,
+                  0.1, 1, EDGESCAN_NUMBER(RockSettings, largestM)},
     RockParameter{"oversize", "Oversize", "m", "The share of rocks whose visible width is larger is reported; 0 reports none.", 0, 50, 0.1,
                   2, EDGESCAN_NUMBER(RockSettings, oversizeM)},
 };

@@ -77,9 +77,9 @@ const std::vector<ReadingOption>& table() {
         {"axis", kBoth, Kind::Word, "What the stepper turns about: spin (viewing direction) or sweep (0/180 degree line)", {"spin", "sweep"},
          [](const Options& o) -> std::string { return !o.axis ? "" : *o.axis == Axis::Spin ? "spin" : "sweep"; },
          [](Options& o, const std::string& text) { o.axis = text == "spin" ? Axis::Spin : Axis::Sweep; }},
-        {"sensor", kBoth, Kind::ThreeNumbers, "Where a cloud without a grid was taken from, as X,Y,Z [m]", {}, EDGESCAN_OPTION(sensorM), &physical::kPlaceM},
+        {"sensor", kBoth, Kind::ThreeNumbers, "Place of the scanner for a cloud without a grid, as X,Y,Z [m]", {}, EDGESCAN_OPTION(sensorM), &physical::kPlaceM},
         {"project", kBoth, Kind::Word,
-         "Points that lie on no scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)",
+         "Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)",
          {"auto", "always", "never"},
          [](const Options& o) -> std::string { return o.projection == Projection::Auto ? "" : o.projection == Projection::Always ? "always" : "never"; },
          [](Options& o, const std::string& text) {
@@ -90,7 +90,7 @@ const std::vector<ReadingOption>& table() {
          EDGESCAN_OPTION(straighten)},
         {"scan", kBoth, Kind::Whole, "Which scan of a file that holds several, from 0", {}, EDGESCAN_OPTION(scanIndex), &kScanIndex},
         {"topic", kBoth, Kind::Name, "Topic of a ROS bag that is the scan; otherwise the laser with most lines", {}, EDGESCAN_OPTION(topic)},
-        {"joint", kBoth, Kind::Name, "Joint of a ROS bag that turns the laser; otherwise the transforms say it", {}, EDGESCAN_OPTION(joint)},
+        {"joint", kBoth, Kind::Name, "Joint of a ROS bag that turns the laser; otherwise from the transforms", {}, EDGESCAN_OPTION(joint)},
         {"pose", ReadingOption::kFlag, Kind::Path, "Pose file of the scan; a recording may hold its own", {}, EDGESCAN_OPTION(pose)},
         {"calibration", ReadingOption::kFlag, Kind::Path, "Calibration file of the robot; a recording may hold its own", {}, EDGESCAN_OPTION(calibration)},
     };

@@ -1,12 +1,8 @@
-// One TCP connection to a scanner (Boost.Asio). This file never listens, and connects only to the address given to connect().
-#include "core/scanner/cola/link.h"
-
+// One TCP connection, and the frames of a scanner on it.
+#include "core/scanner/cola/link_socket.h"
 #include "core/scanner/cola/name_lookup.h"
 
-#include <boost/asio.hpp>
-
 #include <array>
-#include <atomic>
 #include <mutex>
 
 namespace edgescan::scanner {
@@ -34,67 +30,103 @@ void widenReceiveBuffer(tcp::socket& socket, const tcp& protocol) {
     if (size.value() >= kReceiveBuffer) socket.set_option(asio::socket_base::receive_buffer_size(kReceiveBuffer), ignored);
 }
 
-Error connectError(const error_code& problem, bool late, const std::string& where) {
-    if (late || problem == asio::error::timed_out)
-        return {"nothing answers there", where, "check power, cable and the address, and that this computer is in the scanner's network"};
-    if (problem == asio::error::connection_refused)
-        return {"the connection is refused", where, "check the port (2111 or 2112) and that no other program holds the scanner"};
+} // namespace
+
+bool Link::Socket::run(const bool& done, Clock::time_point deadline) {
+    while (!done && !stop && Clock::now() < deadline) {
+        context.restart();
+        context.run_one_until(deadline);
+    }
+    if (!done && !stop) {
+        context.restart();
+        context.poll();
+    }
+    return done;
+}
+
+void Link::Socket::drain(const bool& done) {
+    while (!done) {
+        context.restart();
+        context.run_one();
+    }
+}
+
+Error Link::Socket::connectError(const error_code& problem, bool late) const {
+    if (late || problem == asio::error::timed_out) return {"nothing answers there", where, hints.silent};
+    if (problem == asio::error::connection_refused) return {"the connection is refused", where, hints.refused};
     if (problem == asio::error::host_unreachable || problem == asio::error::network_unreachable || problem == asio::error::network_down)
         return {"there is no way to this address", where, "check the cable and the network settings of this computer"};
     return {"cannot connect (" + problem.message() + ")", where, "check the address and the network settings of this computer"};
 }
 
-} // namespace
+Link::Link(std::unique_ptr<Socket> socket) : socket_(std::move(socket)) {}
+Link::~Link() { close(); }
 
-struct ColaLink::Socket {
-    explicit Socket(Hooks given) : hooks(std::move(given)) {}
+Result<Done> Link::connect(const std::string& host, std::uint16_t port, Clock::duration timeout) {
+    Socket& s = *socket_;
+    close();
+    s.where = addressText(host, port);
+    const auto deadline = Clock::now() + timeout;
+    const auto addresses = lookUp(host, deadline, [&](Clock::duration duration) {
+        pause(duration);
+        return !s.stop;
+    });
+    if (!addresses) return Error{addresses.error().what, s.where, addresses.error().hint};
+    Result<Done> outcome = Error{"the name has no address", s.where, s.hints.noAddress};
+    for (const std::string& address : *addresses) {
+        error_code problem;
+        const auto literal = asio::ip::make_address(address, problem);
+        if (problem) continue;
+        // Each address is tried for its own time; a host has one or two.
+        outcome = s.connect({literal, port}, std::max(deadline, Clock::now() + timeout / 2));
+        if (outcome || s.stop) return outcome;
+    }
+    return outcome;
+}
 
-    /// Runs until `done`, the deadline or an interruption. Returns false if not done. After the deadline it takes what is ready: a computer
-    /// that was busy or asleep for longer than a timeout reads what arrived meanwhile, before it calls the scanner silent.
-    bool run(const bool& done, Clock::time_point deadline) {
-        while (!done && !stop && Clock::now() < deadline) {
-            context.restart();
-            context.run_one_until(deadline);
-        }
-        if (!done && !stop) {
-            context.restart();
-            context.poll();
-        }
-        return done;
-    }
-    /// After a cancellation: waits until the handler has returned, because it refers to variables on the stack.
-    void drain(const bool& done) {
-        while (!done) {
-            context.restart();
-            context.run_one();
-        }
-    }
-    void close() {
+void Link::close() { socket_->close(); }
+
+void Link::pause(Clock::duration duration) {
+    const bool never = false;
+    socket_->run(never, Clock::now() + duration);
+}
+
+void Link::interrupt() {
+    socket_->stop = true;
+    asio::post(socket_->context, [] {});
+}
+
+bool Link::interrupted() const { return socket_->stop; }
+
+struct ColaLink::Frames : Link::Socket {
+    explicit Frames(Hooks given)
+        : Socket({"check power, cable and the address, and that this computer is in the scanner's network",
+                  "check the port (2111 or 2112) and that no other program holds the scanner", "use the scanner's IP address"}),
+          hooks(std::move(given)) {}
+
+    Result<Done> connect(const tcp::endpoint& endpoint, Clock::time_point deadline) override;
+    void close() override {
         error_code ignored;
         socket.shutdown(tcp::socket::shutdown_both, ignored);
         socket.close(ignored);
+        earlier = all;
+        stream = ColaStream();
     }
-
-    Result<Done> connect(const tcp::endpoint& endpoint, Clock::time_point deadline);
     void count();
 
     Hooks hooks;
-    std::atomic<bool> stop{false};
-    asio::io_context context{1};
-    asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
     tcp::socket socket{context};
-    std::string where;
     ColaStream stream;
     std::array<std::uint8_t, 65536> piece{};
-    mutable std::mutex mutex;
-    ColaCounts earlier; ///< counts of closed connections
+    mutable std::mutex mutex; ///< protects `all`, which only the thread of the link changes
+    ColaCounts earlier;       ///< counts of closed connections
     ColaCounts all;
 };
 
-Result<Done> ColaLink::Socket::connect(const tcp::endpoint& endpoint, Clock::time_point deadline) {
+Result<Done> ColaLink::Frames::connect(const tcp::endpoint& endpoint, Clock::time_point deadline) {
     error_code problem;
     socket.open(endpoint.protocol(), problem);
-    if (problem) return connectError(problem, false, where);
+    if (problem) return connectError(problem, false);
     error_code ignored;
     socket.set_option(tcp::no_delay(true), ignored);
     widenReceiveBuffer(socket, endpoint.protocol());
@@ -113,10 +145,10 @@ Result<Done> ColaLink::Socket::connect(const tcp::endpoint& endpoint, Clock::tim
         return Done{};
     }
     socket.close(ignored);
-    return connectError(problem, !inTime, where);
+    return connectError(problem, !inTime);
 }
 
-void ColaLink::Socket::count() {
+void ColaLink::Frames::count() {
     const std::lock_guard lock(mutex);
     const ColaCounts& now = stream.counts();
     all = earlier;
@@ -129,35 +161,12 @@ void ColaLink::Socket::count() {
     all.torn += now.torn;
 }
 
-ColaLink::ColaLink(Hooks hooks) : socket_(std::make_unique<Socket>(std::move(hooks))) {}
-ColaLink::~ColaLink() { close(); }
+ColaLink::ColaLink(Hooks hooks) : Link(std::make_unique<Frames>(std::move(hooks))) {}
 
-Result<Done> ColaLink::connect(const std::string& host, std::uint16_t port, Clock::duration timeout) {
-    Socket& s = *socket_;
-    close();
-    s.earlier = counts();
-    s.stream = ColaStream();
-    s.where = addressText(host, port);
-    const auto deadline = Clock::now() + timeout;
-    const auto addresses = lookUp(host, deadline, [&](Clock::duration duration) {
-        pause(duration);
-        return !s.stop;
-    });
-    if (!addresses) return Error{addresses.error().what, s.where, addresses.error().hint};
-    Result<Done> outcome = Error{"the name has no address", s.where, "use the scanner's IP address"};
-    for (const std::string& address : *addresses) {
-        error_code problem;
-        const auto literal = asio::ip::make_address(address, problem);
-        if (problem) continue;
-        // Each address is tried for its own time; a host has one or two.
-        outcome = s.connect({literal, port}, std::max(deadline, Clock::now() + timeout / 2));
-        if (outcome || s.stop) return outcome;
-    }
-    return outcome;
-}
+ColaLink::Frames& ColaLink::frames() const { return static_cast<Frames&>(*socket_); }
 
 Result<Done> ColaLink::send(ByteView payload, Dialect dialect, Clock::duration timeout) {
-    Socket& s = *socket_;
+    Frames& s = frames();
     const ColaFrame frame{dialect, framed(payload, dialect), hostNow(), 0, 0};
     error_code problem;
     bool done = false;
@@ -177,7 +186,7 @@ Result<Done> ColaLink::send(ByteView payload, Dialect dialect, Clock::duration t
 }
 
 Result<std::vector<ColaFrame>> ColaLink::receive(Clock::time_point deadline) {
-    Socket& s = *socket_;
+    Frames& s = frames();
     error_code problem;
     bool done = false;
     s.socket.async_wait(tcp::socket::wait_read, [&](const error_code& outcome) {
@@ -206,23 +215,9 @@ Result<std::vector<ColaFrame>> ColaLink::receive(Clock::time_point deadline) {
     return frames;
 }
 
-void ColaLink::close() { socket_->close(); }
-
-void ColaLink::pause(Clock::duration duration) {
-    const bool never = false;
-    socket_->run(never, Clock::now() + duration);
-}
-
-void ColaLink::interrupt() {
-    socket_->stop = true;
-    asio::post(socket_->context, [] {});
-}
-
-bool ColaLink::interrupted() const { return socket_->stop; }
-
 ColaCounts ColaLink::counts() const {
-    const std::lock_guard lock(socket_->mutex);
-    return socket_->all;
+    const std::lock_guard lock(frames().mutex);
+    return frames().all;
 }
 
 std::string addressText(const std::string& host, std::uint16_t port) {

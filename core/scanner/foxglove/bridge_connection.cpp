@@ -1,128 +1,46 @@
-// Connects to a bridge and reconnects after a loss.
+// Chooses topics of a bridge, subscribes to them and passes their messages on.
 #include "core/scanner/foxglove/bridge_connection.h"
 
-#include "core/base/number_text.h"
-
-#include <algorithm>
-
 namespace edgescan::scanner {
-namespace {
-
-std::string seconds(std::chrono::duration<double> duration) { return fixedText(duration.count(), 1) + " s"; }
-
-} // namespace
 
 BridgeConnection::BridgeConnection(ConnectionSettings settings, BridgeEvents events)
-    : settings_(std::move(settings)), events_(std::move(events)), thread_([this] { run(); }) {}
-
-BridgeConnection::~BridgeConnection() {
-    BridgeConnection::stop();
-    if (thread_.joinable()) thread_.join();
+    : LiveConnection(std::move(settings), events.stateChanged), events_(std::move(events)) {
+    begin();
 }
 
-void BridgeConnection::stop() {
-    socket_.interrupt();
-    if (thread_.joinable() && std::this_thread::get_id() != thread_.get_id()) thread_.join();
+ColaCounts BridgeConnection::counts() const {
+    ColaCounts counts;
+    counts.bytes = bytes_;
+    counts.skipped = skipped_;
+    return counts;
 }
 
-ConnectionState BridgeConnection::state() const {
-    const std::lock_guard lock(mutex_);
-    return state_;
-}
-
-ConnectionStatistics BridgeConnection::statistics() const {
-    const std::uint64_t connections = connections_;
-    ConnectionStatistics all{{}, scans_, connections, connections > 0 ? connections - 1 : 0};
-    all.stream.bytes = bytes_;
-    all.stream.skipped = skipped_;
-    return all;
-}
-
-void BridgeConnection::enter(ConnectionPhase phase, std::string sentence, std::optional<Error> problem) {
-    ConnectionState state{phase, std::move(sentence), hostNow(), std::move(problem)};
-    {
-        const std::lock_guard lock(mutex_);
-        if (!state.problem && phase != ConnectionPhase::Live) state.problem = state_.problem;
-        state_ = state;
-    }
-    if (events_.stateChanged) events_.stateChanged(state);
-}
-
-void BridgeConnection::run() {
-    std::size_t failures = 0;
-    while (true) {
-        scansHere_ = 0;
-        Error end = connection();
-        socket_.close();
-        if (socket_.interrupted()) return enter(ConnectionPhase::Stopped, where() + ": disconnected.");
-        if (end.where.empty()) end.where = where();
-        if (scansHere_ > 0) failures = 0;
-        const auto& rests = settings_.timeouts.rests;
-        const auto rest = rests.empty() ? std::chrono::milliseconds(0) : rests[std::min(failures, rests.size() - 1)];
-        ++failures;
-        enter(ConnectionPhase::Lost, end.sentence() + " Trying again in " + seconds(rest) + ".", end);
-        socket_.pause(rest);
-    }
-}
-
-Error BridgeConnection::connection() {
+Result<Done> BridgeConnection::start() {
     offered_.clear();
     subscribed_.clear();
     lines_.reset();
     noChoice_.reset();
     said_.clear();
-    enter(ConnectionPhase::Connecting, "Connecting to " + where() + ".");
-    if (const auto connected = socket_.connect(settings_.host, settings_.port, settings_.timeouts.connect); !connected)
-        return connected.error();
-    ++connections_;
     enter(ConnectionPhase::Identifying, where() + " accepts the connection; asking for its topics.");
-    return watch();
+    return Done{};
 }
 
-BridgeConnection::Clock::duration BridgeConnection::watchdog() const {
-    const auto tenPeriods = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(10.0 * periodS_));
-    return std::max<Clock::duration>(settings_.timeouts.silence, tenPeriods);
-}
-
-/// Receives until the connection ends or no more lines arrive.
-Error BridgeConnection::watch() {
-    const Clock::time_point connected = Clock::now();
-    while (!socket_.interrupted()) {
-        const bool begun = scansHere_ > 0;
-        const auto timeout = begun ? watchdog() : Clock::duration(settings_.timeouts.firstScan);
-        const auto silentSince = begun ? lastScan_ : connected;
-        const auto phase = state().phase;
-        const bool live = phase == ConnectionPhase::Live;
-        const auto message = socket_.receive(silentSince + (live ? timeout / 2 : timeout));
-        if (!message) return message.error();
-        const std::uint64_t before = scansHere_;
-        if (*message) {
-            if (const auto taken = take(**message); !taken) return taken.error();
-        }
-        if (scansHere_ > before) {
-            if (!live)
-                enter(ConnectionPhase::Live, where() + (phase == ConnectionPhase::Stale ? " is sending again." : " is sending.") +
-                                                 (note_.empty() ? "" : " " + note_));
-            continue;
-        }
-        const auto silence = Clock::now() - silentSince;
-        if (silence >= timeout) {
-            if (noChoice_) return *noChoice_;
-            if (!said_.empty()) return {"the bridge says: " + said_, where(), "check foxglove_bridge on the robot"};
-            if (!lines_) return {"the bridge offers no topics", where(), "check that the robot's programs run"};
-            return {"no scan line of " + lines_->topic + " for " + seconds(timeout), where(),
-                    "check whether the laser runs and publishes this topic"};
-        }
-        if (live && silence >= timeout / 2) enter(ConnectionPhase::Stale, where() + ": no scan for " + seconds(silence) + ".");
-    }
-    return {"interrupted", where(), {}};
-}
-
-Result<Done> BridgeConnection::take(const WebSocketMessage& message) {
+Result<Done> BridgeConnection::receive(Clock::time_point deadline) {
+    const auto received = socket_.receive(deadline);
+    if (!received) return received.error();
+    if (!*received) return Done{};
+    const WebSocketMessage& message = **received;
     bytes_ += message.bytes.size();
     if (message.isText) return takeText({reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size()});
     takeData(message);
     return Done{};
+}
+
+Error BridgeConnection::silent(const std::string& time) const {
+    if (noChoice_) return *noChoice_;
+    if (!said_.empty()) return {"the bridge says: " + said_, where(), "check foxglove_bridge on the robot"};
+    if (!lines_) return {"the bridge offers no topics", where(), "check that the robot's programs run"};
+    return {"no scan line of " + lines_->topic + " for " + time, where(), "check whether the laser runs and publishes this topic"};
 }
 
 Result<Done> BridgeConnection::takeText(std::string_view json) {

@@ -25,50 +25,31 @@ struct BridgeEvents {
     std::function<void(const BridgeChannelPtr&, const BridgeData&, const HostTime&)> received; ///< every message, before it is parsed
 };
 
-class BridgeConnection : public LiveConnection {
+class BridgeConnection final : public LiveConnection {
 public:
     /// Starts at once.
     BridgeConnection(ConnectionSettings settings, BridgeEvents events);
-    ~BridgeConnection() override;
-    BridgeConnection(const BridgeConnection&) = delete;
-    BridgeConnection& operator=(const BridgeConnection&) = delete;
-
-    /// Ends every wait at once and returns when the thread has ended. Inside an event it only requests the end.
-    void stop() override;
-    [[nodiscard]] ConnectionState state() const override;
-    [[nodiscard]] ConnectionStatistics statistics() const override;
+    ~BridgeConnection() override { stop(); }
 
 private:
-    using Clock = WebSocket::Clock;
-
-    void run();
-    Error connection();
-    Error watch();
-    Result<Done> take(const WebSocketMessage& message);
+    Link& link() override { return socket_; }
+    [[nodiscard]] ColaCounts counts() const override;
+    Result<Done> start() override;
+    Result<Done> receive(Clock::time_point deadline) override;
+    [[nodiscard]] Error silent(const std::string& time) const override;
     Result<Done> takeText(std::string_view json);
     void takeData(const WebSocketMessage& message);
     Result<Done> chooseAgain();
-    void enter(ConnectionPhase phase, std::string sentence, std::optional<Error> problem = std::nullopt);
-    [[nodiscard]] Clock::duration watchdog() const;
-    [[nodiscard]] std::string where() const { return addressText(settings_.host, settings_.port); }
 
-    const ConnectionSettings settings_;
     const BridgeEvents events_;
-    mutable std::mutex mutex_; ///< protects state_
-    ConnectionState state_;
-    std::atomic<std::uint64_t> scans_{0}, connections_{0}, bytes_{0}, skipped_{0};
+    std::atomic<std::uint64_t> bytes_{0}, skipped_{0};
 
     // Used by the thread only.
     std::map<std::uint32_t, BridgeChannelPtr> offered_, subscribed_;
     std::optional<Error> noChoice_; ///< why no topic is chosen
     BridgeChannelPtr lines_;
-    std::string note_, said_;     ///< said_: the last warning of the bridge
-    std::uint64_t scansHere_ = 0; ///< lines on this connection
-    Clock::time_point lastScan_;
-    double periodS_ = 0; ///< between lines, smoothed; 0: unknown
-
+    std::string said_; ///< the last warning of the bridge
     WebSocket socket_;
-    std::thread thread_; // last member: the thread starts when all the others exist
 };
 
 } // namespace edgescan::scanner

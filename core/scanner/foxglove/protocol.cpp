@@ -35,12 +35,6 @@ std::optional<BridgeChannel> channelIn(const Json& value) {
     return channel;
 }
 
-std::uint64_t littleEndian(ByteView bytes) {
-    std::uint64_t value = 0;
-    for (std::size_t n = bytes.size(); n-- > 0;) value = value << 8U | bytes[n];
-    return value;
-}
-
 } // namespace
 
 Result<BridgeText> bridgeText(std::string_view json, const std::string& where) {

@@ -1,12 +1,9 @@
-// One WebSocket to a bridge, used by one thread. Waits have a deadline, and end at once if another thread interrupts.
+// One WebSocket to a bridge, used by one thread.
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/result.h"
-#include "core/scanner/cola/host_time.h"
+#include "core/scanner/cola/link.h"
 
-#include <chrono>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -18,32 +15,17 @@ struct WebSocketMessage {
     HostTime received;
 };
 
-class WebSocket {
+class WebSocket : public Link {
 public:
-    using Clock = std::chrono::steady_clock;
-
     WebSocket();
-    ~WebSocket();
-    WebSocket(const WebSocket&) = delete;
-    WebSocket& operator=(const WebSocket&) = delete;
 
-    /// Host name, IPv4 or IPv6 address. Closes an earlier connection.
-    Result<Done> connect(const std::string& host, std::uint16_t port, Clock::duration timeout);
     Result<Done> send(const std::string& text, Clock::duration timeout);
     /// Empty if the deadline passes or another thread interrupts. Error: the connection is gone, or a message is longer than 64 MB.
     Result<std::optional<WebSocketMessage>> receive(Clock::time_point deadline);
-    void close();
-
-    /// Sleeps; ends early when interrupted.
-    void pause(Clock::duration duration);
-
-    /// From any thread, permanently: the current wait ends now, and every later one at once.
-    void interrupt();
-    [[nodiscard]] bool interrupted() const;
 
 private:
-    struct Socket; // so that this header does not include Boost.Beast
-    std::unique_ptr<Socket> socket_;
+    struct Messages;
+    [[nodiscard]] Messages& messages() const;
 };
 
 } // namespace edgescan::scanner

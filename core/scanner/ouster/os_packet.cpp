@@ -26,15 +26,9 @@ std::size_t bytesOf(const Layout& layout, std::size_t columns, std::size_t pixel
     return layout.packetHead + columns * (layout.columnHead + pixels * layout.pixel + layout.columnFoot) + layout.packetFoot;
 }
 
-std::uint64_t littleEndian(ByteView bytes, std::size_t at, std::size_t count) {
-    std::uint64_t value = 0;
-    for (std::size_t n = count; n-- > 0;) value = value << 8U | bytes[at + n];
-    return value;
-}
-
 /// Range in millimetres and reflectivity of a pixel; of two returns the stronger, which comes first.
 std::pair<float, float> pixelOf(OsProfile profile, ByteView bytes) {
-    const auto word = static_cast<std::uint32_t>(littleEndian(bytes, 0, 4));
+    const auto word = static_cast<std::uint32_t>(littleEndian(bytes.first(4)));
     switch (profile) {
     case OsProfile::Legacy:
         return {static_cast<float>(word & 0xFFFFFU), static_cast<float>(bytes[4])};
@@ -115,17 +109,18 @@ std::optional<std::vector<SpinningColumn>> decodeOs(ByteView datagram, const OsS
     if (!profile) return std::nullopt;
     const Layout& layout = kLayouts[static_cast<std::size_t>(*profile)];
     const std::size_t pixels = sensor.altitudeDeg.size(), length = layout.columnHead + pixels * layout.pixel + layout.columnFoot;
-    const std::uint64_t firstNs = littleEndian(datagram, layout.packetHead, 8);
+    const std::uint64_t firstNs = littleEndian(datagram.subspan(layout.packetHead, 8));
     std::vector<SpinningColumn> columns;
     for (std::size_t c = 0; c < sensor.columnsPerPacket; ++c) {
         const ByteView bytes = datagram.subspan(layout.packetHead + c * length, length);
-        const std::uint64_t measurement = littleEndian(bytes, 8, 2);
-        const bool valid = *profile == OsProfile::Legacy ? littleEndian(bytes, length - 4, 4) == 0xFFFFFFFFU : (bytes[10] & 1U) != 0;
+        const std::uint64_t measurement = littleEndian(bytes.subspan(8, 2));
+        const bool valid =
+            *profile == OsProfile::Legacy ? littleEndian(bytes.subspan(length - 4, 4)) == 0xFFFFFFFFU : (bytes[10] & 1U) != 0;
         if (!valid || measurement >= sensor.columnsPerFrame) continue;
         SpinningColumn column;
         column.azimuthDeg = 360.0 * static_cast<double>(measurement) / static_cast<double>(sensor.columnsPerFrame);
         constexpr std::int64_t kLongest = 1'000'000'000; // of a packet: a clock that jumps within it is not followed
-        const auto since = static_cast<std::int64_t>(littleEndian(bytes, 0, 8) - firstNs);
+        const auto since = static_cast<std::int64_t>(littleEndian(bytes.first(8)) - firstNs);
         column.timeNs = timeNs + (since >= 0 && since < kLongest ? since : 0);
         column.rangeMm.resize(pixels);
         column.reflection.resize(pixels);

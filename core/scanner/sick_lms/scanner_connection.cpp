@@ -27,75 +27,109 @@ const char* connectionPhaseName(ConnectionPhase phase) {
     return kNames[static_cast<std::size_t>(phase)];
 }
 
-ScannerConnection::ScannerConnection(ConnectionSettings settings, ConnectionEvents events)
-    : settings_(std::move(settings)), events_(std::move(events)), dialect_(settings_.dialect.value_or(Dialect::B)),
-      link_(hooksOf(events_, scans_)), thread_([this] { run(); }) {}
-
-ScannerConnection::~ScannerConnection() {
-    ScannerConnection::stop();
-    if (thread_.joinable()) thread_.join();
-}
-
-void ScannerConnection::stop() {
-    link_.interrupt();
-    if (thread_.joinable() && std::this_thread::get_id() != thread_.get_id()) thread_.join();
-}
-
-ConnectionState ScannerConnection::state() const {
-    const std::lock_guard lock(mutex_);
-    return state_;
-}
-
-ConnectionStatistics ScannerConnection::statistics() const {
-    const std::uint64_t connections = connections_;
-    return {link_.counts(), scans_, connections, connections > 0 ? connections - 1 : 0};
-}
-
 Error noLinesError(const ConnectionState& state, const std::string& address) {
     if (state.problem) return *state.problem;
     return {"no line was received", address, "check cable, address and port"};
 }
 
-void ScannerConnection::enter(ConnectionPhase phase, std::string sentence, std::optional<Error> problem) {
+LiveConnection::LiveConnection(ConnectionSettings settings, std::function<void(const ConnectionState&)> stateChanged)
+    : settings_(std::move(settings)), firstScanTimeout_(settings_.timeouts.firstScan), stateChanged_(std::move(stateChanged)) {}
+
+void LiveConnection::begin() {
+    thread_ = std::thread([this] { run(); });
+}
+
+void LiveConnection::stop() {
+    link().interrupt();
+    if (thread_.joinable() && std::this_thread::get_id() != thread_.get_id()) thread_.join();
+}
+
+ConnectionState LiveConnection::state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+}
+
+ConnectionStatistics LiveConnection::statistics() const {
+    const std::uint64_t connections = connections_;
+    return {counts(), scans_, connections, connections > 0 ? connections - 1 : 0};
+}
+
+void LiveConnection::enter(ConnectionPhase phase, std::string sentence, std::optional<Error> problem) {
     ConnectionState state{phase, std::move(sentence), hostNow(), std::move(problem)};
     {
         const std::lock_guard lock(mutex_);
         if (!state.problem && phase != ConnectionPhase::Live) state.problem = state_.problem;
         state_ = state;
     }
-    if (events_.stateChanged) events_.stateChanged(state);
+    if (stateChanged_) stateChanged_(state);
 }
 
-void ScannerConnection::run() {
+void LiveConnection::run() {
     std::size_t failures = 0;
     while (true) {
         scansHere_ = 0;
         Error end = connection();
-        link_.close();
-        if (link_.interrupted()) return enter(ConnectionPhase::Stopped, where() + ": disconnected.");
+        link().close();
+        if (link().interrupted()) return enter(ConnectionPhase::Stopped, where() + ": disconnected.");
         if (end.where.empty()) end.where = where();
         if (scansHere_ > 0) failures = 0;
         const auto& rests = settings_.timeouts.rests;
         const auto rest = rests.empty() ? std::chrono::milliseconds(0) : rests[std::min(failures, rests.size() - 1)];
         ++failures;
         enter(ConnectionPhase::Lost, end.sentence() + " Trying again in " + seconds(rest) + ".", end);
-        link_.pause(rest);
+        link().pause(rest);
     }
 }
 
-Error ScannerConnection::connection() {
+Error LiveConnection::connection() {
     enter(ConnectionPhase::Connecting, "Connecting to " + where() + ".");
-    if (const auto connected = link_.connect(settings_.host, settings_.port, settings_.timeouts.connect); !connected)
+    if (const auto connected = link().connect(settings_.host, settings_.port, settings_.timeouts.connect); !connected)
         return connected.error();
     ++connections_;
-    enter(ConnectionPhase::Identifying, where() + " accepts the connection; asking what it is.");
-    ScannerDialogue dialogue(link_, settings_.timeouts, [this](const ColaFrame& frame) { noticeScan(frame); });
-    if (const auto started = start(dialogue); !started) return started.error();
+    if (const auto started = start(); !started) return started.error();
     return watch();
 }
 
-/// From the first request to the subscription.
-Result<Done> ScannerConnection::start(ScannerDialogue& dialogue) {
+LiveConnection::Clock::duration LiveConnection::watchdog() const {
+    const auto tenPeriods = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(10.0 * periodS_));
+    return std::max<Clock::duration>(settings_.timeouts.silence, tenPeriods);
+}
+
+/// Receives until the connection ends or no more scans arrive.
+Error LiveConnection::watch() {
+    const auto enterLive = [&](const char* sending) {
+        enter(ConnectionPhase::Live, where() + sending + (note_.empty() ? "" : " " + note_));
+    };
+    const Clock::time_point subscribed = Clock::now();
+    if (scansHere_ > 0) enterLive(" is sending.");
+    while (!link().interrupted()) {
+        const bool begun = scansHere_ > 0;
+        const auto timeout = begun ? watchdog() : firstScanTimeout_;
+        const auto silentSince = begun ? lastScan_ : subscribed;
+        const auto phase = state().phase;
+        const bool live = phase == ConnectionPhase::Live;
+        const std::uint64_t before = scansHere_;
+        if (const auto received = receive(silentSince + (live ? timeout / 2 : timeout)); !received) return received.error();
+        if (scansHere_ > before) {
+            if (!live) enterLive(phase == ConnectionPhase::Stale ? " is sending again." : " is sending.");
+            continue;
+        }
+        const auto silence = Clock::now() - silentSince;
+        if (silence >= timeout) return silent(seconds(timeout));
+        if (live && silence >= timeout / 2) enter(ConnectionPhase::Stale, where() + ": no scan for " + seconds(silence) + ".");
+    }
+    return {"interrupted", where(), {}};
+}
+
+ScannerConnection::ScannerConnection(ConnectionSettings settings, ConnectionEvents events)
+    : LiveConnection(std::move(settings), events.stateChanged), events_(std::move(events)),
+      dialect_(settings_.dialect.value_or(Dialect::B)), link_(hooksOf(events_, scans_)) {
+    begin();
+}
+
+Result<Done> ScannerConnection::start() {
+    enter(ConnectionPhase::Identifying, where() + " accepts the connection; asking what it is.");
+    ScannerDialogue dialogue(link_, settings_.timeouts, [this](const ColaFrame& frame) { noticeScan(frame); });
     const auto deviceState = dialogue.detect(dialect_, settings_.dialect.has_value());
     if (!deviceState) return deviceState.error();
     dialect_ = dialogue.dialect();
@@ -114,11 +148,6 @@ Result<Done> ScannerConnection::start(ScannerDialogue& dialogue) {
     return Done{};
 }
 
-ScannerConnection::Clock::duration ScannerConnection::watchdog() const {
-    const auto tenPeriods = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(10.0 * periodS_));
-    return std::max<Clock::duration>(settings_.timeouts.silence, tenPeriods);
-}
-
 void ScannerConnection::noticeScan(const ColaFrame& frame) {
     if (!isScanTelegram(frame.payload())) return;
     ++scansHere_;
@@ -130,30 +159,15 @@ void ScannerConnection::noticeScan(const ColaFrame& frame) {
     periodS_ = hertz > 0.0 ? std::min(everyNth_ / hertz, 60.0) : 0.0;
 }
 
-/// Receives until the connection ends or no more scans arrive.
-Error ScannerConnection::watch() {
-    const Clock::time_point subscribed = Clock::now();
-    if (scansHere_ > 0) enter(ConnectionPhase::Live, where() + " is sending.");
-    while (!link_.interrupted()) {
-        const bool begun = scansHere_ > 0;
-        const auto timeout = begun ? watchdog() : firstScanTimeout_;
-        const auto silentSince = begun ? lastScan_ : subscribed;
-        const auto phase = state().phase;
-        const bool live = phase == ConnectionPhase::Live;
-        const auto frames = link_.receive(silentSince + (live ? timeout / 2 : timeout));
-        if (!frames) return frames.error();
-        const std::uint64_t before = scansHere_;
-        for (const ColaFrame& frame : *frames) noticeScan(frame);
-        if (scansHere_ > before) {
-            if (!live) enter(ConnectionPhase::Live, where() + (phase == ConnectionPhase::Stale ? " is sending again." : " is sending."));
-            continue;
-        }
-        const auto silence = Clock::now() - silentSince;
-        if (silence >= timeout)
-            return {"no scan for " + seconds(timeout), where(), "check the cable and whether the scanner's mirror turns"};
-        if (live && silence >= timeout / 2) enter(ConnectionPhase::Stale, where() + ": no scan for " + seconds(silence) + ".");
-    }
-    return {"interrupted", where(), {}};
+Result<Done> ScannerConnection::receive(Clock::time_point deadline) {
+    const auto frames = link_.receive(deadline);
+    if (!frames) return frames.error();
+    for (const ColaFrame& frame : *frames) noticeScan(frame);
+    return Done{};
+}
+
+Error ScannerConnection::silent(const std::string& time) const {
+    return {"no scan for " + time, where(), "check the cable and whether the scanner's mirror turns"};
 }
 
 } // namespace edgescan::scanner

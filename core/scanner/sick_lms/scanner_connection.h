@@ -59,58 +59,79 @@ struct ConnectionStatistics {
     std::uint64_t reconnects = 0; ///< connections made again after a loss
 };
 
-/// What a live scan needs of a connection, whatever answers there.
+/// A permanent connection, whatever answers there: it connects, watches, and connects again after a loss; on its own thread.
+/// The constructor of a derived class ends with begin(), its destructor begins with stop().
 class LiveConnection {
 public:
+    LiveConnection(const LiveConnection&) = delete;
+    LiveConnection& operator=(const LiveConnection&) = delete;
     virtual ~LiveConnection() = default;
-    /// Ends every wait at once and returns when no more events come.
-    virtual void stop() = 0;
-    [[nodiscard]] virtual ConnectionState state() const = 0;
-    [[nodiscard]] virtual ConnectionStatistics statistics() const = 0;
-};
-
-class ScannerConnection : public LiveConnection {
-public:
-    /// Starts at once.
-    ScannerConnection(ConnectionSettings settings, ConnectionEvents events);
-    ~ScannerConnection() override;
-    ScannerConnection(const ScannerConnection&) = delete;
-    ScannerConnection& operator=(const ScannerConnection&) = delete;
 
     /// Ends every wait at once and returns when the thread has ended. Inside an event it only requests the end.
-    void stop() override;
+    void stop();
+    [[nodiscard]] ConnectionState state() const;
+    [[nodiscard]] ConnectionStatistics statistics() const;
 
-    [[nodiscard]] ConnectionState state() const override;
-    [[nodiscard]] ConnectionStatistics statistics() const override;
+protected:
+    using Clock = Link::Clock;
 
-private:
-    using Clock = ColaLink::Clock;
-
-    void run();
-    Error connection();
-    Result<Done> start(ScannerDialogue& dialogue);
-    Error watch();
-    void noticeScan(const ColaFrame& frame);
+    LiveConnection(ConnectionSettings settings, std::function<void(const ConnectionState&)> stateChanged);
+    void begin();
     void enter(ConnectionPhase phase, std::string sentence, std::optional<Error> problem = std::nullopt);
-    [[nodiscard]] Clock::duration watchdog() const;
     [[nodiscard]] std::string where() const { return addressText(settings_.host, settings_.port); }
 
     const ConnectionSettings settings_;
-    const ConnectionEvents events_;
-    mutable std::mutex mutex_; ///< protects state_
-    ConnectionState state_;
-    std::atomic<std::uint64_t> scans_{0}, connections_{0};
+    std::atomic<std::uint64_t> scans_{0};
 
     // Used by the thread only.
-    Dialect dialect_;             ///< dialect of the last connection: tried first
-    double periodS_ = 0.0;        ///< between telegrams; 0: unknown
     std::uint64_t scansHere_ = 0; ///< scans on this connection
     Clock::time_point lastScan_;
-    Clock::duration firstScanTimeout_{};
-    std::uint16_t everyNth_ = 1;
+    double periodS_ = 0.0; ///< between scans; 0: unknown
+    Clock::duration firstScanTimeout_;
+    std::string note_; ///< follows the sentence that scans arrive; may be empty
 
+private:
+    virtual Link& link() = 0;
+    [[nodiscard]] virtual ColaCounts counts() const = 0;
+    /// From the accepted connection to the subscription.
+    virtual Result<Done> start() = 0;
+    /// Receives once, until the deadline at the latest.
+    virtual Result<Done> receive(Clock::time_point deadline) = 0;
+    /// The error when no scan came for this time.
+    [[nodiscard]] virtual Error silent(const std::string& time) const = 0;
+
+    void run();
+    Error connection();
+    Error watch();
+    [[nodiscard]] Clock::duration watchdog() const;
+
+    const std::function<void(const ConnectionState&)> stateChanged_;
+    mutable std::mutex mutex_; ///< protects state_
+    ConnectionState state_;
+    std::atomic<std::uint64_t> connections_{0};
+    std::thread thread_;
+};
+
+class ScannerConnection final : public LiveConnection {
+public:
+    /// Starts at once.
+    ScannerConnection(ConnectionSettings settings, ConnectionEvents events);
+    ~ScannerConnection() override { stop(); }
+
+private:
+    Link& link() override { return link_; }
+    [[nodiscard]] ColaCounts counts() const override { return link_.counts(); }
+    Result<Done> start() override;
+    Result<Done> receive(Clock::time_point deadline) override;
+    [[nodiscard]] Error silent(const std::string& time) const override;
+    void noticeScan(const ColaFrame& frame);
+
+    const ConnectionEvents events_;
+
+    // Used by the thread only.
+    Dialect dialect_; ///< dialect of the last connection: tried first
+    std::uint16_t everyNth_ = 1;
     ColaLink link_;
-    std::thread thread_; // last member: the thread starts when all the others exist
 };
 
 } // namespace edgescan::scanner

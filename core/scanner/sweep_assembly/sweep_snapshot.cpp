@@ -164,7 +164,7 @@ void SweepAssembler::describe(Scan& scan) {
     warnAboutRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
     for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
     if (!now.assumed.empty()) warn(now.assumed);
-    if (angles.source == AngleSource::Time) warn("The line angles are reckoned from time alone: a change of speed bends the cloud.");
+    if (angles.source == AngleSource::Time) warn("The line angles are computed from time alone: a change of speed bends the cloud.");
     if (encoderWithoutScale_)
         warn("The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.");
     if (encoderWasReset_) warn("The scanner lost its encoder count when it restarted: the line angles after that are computed.");

@@ -14,12 +14,6 @@ constexpr std::uint8_t kVlp16 = 0x22;
 // By laser in the order of firing, its place from below: -15, 1, -13, 3 ... -1, 15 degrees.
 constexpr int placeOf(int laser) { return laser % 2 == 0 ? laser / 2 : 8 + laser / 2; }
 
-std::uint32_t littleEndian(ByteView bytes, std::size_t at, std::size_t count) {
-    std::uint32_t value = 0;
-    for (std::size_t n = count; n-- > 0;) value = value << 8U | bytes[at + n];
-    return value;
-}
-
 double stepDeg(double fromDeg, double toDeg) {
     const double step = toDeg - fromDeg;
     return step < 0 ? step + 360.0 : step;
@@ -33,10 +27,10 @@ std::optional<Vlp16Packet> decodeVlp16(ByteView datagram) {
     if (product != kVlp16 || returns < 0x37 || returns > 0x39) return std::nullopt;
     Vlp16Packet packet;
     packet.returns = static_cast<Vlp16Return>(returns);
-    packet.usOfHour = littleEndian(datagram, kBlockBytes * kVlp16Blocks, 4);
+    packet.usOfHour = static_cast<std::uint32_t>(littleEndian(datagram.subspan(kBlockBytes * kVlp16Blocks, 4)));
     for (std::size_t b = 0; b < packet.blocks.size(); ++b) {
         const ByteView bytes = datagram.subspan(b * kBlockBytes, kBlockBytes);
-        const std::uint32_t azimuth = littleEndian(bytes, 2, 2);
+        const auto azimuth = static_cast<std::uint32_t>(littleEndian(bytes.subspan(2, 2)));
         if (bytes[0] != 0xFF || bytes[1] != 0xEE || azimuth >= 36000) return std::nullopt;
         Vlp16Packet::Block& block = packet.blocks[b];
         block.azimuthDeg = azimuth * kDegPerCount;
@@ -44,7 +38,7 @@ std::optional<Vlp16Packet> decodeVlp16(ByteView datagram) {
             for (int laser = 0; laser < kVlp16Beams; ++laser) {
                 const std::size_t at = 4 + static_cast<std::size_t>(shot * kVlp16Beams + laser) * kChannelBytes;
                 const auto s = static_cast<std::size_t>(shot), place = static_cast<std::size_t>(placeOf(laser));
-                block.rangeMm[s][place] = static_cast<float>(littleEndian(bytes, at, 2) * kMmPerCount);
+                block.rangeMm[s][place] = static_cast<float>(static_cast<double>(littleEndian(bytes.subspan(at, 2))) * kMmPerCount);
                 block.reflection[s][place] = static_cast<float>(bytes[at + 2]);
             }
         }

@@ -8,6 +8,7 @@
 #include "core/files/open_save/pose_sidecar.h"
 #include "core/inspect/calibration/seam_edges.h"
 #include "core/inspect/calibration/views_picture.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
@@ -88,7 +89,7 @@ void Calibrating::show() {
     if (files_.path().isEmpty())
         return notice_.showNotice(
             NoticeBar::Kind::Warning,
-            tr("What is on the screen comes from no file, so a calibration could not name it: open a scan or a recording."));
+            tr("The picture does not come from a file, so a calibration cannot name it: open a scan or a recording."));
     if (card_ == nullptr) {
         card_ = new CalibrationCard(notice_.window());
         connect(card_, &CalibrationCard::addRequested, this, &Calibrating::askAdd);
@@ -131,7 +132,7 @@ void Calibrating::ask() {
 }
 
 void Calibrating::askAdd() {
-    add(QFileDialog::getOpenFileNames(card_, tr("Scans of the same assembly"), preferences_.folder("scans"), Files::filters()));
+    add(QFileDialog::getOpenFileNames(card_, tr("Scans with the same mounting"), preferences_.folder("scans"), Files::filters()));
 }
 
 void Calibrating::add(const QStringList& paths) {
@@ -166,7 +167,7 @@ void Calibrating::start() {
 
 void Calibrating::giveUp() {
     calibration_.giveUp();
-    card_->refuse(tr("given up"));
+    card_->refuse(tr("stopped"));
 }
 
 Result<std::vector<std::shared_ptr<const Scan>>> Calibrating::read(const Question& question, const Progress& progress,
@@ -244,7 +245,7 @@ Calibrating::Answer Calibrating::run(const Question& question, const Progress& p
 
 void Calibrating::take(const std::shared_ptr<const Answer>& answer) {
     const Result<inspect::SelfCalibration>& calibration = *answer->found;
-    if (!calibration) return card_->refuse(shownText(calibration.error().sentence()));
+    if (!calibration) return card_->refuse(coreSentence(calibration.error().sentence()));
     found_ = answer;
     const Seam& seam = answer->seam;
     CalibrationShown shown = calibrationWords(*calibration);

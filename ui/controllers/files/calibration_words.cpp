@@ -19,16 +19,16 @@ CalibrationShown calibrationWords(const inspect::SelfCalibration& found) {
     const AssemblyErrors& sd = found.sd;
     CalibrationShown shown;
     const QString mm = "mm", deg = "°";
-    shown.rows = {errorRow(QObject::tr("lever arm t1, in the fan"), e.t1Mm(), sd.t1Mm(), mm, 2),
-                  errorRow(QObject::tr("lever arm t2, across it"), e.t2Mm(), sd.t2Mm(), mm, 2),
-                  errorRow(QObject::tr("tilt of the fan"), e.tiltDeg(), sd.tiltDeg(), deg, 4),
+    shown.rows = {errorRow(QObject::tr("lever arm t1, in the scan plane"), e.t1Mm(), sd.t1Mm(), mm, 2),
+                  errorRow(QObject::tr("lever arm t2, across the plane"), e.t2Mm(), sd.t2Mm(), mm, 2),
+                  errorRow(QObject::tr("tilt of the scan plane"), e.tiltDeg(), sd.tiltDeg(), deg, 4),
                   errorRow(QObject::tr("beam index"), e.indexDeg(), sd.indexDeg(), deg, 4),
                   found.turnIsEstimated
                       ? errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)
-                      : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("stays"), QObject::tr("not measured")}};
+                      : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("unchanged"), QObject::tr("not measured")}};
     shown.verdict = QObject::tr("found from %1 cells, %2° seen twice").arg(found.cells).arg(decimals(found.overlapDeg, 1));
     shown.about =
-        QObject::tr("The two views lay %1 mm apart and lie %2 mm apart with these errors (median; noise explains %3 mm). One scan "
+        QObject::tr("Mismatch of the two views: %1 mm before, %2 mm with these errors (median; noise alone explains %3 mm). One scan "
                     "never shows a shift along the axis, an offset of all ranges or the stepper's zero.")
             .arg(decimals(found.medianBeforeMm, 1), decimals(found.medianAfterMm, 1), decimals(found.noiseMm, 1));
     return shown;
@@ -40,7 +40,7 @@ CalibrationPicture seamWords(std::size_t lateEdges, const std::array<double, 2>&
     picture.title = QObject::tr("Edges of both views");
     const QString signs = QObject::tr("orange – late view, blue | early view, white + both");
     picture.before = QObject::tr("Before: %1 % of %2 late edges are next to an early one (%3)").arg(share(0)).arg(lateEdges).arg(signs);
-    picture.after = QObject::tr("After: %1 % do").arg(share(1));
+    picture.after = QObject::tr("After: %1 % of them").arg(share(1));
     return picture;
 }
 

@@ -11,6 +11,7 @@
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/survey_line.h"
 #include "core/scan/grid/cartesian.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
@@ -115,9 +116,8 @@ void Placing::show() {
     if (scan_) return dialog_->raise();
     const Scan& scan = *picture->detection->scan;
     if (scan.path.empty() || picture->source.growth.sweep >= 0 || (files_.path().isEmpty() && !files_.demo()))
-        return notice_.showNotice(
-            NoticeBar::Kind::Warning,
-            tr("What is on the screen comes from no file, so its pose could not be stored: open a scan or a recording."));
+        return notice_.showNotice(NoticeBar::Kind::Warning,
+                                  tr("The picture does not come from a file, so its pose cannot be stored: open a scan or a recording."));
     make();
     source_ = picture->source;
     previewed_ = false;
@@ -220,7 +220,7 @@ void Placing::take(const Answer& answer) {
 
 void Placing::takeLine(const QString& line, bool northingFirst) {
     const auto read = parseSurveyLine(exactBytes(line), northingFirst ? SurveyOrder::NorthingFirst : SurveyOrder::EastingFirst);
-    if (!read) return dialog_->showState("✕ " + shownText(read.error().sentence()), false);
+    if (!read) return dialog_->showState("✕ " + coreSentence(read.error().sentence()), false);
     PlaceTexts texts = dialog_->poseTexts();
     const auto put = [&](const std::string& key, std::optional<double> value) {
         for (std::size_t n = 0; n < texts.size(); ++n) {
@@ -290,9 +290,9 @@ void Placing::askFile() {
 void Placing::useCalibration(const QString& path) {
     const auto text = textAt(exactBytes(path));
     const auto sound = text ? parseCalibration(*text, exactBytes(path)) : Result<Calibration>(text.error());
-    if (!sound) return dialog_->showState("✕ " + shownText(sound.error().sentence()), false);
+    if (!sound) return dialog_->showState("✕ " + coreSentence(sound.error().sentence()), false);
     const auto texts = placeTexts(mountingFields(), *text, exactBytes(path));
-    if (!texts) return dialog_->showState("✕ " + shownText(texts.error().sentence()), false);
+    if (!texts) return dialog_->showState("✕ " + coreSentence(texts.error().sentence()), false);
     mountingBase_ = *text;
     dialog_->showMounting(*texts);
     showScanners({});
@@ -332,7 +332,7 @@ bool Placing::use(const std::string& scanPath, const Stored& stored) {
                     return notice_.showError(written.error());
                 }
                 const QString name = shownName(QFileInfo(exactText(files::poseSidecar(scanPath).string())).fileName());
-                message_ = !stored.file ? tr("No pose is stored with the scan any more.")
+                message_ = !stored.file ? tr("The pose that was stored with the scan is removed.")
                            : replaces   ? tr("Stored %1; it replaced the pose that was there.").arg(name)
                                         : tr("Stored %1.").arg(name);
                 reopen(stored.options);

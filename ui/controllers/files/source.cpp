@@ -95,7 +95,7 @@ PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner) {
     if (!engine.replacing() && !awaited) return origin;
     origin.sign = StateBadge::Sign::Waiting;
     origin.badge = QObject::tr("OLD PICTURE") + " · " + origin.badge;
-    origin.more = QObject::tr("Another scan is on its way: this is the picture before it.") + "\n" + origin.more;
+    origin.more = QObject::tr("Another scan is being opened. This is the picture before it.") + "\n" + origin.more;
     return origin;
 }
 

@@ -99,7 +99,7 @@ void Rocks::callSelected(bool rock) {
     if (!picture_ || selected_.empty()) return;
     const auto cell = static_cast<std::uint32_t>(selected_.back());
     if (picture_->regionAt(cell) == nullptr) return;
-    push(rock ? stepName("call of a rock") : stepName("call of no rock"),
+    push(rock ? stepName("mark as a rock") : stepName("mark as not a rock"),
          {rock ? rocks::EditKind::Rock : rocks::EditKind::NotRock, {cell}});
 }
 

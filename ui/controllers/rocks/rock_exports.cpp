@@ -75,7 +75,7 @@ void Rocks::exportTo(const QString& path) {
         return;
     }
     if (!picture_ || behind()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being worked out; try again.").arg(path));
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 was not written: the rocks are still being computed; try again.").arg(path));
         return;
     }
     exports::ExportOptions options;

@@ -86,7 +86,7 @@ void RockSidecar::follow(std::shared_ptr<const Scan> scan) {
                 if (isFile && preset) path_ = path;
                 ours_ = isThere && preset;
                 if (!preset)
-                    emit failed(tr("%1 Edits of rocks are not kept until then.").arg(exactText(preset.error().sentence())));
+                    emit failed(tr("%1 Edits of rocks are not stored until then.").arg(exactText(preset.error().sentence())));
                 else if (isThere)
                     emit found(*preset);
                 emit readEnded();
@@ -114,7 +114,7 @@ void RockSidecar::writeNow() {
     soon_.stop();
     if (!waiting_) return;
     const auto written = disk_->write(*std::exchange(waiting_, std::nullopt));
-    if (!written) emit failed(tr("Edits of rocks are not kept: %1").arg(exactText(written.error().sentence())));
+    if (!written) emit failed(tr("Edits of rocks are not stored: %1").arg(exactText(written.error().sentence())));
 }
 
 void RockSidecar::writeInBackground() {
@@ -129,10 +129,10 @@ void RockSidecar::writeInBackground() {
         [this, disk = disk_, writing = *std::exchange(waiting_, std::nullopt)]() -> std::function<void()> {
             auto written = disk->write(writing);
             return [this, written = std::move(written)] {
-                if (!written) emit failed(tr("Edits of rocks are not kept: %1").arg(exactText(written.error().sentence())));
+                if (!written) emit failed(tr("Edits of rocks are not stored: %1").arg(exactText(written.error().sentence())));
             };
         },
-        [this](const QString& what) { emit failed(tr("Edits of rocks are not kept: %1").arg(what)); }, [this] { writing_ = false; });
+        [this](const QString& what) { emit failed(tr("Edits of rocks are not stored: %1").arg(what)); }, [this] { writing_ = false; });
 }
 
 } // namespace edgescan::ui

@@ -37,7 +37,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&finder_, &RockFinder::found, this, &Rocks::take);
     connect(&finder_, &RockFinder::failed, this, [this](const QString& what) {
         notice_.showNotice(NoticeBar::Kind::Error,
-                           tr("the rocks could not be worked out (%1); close other programs or open a smaller scan.").arg(what));
+                           tr("the rocks could not be computed (%1); close other programs or open a smaller scan.").arg(what));
     });
     connect(&panel_, &RocksPanel::edited, this, &Rocks::change);
     connect(&table_, &RockTable::chosen, this, [this](const std::vector<std::uint32_t>& labels) {
@@ -170,7 +170,7 @@ QString Rocks::remark() const {
     QStringList words;
     if (engine_.picture() && engine_.picture()->source.growth.growing && picture_)
         words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(picture_->labels.lines);
-    if (on_ && engine_.picture() && !picture_) words << tr("being worked out …");
+    if (on_ && engine_.picture() && !picture_) words << tr("being computed …");
     if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
     if (picture_ && mountingAssumed(*picture_->detection->scan)) words << tr("▲ mounting assumed");

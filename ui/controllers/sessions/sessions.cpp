@@ -30,10 +30,6 @@ QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(
 
 std::filesystem::path folderOf(const QString& path) { return exactBytes(QFileInfo(absolutePath(path)).path()); }
 
-bool isSame(const inspect::NotebookScan& a, const inspect::NotebookScan& b) {
-    return a.sha256 == b.sha256 && a.name == b.name && a.lines == b.lines && a.beams == b.beams;
-}
-
 } // namespace
 
 Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, Preferences& preferences, QUndoStack& undo,
@@ -167,7 +163,7 @@ void Sessions::saveAs(const QString& path) {
     const auto state = taken();
     if (!state) {
         notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("There is nothing to save yet: open a scan first. A live sweep is kept by recording it."));
+                           tr("There is nothing to save yet: open a scan first. To store a live sweep, record it."));
         return;
     }
     file_ = QFileInfo(path).absoluteFilePath();
@@ -249,8 +245,8 @@ void Sessions::openNextPlace() {
     const inspect::SessionScan& scan = wanted_->state.scan;
     if (!inspect::hasPath(scan.kind)) return files_.openDemo(scan.kind == inspect::SessionScan::Kind::DemoAfterBlast);
     if (place_ < wanted_->places.size()) return files_.open({exactText(wanted_->places[place_].string())}, scan.reading);
-    askForPlace(tr("%1: the scan of this session is not there: it was moved, or its disk is not here. Settings and view are back; the rest "
-                   "comes with the scan.")
+    askForPlace(tr("%1: the scan of this session was not found. It was moved, or its disk is missing. Settings and view are restored. The "
+                   "rest needs the scan.")
                     .arg(shownName(exactText(scan.path.string()))));
 }
 
@@ -278,10 +274,10 @@ void Sessions::locate(const QString& path) {
 /// Another scan is on the screen: the one that the session waits for, or an unrelated one.
 void Sessions::followStream() {
     if (!wanted_) {
-        if (!file_.isEmpty() && !isSame(filed_, inspect::notebookScan(*engine_.picture()->detection->scan))) {
+        if (!file_.isEmpty() && !inspect::isSame(filed_, inspect::notebookScan(*engine_.picture()->detection->scan))) {
             if (notice_.isHidden())
                 notice_.showNotice(NoticeBar::Kind::Done,
-                                   tr("The session %1 stays as it was: this is another scan.").arg(shownName(QFileInfo(file_).fileName())));
+                                   tr("The session %1 is not changed: this is another scan.").arg(shownName(QFileInfo(file_).fileName())));
             file_.clear();
             emit nameChanged();
         }
@@ -294,9 +290,10 @@ void Sessions::followStream() {
     }
     if (!isShown(wanted_->state.scan)) {
         if (isFile && ++place_ < wanted_->places.size()) return openNextPlace();
-        askForPlace(tr("%1 is not the scan of this session: its content is another one. Settings and view are back; targets, selection, "
-                       "marks, rocks, A and the camera are not.")
-                        .arg(shownName(exactText(engine_.picture()->detection->scan->name))));
+        askForPlace(
+            tr("%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, "
+               "rocks, A and the camera are not.")
+                .arg(shownName(exactText(engine_.picture()->detection->scan->name))));
         return;
     }
     const inspect::ReadSession read = std::move(*std::exchange(wanted_, std::nullopt));
@@ -321,7 +318,7 @@ void Sessions::continueLast() {
 void Sessions::offerToContinue() {
     const QStringList left = autosaves_.afterCrash();
     if (left.isEmpty()) return;
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen is kept."));
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen is stored."));
     notice_.offer(tr("Go on where I was"), [this, path = left.front()] { openSession(path); });
 }
 

@@ -54,7 +54,7 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
                            tr("This cell was not marked: there are %1 marks, clear some first.").arg(edges::kMostMarks));
         return;
     }
-    change(isEdge ? stepName("Mark of an Edge") : stepName("Mark of No Edge"), after);
+    change(isEdge ? stepName("Mark as an Edge") : stepName("Mark as Not an Edge"), after);
 }
 
 void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
@@ -84,14 +84,14 @@ void MarkedEdges::use(const edges::EdgeMarks& marks) {
 void MarkedEdges::show() {
     std::vector<TargetMark> tags;
     for (const std::uint32_t k : marks_.wanted) tags.push_back({k, tr("✓ edge"), tr("✓"), false});
-    for (const std::uint32_t k : marks_.unwanted) tags.push_back({k, tr("✕ no edge"), tr("✕"), false});
+    for (const std::uint32_t k : marks_.unwanted) tags.push_back({k, tr("✕ not an edge"), tr("✕"), false});
     targets_.showExtraMarks(std::move(tags));
 }
 
 void MarkedEdges::propose() {
     if (marks_.empty() || engine_.picture() == nullptr) {
         notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("Nothing is marked yet: right click on a cell and say that it is an edge, or that it is none."));
+                           tr("Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge."));
         return;
     }
     if (engine_.picture()->source.growth.growing) {
@@ -116,7 +116,7 @@ std::vector<edges::EdgeProposal> MarkedEdges::run(const Question& question, cons
 void MarkedEdges::showStage(int method) {
     if (!card_->working()) return;
     const auto methods = static_cast<int>(edges::methodTraits().size());
-    card_->showStage(tr("Working out settings for these marks: method %1 of %2 …").arg(std::min(method + 1, methods)).arg(methods), method,
+    card_->showStage(tr("Finding settings for these marks: method %1 of %2 …").arg(std::min(method + 1, methods)).arg(methods), method,
                      methods);
 }
 

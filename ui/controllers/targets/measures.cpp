@@ -14,7 +14,7 @@ namespace edgescan::ui {
 namespace {
 
 QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
-    static const QStringList two{Measures::tr("click the one end"), Measures::tr("click the other end")};
+    static const QStringList two{Measures::tr("click one end"), Measures::tr("click the other end")};
     static const QStringList height{Measures::tr("click the lower cell"), Measures::tr("click the higher cell")};
     static const QStringList angle{Measures::tr("click the end of one side"), Measures::tr("click where the sides meet"),
                                    Measures::tr("click the end of the other side")};

@@ -12,7 +12,7 @@ namespace edgescan::ui {
 
 void Selection::hideToo(const QString& what, const inspect::CellSet& cells) {
     if (cells.empty())
-        notice_.showNotice(NoticeBar::Kind::Done, tr("There is no cell: nothing more is hidden."));
+        notice_.showNotice(NoticeBar::Kind::Done, tr("There is no cell here: nothing more is hidden."));
     else
         change(what, {inspect::without(state_.selected, cells), inspect::united(state_.hidden, cells)});
     reportGrowth();
@@ -21,7 +21,7 @@ void Selection::hideToo(const QString& what, const inspect::CellSet& cells) {
 void Selection::reportGrowth() {
     if (!engine_.picture() || !engine_.picture()->source.growth.growing) return;
     notice_.showNotice(NoticeBar::Kind::Warning,
-                       tr("▲ The sweep grows: hidden are the cells that lay there now; lines that come are shown, whatever their range."));
+                       tr("▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range."));
 }
 
 void Selection::setPart(const inspect::SelectionPart& part) {

@@ -195,7 +195,8 @@ QString Selection::words() const {
             points += detection.scan->state[k] == CellState::Valid ? 1 : 0;
             edges += (*detection.mask)[k] != 0 ? 1 : 0;
         }
-        words = tr("%1 cells selected, %2 points, %3 edges").arg(countText(state_.selected.size()), countText(points), countText(edges));
+        words =
+            tr("%1 cells selected, %2 points, %3 edge cells").arg(countText(state_.selected.size()), countText(points), countText(edges));
     }
     if (!state_.hidden.empty()) words += (words.isEmpty() ? "" : " · ") + tr("▲ %1 cells hidden").arg(countText(state_.hidden.size()));
     return words;

@@ -20,7 +20,7 @@ TargetStore::TargetStore(const QString& folder)
       written_(
           Urgency::Soon, [](const Texts& texts) { return write(texts); },
           [this](const Texts& texts, const std::shared_ptr<const std::string>& trouble) { take(texts, *trouble); },
-          [this](const QString& what) { emit failed(tr("The targets could not be kept (%1).").arg(what)); }, Older::Delivered) {}
+          [this](const QString& what) { emit failed(tr("The targets could not be stored (%1).").arg(what)); }, Older::Delivered) {}
 
 TargetStore::~TargetStore() {
     written_.end(); // older targets must not be written after the last ones

@@ -30,7 +30,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
           Urgency::Now, [this](const Question& question) { return workOut(question); },
           [this](const Question&, const std::shared_ptr<const KnownTargets>& known) { take(*known); },
           [this](const QString& what) {
-              notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be worked out (%1).").arg(what));
+              notice_.showNotice(NoticeBar::Kind::Warning, tr("The targets could not be computed (%1).").arg(what));
           },
           Older::Delivered) { // while a sweep grows
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
@@ -105,13 +105,14 @@ void Targets::followPicture() {
         notebook_ = {};
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
-        panel_.showNote(path.isEmpty() ? tr("Not kept: this picture is of no file, or nothing is remembered.") : QString());
+        panel_.showNote(path.isEmpty() ? tr("Not stored: this picture does not come from a file, or EdgeScan runs with --no-settings.")
+                                       : QString());
         if (const auto other = others_.find(key); other != others_.end()) {
             notebook_ = other->second;
         } else if (auto kept = store_.load(scan)) {
             notebook_ = std::move(*kept);
         } else {
-            panel_.showNote(tr("▲ Not kept: the targets of this scan were refused."));
+            panel_.showNote(tr("▲ Not stored: the targets of this scan were refused."));
             notice_.showError(kept.error());
         }
         if (!notebook_.empty()) emit pinned();
@@ -136,7 +137,7 @@ void Targets::pin(std::size_t cell) {
     if (onRock && moveRockPin(cell, clicked)) return emit pinned();
     if (notebook_.targets.size() >= inspect::kMostTargets) {
         notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("This cell was not pinned: there are %1 targets, let go of some first.").arg(inspect::kMostTargets));
+                           tr("This cell was not pinned: there are %1 targets, remove some first.").arg(inspect::kMostTargets));
         return;
     }
     inspect::Notebook after = notebook_;
@@ -168,13 +169,13 @@ bool Targets::moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked
 void Targets::remove(int number) {
     inspect::Notebook after = notebook_;
     std::erase_if(after.targets, [&](const inspect::PinnedTarget& target) { return target.number == number && !target.locked; });
-    if (after != notebook_) change(stepName("Let Go of %1", number), std::move(after));
+    if (after != notebook_) change(stepName("Remove %1", number), std::move(after));
 }
 
 void Targets::removeAll() {
     inspect::Notebook after = notebook_;
     std::erase_if(after.targets, [](const inspect::PinnedTarget& target) { return !target.locked; });
-    if (after != notebook_) change(stepName("Let Go of All"), std::move(after));
+    if (after != notebook_) change(stepName("Remove All"), std::move(after));
 }
 
 void Targets::rename(int number, const QString& name) {
@@ -198,7 +199,7 @@ void Targets::lock(int number, bool on) {
 void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
     if (notebook_.measures.size() >= inspect::kMostMeasures) {
         notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("This was not kept: there are %1 measurements, remove some first.").arg(inspect::kMostMeasures));
+                           tr("This was not stored: there are %1 measurements, remove some first.").arg(inspect::kMostMeasures));
         return;
     }
     inspect::Notebook after = notebook_;

@@ -53,6 +53,8 @@ public:
     /// A new picture is on the screen.
     void followPicture();
     [[nodiscard]] const inspect::Notebook& notebook() const { return notebook_; }
+    /// Of another scan, as it was stored.
+    [[nodiscard]] Result<inspect::Notebook> notebookOf(const inspect::NotebookScan& scan) { return store_.load(scan); }
     /// The file of the notebook; empty: none.
     [[nodiscard]] QString notebookFile() const;
     /// The target whose card is shown; null: none.

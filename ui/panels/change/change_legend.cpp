@@ -128,12 +128,12 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
         for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(shown && rowsShown_);
         row.count->setText(shown ? thousands(comparison->count(static_cast<ChangeRow>(n))) : QString());
     }
-    QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nturn a setting, or open another scan");
+    QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nchange a setting, or open another scan");
     if (comparison != nullptr && !working) {
         how = shownText(inspect::registrationText(comparison->change.earlier.how)).replace("; ", "\n");
         if (comparison->change.earlier.how.outOfSpec) how = tr("▲ OUT OF SPEC") + '\n' + how;
         if (comparison->isOfTwoScans())
-            how += '\n' + tr("half of the cells differ by less than %1 mm\na change is more than %2 mm at 5 m")
+            how += '\n' + tr("median difference %1 mm\na change is more than %2 mm at 5 m")
                               .arg(comparison->change.differMm, 0, 'f', 0)
                               .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
@@ -144,7 +144,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     histogram_->showDistances(distances);
     distances_->setVisible(distances != nullptr);
     if (distances)
-        setWords(*distances_, tr("half of the points are nearer than %1\n%2 are farther than %3")
+        setWords(*distances_, tr("median distance %1\n%2 are farther than %3")
                                   .arg(shortLength(distances->histogram.medianM))
                                   .arg(thousands(distances->histogram.beyond))
                                   .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));

@@ -66,7 +66,7 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
     slider_->setSingleStep(1);
     slider_->setPageStep(10);
     slider_->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
-    slider_->setToolTip(tr("Edges that fewer of the nearby settings find are left out of the views; exports hold them all."));
+    slider_->setToolTip(tr("Edges that fewer of the nearby settings find are left out of the views. Exports have all of them."));
     slider_->setAccessibleName(tr("Least confidence shown"));
     grid->addWidget(least_, static_cast<int>(kBands) + 2, 0, 1, 3);
     grid->addWidget(slider_, static_cast<int>(kBands) + 3, 0, 1, 3);
@@ -97,7 +97,7 @@ void ConfidenceLegend::showRows(bool on) {
 }
 
 void ConfidenceLegend::showWorking(int done) {
-    words_->setText(tr("working it out: %1 %").arg(done));
+    words_->setText(tr("computing: %1 %").arg(done));
     adjustSize();
 }
 
@@ -108,7 +108,7 @@ void ConfidenceLegend::showNone(const QString& why) {
 }
 
 void ConfidenceLegend::showMade(const ConfidencePicture& made) {
-    words_->setText(tr("found too by how many of %1 nearby settings").arg(made.confidence->settings));
+    words_->setText(tr("share of %1 nearby settings that find the edge").arg(made.confidence->settings));
     for (std::size_t band = 0; band < kBands; ++band) counts_[band]->setText(withCommas(made.counts[band]));
     showRows(true);
     adjustSize();

@@ -41,7 +41,7 @@ CalibrationCard::CalibrationCard(QWidget* parent)
       progress_(new QProgressBar), verdict_(plainWords("calibration-verdict")), table_(new QTableWidget),
       about_(plainWords("calibration-about")), which_(new QComboBox), pictures_(new TwoPictures), saved_(plainWords("calibration-saved")) {
     setObjectName("calibration-card");
-    setWindowTitle(tr("Calibrate the Assembly"));
+    setWindowTitle(tr("Calibrate the Mounting"));
     auto* row = new QHBoxLayout;
     row->addWidget(question());
     row->addWidget(answer_ = answer(), 1);
@@ -74,10 +74,10 @@ QWidget* CalibrationCard::question() {
     column->setContentsMargins(0, 0, 0, 0);
     auto* help = plainWords("calibration-help");
     help->setText(
-        tr("How the scanner is mounted on its stepper, from surfaces that one turn sees twice. Turn 200 degrees instead of 180 once per "
-           "assembly; 360 show more. Nothing is applied by itself."));
+        tr("EdgeScan finds how the scanner is mounted on its stepper, from surfaces that one turn measures twice. Turn 200 degrees instead "
+           "of 180 once per mounting; 360 degrees show more. Nothing is applied automatically."));
     column->addWidget(help);
-    column->addWidget(new QLabel(tr("Scans of one assembly:")));
+    column->addWidget(new QLabel(tr("Scans with one mounting:")));
     scans_->setObjectName("calibration-scans");
     scans_->setMaximumHeight(84);
     column->addWidget(scans_);
@@ -85,7 +85,7 @@ QWidget* CalibrationCard::question() {
     auto* add = new QPushButton(tr("A&dd Scans…"));
     remove_ = new QPushButton(tr("&Remove"));
     auto* choose = new QPushButton(tr("Robot's &File…"));
-    choose->setToolTip(tr("The robot's present calibration: its stepper is replaced, all else stays"));
+    choose->setToolTip(tr("The robot's present calibration: only its stepper is replaced"));
     for (QPushButton* each : {add, remove_, choose}) files->addWidget(each);
     column->addLayout(files);
     column->addWidget(base_);
@@ -96,7 +96,7 @@ QWidget* CalibrationCard::question() {
     column->addWidget(verdict_);
     table_->setObjectName("calibration-table");
     table_->setColumnCount(3);
-    table_->setHorizontalHeaderLabels({tr("error of the assembly"), tr("value"), tr("± 2 sd")});
+    table_->setHorizontalHeaderLabels({tr("error of the mounting"), tr("value"), tr("± 2 sd")});
     table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
@@ -136,8 +136,8 @@ void CalibrationCard::setQuestion(const QStringList& scans, const QString& base)
         item->setToolTip(shownText(scan));
     }
     remove_->setEnabled(false);
-    base_->setText(base.isEmpty() ? tr("Robot's file: none; the new file holds the stepper alone.")
-                                  : tr("Robot's file: %1; all but its stepper stays.").arg(shownName(QFileInfo(base).fileName(), 60)));
+    base_->setText(base.isEmpty() ? tr("Robot's file: none. The new file has the stepper only.")
+                                  : tr("Robot's file: %1. Only its stepper is replaced.").arg(shownName(QFileInfo(base).fileName(), 60)));
     base_->setToolTip(base.isEmpty() ? QString() : shownText(base));
     forgetResult();
 }
@@ -168,7 +168,7 @@ void CalibrationCard::fit() {
 
 void CalibrationCard::setWorking(bool on) {
     working_ = on;
-    start_->setText(on ? tr("&Give Up") : tr("&Calibrate"));
+    start_->setText(on ? tr("S&top") : tr("&Calibrate"));
     progress_->setVisible(on);
 }
 
@@ -229,8 +229,8 @@ void CalibrationCard::setSaved(const QString& path, const QString& cannot) {
     apply_->setEnabled(found_ && !path.isEmpty() && cannot.isEmpty());
     saved_->setText(path.isEmpty() ? QString() : tr("Saved %1.").arg(shownText(path)) + (cannot.isEmpty() ? QString() : " " + cannot));
     apply_->setToolTip(!cannot.isEmpty() ? cannot
-                       : path.isEmpty()  ? tr("Save the file first: a record names the file that a place was worked out with")
-                                         : tr("Opens the scan again with this file; Ctrl+Z takes it back"));
+                       : path.isEmpty()  ? tr("Save the file first: a record names the file from which a place was computed")
+                                         : tr("Opens the scan again with this file. Ctrl+Z undoes it."));
 }
 
 QString CalibrationCard::verdict() const { return verdict_->text(); }

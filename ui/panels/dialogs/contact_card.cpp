@@ -44,7 +44,7 @@ void ContactCard::begin(const QString& name, int pictures) {
     buttons_.clear();
     words_.clear();
     setWindowTitle(tr("Values of %1").arg(name));
-    help_->setText(tr("The same picture at other values of %1. A click takes that value; Ctrl+Z takes it back.").arg(name));
+    help_->setText(tr("The same picture at other values of %1. A click takes that value. Ctrl+Z undoes it.").arg(name));
     progress_->setRange(0, pictures);
     progress_->setValue(0);
     progress_->show();

@@ -23,9 +23,8 @@ constexpr int kAroundWords = 8; // total px above and below the text of a row
 /// An icon and a word, without colour.
 QString signOf(const files::OpeningPoint& point) {
     if (!point.against.empty()) return "▲ " + OpeningCard::tr("doubtful");
-    if (point.source == files::OpeningPoint::Source::Guessed) return "? " + OpeningCard::tr("found out");
-    return "✓ " +
-           (point.source == files::OpeningPoint::Source::Typed ? OpeningCard::tr("as you said") : OpeningCard::tr("as the file says"));
+    if (point.source == files::OpeningPoint::Source::Guessed) return "? " + OpeningCard::tr("detected");
+    return "✓ " + (point.source == files::OpeningPoint::Source::Typed ? OpeningCard::tr("given by you") : OpeningCard::tr("from the file"));
 }
 
 QTreeWidgetItem* rowOf(const QStringList& words) {
@@ -60,8 +59,8 @@ OpeningCard::OpeningCard(QWidget* parent)
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     adopt_ = buttons->addButton(tr("&Adopt"), QDialogButtonBox::ApplyRole);
     adopt_->setEnabled(false);
-    auto* about = new QLabel(
-        tr("A click on another way to read it shows the scan so; Adopt keeps it as a step of undo, Close brings back what was there."));
+    auto* about = new QLabel(tr(
+        "Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading."));
     about->setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     column->addWidget(verdict_);
@@ -126,9 +125,9 @@ void OpeningCard::showPoints(const QString& scan, const std::vector<files::Openi
     }
     QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // after the columns have their widths
     adopt_->setEnabled(false);
-    verdict_->setText(points.empty()              ? tr("%1: there is nothing in how it was read that could be otherwise.").arg(scan)
-                      : files::looksWrong(points) ? tr("%1: something speaks against how it was read.").arg(scan)
-                                                  : tr("%1: nothing speaks against how it was read.").arg(scan));
+    verdict_->setText(points.empty()              ? tr("%1: there is no other way to read it.").arg(scan)
+                      : files::looksWrong(points) ? tr("%1: something contradicts how it was read.").arg(scan)
+                                                  : tr("%1: nothing contradicts how it was read.").arg(scan));
     showState(QString());
 }
 

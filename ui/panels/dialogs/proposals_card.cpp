@@ -25,7 +25,7 @@ ProposalsCard::ProposalsCard(QWidget* parent)
     column->addWidget(verdict_);
     column->addWidget(progress_);
     progress_->hide();
-    column->addWidget(new QLabel(tr("A click on a row shows it; Adopt keeps it, Close brings back what was set before.")));
+    column->addWidget(new QLabel(tr("Click a row to see it. Adopt takes it. Close restores the former settings.")));
     column->addWidget(list_, 1);
     column->addWidget(buttons);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {

@@ -1,6 +1,7 @@
 // How a file is read: a row per option of the table.
 #include "ui/panels/dialogs/reading_dialog.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 
@@ -38,7 +39,7 @@ ReadingDialog::ReadingDialog(const ReadingOptions& options, QWidget* parent) : Q
     setObjectName("reading-dialog");
     setWindowTitle(tr("How the Scan Is Read"));
     auto* column = new QVBoxLayout(this);
-    auto* about = new QLabel(tr("An empty field: as the file says, or as it is found out. The file itself stays as it is."));
+    auto* about = new QLabel(tr("An empty field: from the file, or detected. The file itself is not changed."));
     about->setWordWrap(true);
     column->addWidget(about);
     auto* fields = new QWidget;
@@ -99,7 +100,7 @@ void ReadingDialog::accept() {
         const std::string text = field.text().toStdString();
         if (text.empty()) continue;
         if (const Result<Done> sound = checked(*field.option, text); !sound) {
-            refusal_->setText(QString("%1: ").arg(field.option->key) + shownText(sound.error().sentence()));
+            refusal_->setText(QString("%1: ").arg(field.option->key) + coreSentence(sound.error().sentence()));
             refusal_->show();
             return;
         }

@@ -58,13 +58,13 @@ void showScanProperties(QWidget* parent, const Scan& scan) {
     showSheet(parent, words("Scan"), browser, {640, 600});
 }
 
-void showAbout(QWidget* parent) {
+void showAbout(QWidget* parent, const QString& renderer) {
     QMessageBox box(parent);
     box.setWindowTitle(words("About EdgeScan"));
     box.setTextFormat(Qt::RichText);
     box.setText(words("<h3>EdgeScan %1</h3>Finds the edges of rocks in a laser range scan and shows them in the cloud.<br>"
-                      "What it shows is geometry from one viewpoint; it is not a judgement of any rock.<br><br>Licence: BSD-3-Clause")
-                    .arg(version()));
+                      "It shows geometry from one viewpoint. It does not judge any rock.<br><br>Licence: BSD-3-Clause<br>Drawn by %2")
+                    .arg(version(), renderer.toHtmlEscaped()));
     box.setStandardButtons(QMessageBox::Ok);
     box.exec();
 }

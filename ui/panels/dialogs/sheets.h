@@ -18,6 +18,7 @@ inline constexpr const char* kPlainName = "plainName";
 
 void showShortcuts(QWidget* parent, const QList<QAction*>& actions);
 void showScanProperties(QWidget* parent, const Scan& scan);
-void showAbout(QWidget* parent);
+/// `renderer`: the program that draws the cloud.
+void showAbout(QWidget* parent, const QString& renderer);
 
 } // namespace edgescan::ui

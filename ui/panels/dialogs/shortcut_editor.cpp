@@ -65,11 +65,11 @@ ShortcutEditor::ShortcutEditor(std::vector<ShortcutRow> rows, std::function<void
         if (ShortcutRow* row = current()) say(row->change(QKeySequence()), tr("%1 has no key now.").arg(row->name));
     });
     connect(reset_, &QPushButton::clicked, this, [this] {
-        if (ShortcutRow* row = current()) say(row->reset(), tr("%1 has the key that it came with.").arg(row->name));
+        if (ShortcutRow* row = current()) say(row->reset(), tr("%1 has its original key again.").arg(row->name));
     });
     connect(all, &QPushButton::clicked, this, [this, resetAll] {
         resetAll();
-        say(QString(), tr("Every command has the key that it came with."));
+        say(QString(), tr("Every command has its original key again."));
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     showAll();

@@ -29,7 +29,7 @@ void editKeys(QWidget& window, Preferences& preferences) {
         };
         const auto reset = [command, commands, &preferences] {
             if (resetKey(command, commands, preferences)) return QString();
-            return QObject::tr("A key of %1 belongs to another command by now: change that one first.").arg(command.shown);
+            return QObject::tr("A key of %1 belongs to another command now: change that one first.").arg(command.shown);
         };
         rows.push_back({command.shown, [command] { return keysOf(*command.action); }, isUsual, change, reset});
     }

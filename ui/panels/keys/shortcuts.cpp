@@ -33,7 +33,7 @@ void remember(const KeyedCommand& command, Preferences& preferences) {
 // Keys that views and fields handle themselves.
 QString ofTheWindow(const QKeySequence& key) {
     static const std::array<std::pair<int, const char*>, 8> taken{{
-        {Qt::Key_Escape, QT_TRANSLATE_NOOP("QObject", "cancel and let go")},
+        {Qt::Key_Escape, QT_TRANSLATE_NOOP("QObject", "cancel, or remove the target")},
         {Qt::Key_Tab, QT_TRANSLATE_NOOP("QObject", "to the next field")},
         {int(Qt::SHIFT) + Qt::Key_Tab, QT_TRANSLATE_NOOP("QObject", "to the field before")},
         {Qt::Key_Return, QT_TRANSLATE_NOOP("QObject", "pin the cell at the cursor")},

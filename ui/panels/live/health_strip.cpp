@@ -62,7 +62,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     showText(lines_, health.lines);
     bar_->showRows(health.row, health.rows, health.lostRows);
     showText(lost_, health.lost);
-    lost_->setToolTip(tr("Lines whose telegrams never came; hatched in the images"));
+    lost_->setToolTip(tr("Lines whose telegrams did not arrive: dashes in the images"));
     showText(noReturn_, brief_ ? std::string() : health.noReturn);
     badge(remark_, signOf(health.telegrams), health.remark);
     QStringList remarks;

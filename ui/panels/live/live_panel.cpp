@@ -36,9 +36,9 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
 
 LivePanel::LivePanel(QWidget* parent)
     : QWidget(parent), title_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
-      connect_(button("live-connect", tr("Connect"), tr("Reads and a subscription are all that is sent to the scanner"))),
+      connect_(button("live-connect", tr("Connect"), tr("EdgeScan sends only read requests and one subscription to the scanner"))),
       sweepButton_(new QToolButton), sweep_(new SweepForm),
-      record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, untouched, as it arrives"))),
+      record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, unchanged, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
       follow_(button("live-follow", tr("Hold"), QString())), scanner_(new ElidedLabel), strip_(new HealthStrip) {
     setObjectName("live-panel");

@@ -3,6 +3,9 @@
 
 #include <QPainter>
 
+#include <algorithm>
+#include <cmath>
+
 namespace edgescan::ui {
 namespace {
 
@@ -59,6 +62,12 @@ void drawShape(QPainter& painter, StateBadge::Sign sign, const QRectF& place) {
     }
 }
 
+/// Margin and sign grow with the letters: in cab mode they are larger.
+int grown(int pixels, const QFontMetrics& letters) {
+    constexpr double kUsualLetters = 18.0;
+    return static_cast<int>(std::lround(pixels * std::max(1.0, letters.height() / kUsualLetters)));
+}
+
 } // namespace
 
 StateBadge::StateBadge(QWidget* parent) : QWidget(parent) {
@@ -81,13 +90,15 @@ void StateBadge::showState(Sign sign, const QString& text) {
 
 QSize StateBadge::sizeHint() const {
     const QFontMetrics metrics(font());
-    return {kMargin + kShape + kMargin + metrics.horizontalAdvance(text_) + kMargin / 2 + 1, std::max(metrics.height(), kShape) + kMargin};
+    const int margin = grown(kMargin, metrics), shape = grown(kShape, metrics);
+    return {margin + shape + margin + metrics.horizontalAdvance(text_) + margin / 2 + 1, std::max(metrics.height(), shape) + margin};
 }
 
 QSize StateBadge::minimumSizeHint() const {
     constexpr int kLeastLetters = 8;
-    const int letters = QFontMetrics(font()).averageCharWidth() * kLeastLetters;
-    return {std::min(sizeHint().width(), kMargin + kShape + kMargin + letters + kMargin), sizeHint().height()};
+    const QFontMetrics metrics(font());
+    const int letters = metrics.averageCharWidth() * kLeastLetters, margin = grown(kMargin, metrics);
+    return {std::min(sizeHint().width(), 3 * margin + grown(kShape, metrics) + letters), sizeHint().height()};
 }
 
 void StateBadge::paintEvent(QPaintEvent* /*event*/) {
@@ -96,9 +107,10 @@ void StateBadge::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(groundOf(sign_));
     painter.drawRoundedRect(QRectF(rect()), 3, 3);
-    drawShape(painter, sign_, QRectF(kMargin, (height() - kShape) / 2.0, kShape, kShape));
+    const int margin = grown(kMargin, fontMetrics()), shape = grown(kShape, fontMetrics());
+    drawShape(painter, sign_, QRectF(margin, (height() - shape) / 2.0, shape, shape));
     painter.setPen(Qt::white);
-    const QRect place = rect().adjusted(kMargin + kShape + kMargin, 0, -kMargin / 2, 0);
+    const QRect place = rect().adjusted(margin + shape + margin, 0, -margin / 2, 0);
     painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(text_, Qt::ElideRight, place.width()));
 }
 

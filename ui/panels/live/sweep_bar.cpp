@@ -17,7 +17,7 @@ constexpr int kHigh = 12, kMark = 2; // px
 SweepBar::SweepBar(QWidget* parent) : QWidget(parent) {
     setObjectName("sweep-bar");
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setToolTip(tr("Lines of the sweep; a red mark is a line that never came"));
+    setToolTip(tr("Lines of the sweep. A red mark is a line that did not arrive."));
     hide();
 }
 

@@ -53,7 +53,7 @@ QString whyNoRock(const rocks::Region* region) {
     case rocks::RegionKind::NotRock:
         break;
     }
-    return region->byHand ? RockCard::tr("called none by hand") : RockCard::tr("wall, floor, or too far away");
+    return region->byHand ? RockCard::tr("marked by hand as not a rock") : RockCard::tr("wall, floor, or too far away");
 }
 
 } // namespace
@@ -61,7 +61,7 @@ QString whyNoRock(const rocks::Region* region) {
 RockCard::RockCard(QWidget* parent)
     : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new QLabel), state_(new QLabel), caveat_(new QLabel),
       close_(new QToolButton), split_(new QPushButton(tr("Split"))), merge_(new QPushButton(tr("Merge"))),
-      rockOrNot_(new QPushButton(tr("No Rock"))) {
+      rockOrNot_(new QPushButton(tr("Not a Rock"))) {
     setObjectName("rock-card");
     setFrameShape(QFrame::StyledPanel);
     QFont bold = font();
@@ -72,7 +72,7 @@ RockCard::RockCard(QWidget* parent)
     spans_->setFont(large);
     close_->setText(QStringLiteral("✕"));
     close_->setAutoRaise(true);
-    close_->setToolTip(tr("Let go of this rock"));
+    close_->setToolTip(tr("Deselect this rock"));
     caveat_->setWordWrap(true);
     state_->setWordWrap(true);
     caveat_->setText(rockCaveat() + tr(". Hidden parts are not counted."));
@@ -132,16 +132,16 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
         showNoRock(picture, cells.back());
     if (cells.size() > 1) title_->setText(tr("%1, and %2 more selected").arg(title_->text()).arg(cells.size() - 1));
     QString state = stale ? tr("▲ of the picture before; being computed again") : QString();
-    if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ doubtful outline: hatched");
-    if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("called a rock by hand");
+    if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ uncertain outline: hatched");
+    if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("marked by hand as a rock");
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
     split_->setEnabled(isRock_);
     merge_->setEnabled(cells.size() > 1);
     const rocks::Region* region = picture.regionAt(cells.back());
     rockOrNot_->setEnabled(region != nullptr);
-    rockOrNot_->setText(isRock_ ? tr("No Rock") : tr("A Rock"));
-    rockOrNot_->setToolTip(isRock_ ? tr("This is a wall, a floor or something else (N)") : tr("This is a rock after all (N)"));
+    rockOrNot_->setText(isRock_ ? tr("Not a Rock") : tr("A Rock"));
+    rockOrNot_->setToolTip(isRock_ ? tr("This is a wall, a floor or something else (N)") : tr("This is a rock (N)"));
 }
 
 void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock) {
@@ -162,7 +162,7 @@ void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock) {
 
 void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {
     swatch_->clear();
-    title_->setText(tr("No rock"));
+    title_->setText(tr("Not a rock"));
     spans_->hide();
     const rocks::Region* region = picture.regionAt(cell);
     setRow(0, tr("because"), whyNoRock(region));

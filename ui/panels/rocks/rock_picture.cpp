@@ -121,7 +121,7 @@ QString rockTip(const rocks::Rock& rock) {
                       .arg(rock.shortestCaliperM, 0, 'f', 2)
                       .arg(shownTolerance(rock.toleranceM, 2), 0, 'f', 2)
                       .arg(rock.distanceM, 0, 'f', 2);
-    if (isDoubtful(rock)) tip += QObject::tr(" · ▲ doubtful outline");
+    if (isDoubtful(rock)) tip += QObject::tr(" · ▲ uncertain outline");
     return tip;
 }
 

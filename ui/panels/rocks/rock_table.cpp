@@ -30,7 +30,7 @@ constexpr int kSpanColumn = 1; // column of the length a, the initial order
 RockTable::RockTable(QWidget* parent)
     : QWidget(parent), model_(new RockTableModel(this)), shown_(new ShownRocks(this)), table_(new QTableView), curve_(new SizeCurveView),
       sides_(new QSplitter), bar_(new QBoxLayout(QBoxLayout::LeftToRight)), smallest_(new QDoubleSpinBox),
-      sureOnly_(new QCheckBox(tr("no doubtful ones"))), export_(new QPushButton(tr("Export…"))), count_(new QLabel) {
+      sureOnly_(new QCheckBox(tr("hide uncertain"))), export_(new QPushButton(tr("Export…"))), count_(new QLabel) {
     setObjectName("rock-table");
     shown_->setSourceModel(model_);
     table_->setModel(shown_);
@@ -52,7 +52,7 @@ RockTable::RockTable(QWidget* parent)
     smallest_->setSingleStep(0.1);
     smallest_->setDecimals(2);
     smallest_->setSuffix(tr(" m"));
-    smallest_->setToolTip(tr("Rocks whose visible b is smaller are left out of the table, not out of the pictures"));
+    smallest_->setToolTip(tr("Rocks with a smaller visible width b are left out of the table, not of the pictures"));
     sureOnly_->setToolTip(tr("Rocks with p below 0.85, which are hatched, are left out of the table"));
 
     count_->setWordWrap(true);

@@ -76,7 +76,9 @@ QString SizeCurveView::textAt(QPointF place) const {
     const QRectF area = plot();
     if (curve_.rocks() == 0 || !area.contains(place)) return sizeCurveText(curve_);
     const double wideM = (place.x() - area.left()) / area.width() * rightM_;
-    return tr("%1 % of the rocks are visibly no wider than %2 m").arg(100.0 * curve_.shareUpTo(wideM), 0, 'f', 0).arg(metresText(wideM));
+    return tr("%1 % of the rocks have a visible width of %2 m at most")
+        .arg(100.0 * curve_.shareUpTo(wideM), 0, 'f', 0)
+        .arg(metresText(wideM));
 }
 
 bool SizeCurveView::event(QEvent* event) {

@@ -2,6 +2,7 @@
 #include "ui/panels/section/section_plot.h"
 
 #include "core/rocks/attributes/faces.h"
+#include "ui/base/count_text.h"
 #include "ui/base/gestures.h"
 #include "ui/base/marks.h"
 #include "ui/base/themes.h"
@@ -22,7 +23,9 @@ constexpr double kMargin = 28.0;       // px
 constexpr double kReach = 24.0;        // px: a click or the mouse means a vertex within this
 constexpr double kTravel = 4.0;        // px: a press that moves farther is a drag
 constexpr double kLeastBetween = 60.0; // px between lines of the grid
-constexpr double kNearPlane = 0.05;    // share of the distance of two vertices and more: a point beyond is not in the section
+constexpr double kAround = 1.0;        // of what the section is about, shown on each side of it
+constexpr double kLeastAroundM = 0.5;
+constexpr double kNearPlane = 0.05; // share of the distance of two vertices and more: a point beyond is not in the section
 const QColor kGround(48, 48, 48), kGrid(80, 80, 80), kWords(200, 200, 200), kSurface(170, 170, 170), kEdge(0, 255, 0);
 
 double stepM(double perM) {
@@ -46,8 +49,9 @@ SectionPlot::SectionPlot(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::ClickFocus);
 }
 
-void SectionPlot::show(std::shared_ptr<const inspect::Section> section) {
+void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM) {
     section_ = std::move(section);
+    aboutM_ = aboutM;
     marked_ = nullptr;
     ends_.clear();
     length_.clear();
@@ -58,9 +62,17 @@ void SectionPlot::show(std::shared_ptr<const inspect::Section> section) {
 
 void SectionPlot::fit() {
     if (!section_ || moved_) return;
+    // A wall far behind must not shrink what the section is about.
+    Eigen::AlignedBox2d around = aboutM_;
+    if (!around.isEmpty()) {
+        const Eigen::Vector2d more = Eigen::Vector2d::Constant(std::max(kLeastAroundM, kAround * around.sizes().maxCoeff()));
+        around = Eigen::AlignedBox2d(around.min() - more, around.max() + more);
+    }
     Eigen::AlignedBox2d box;
     for (const inspect::SectionLine& line : section_->lines) {
-        for (const inspect::SectionVertex& vertex : line) box.extend(vertex.atM);
+        for (const inspect::SectionVertex& vertex : line) {
+            if (around.isEmpty() || around.contains(vertex.atM)) box.extend(vertex.atM);
+        }
     }
     if (box.isEmpty()) return;
     const Eigen::Vector2d size = box.sizes().cwiseMax(0.01);
@@ -123,10 +135,12 @@ void SectionPlot::paintEvent(QPaintEvent*) {
     drawGrid(painter);
     drawLines(painter);
     drawMarks(painter);
+    drawOutside(painter);
 }
 
 void SectionPlot::drawGrid(QPainter& painter) const {
     const double step = stepM(perM_);
+    const QFontMetrics letters = painter.fontMetrics();
     const int decimals = step < 0.1 ? 2 : step < 1 ? 1 : 0;
     painter.setPen(kGrid);
     for (double x = std::ceil(-origin_.x() / perM_ / step) * step; x * perM_ + origin_.x() < width(); x += step) {
@@ -134,14 +148,16 @@ void SectionPlot::drawGrid(QPainter& painter) const {
         painter.setPen(kGrid);
         painter.drawLine(QPointF(at, 0), QPointF(at, height()));
         painter.setPen(kWords);
-        painter.drawText(QPointF(at + 3, height() - 4), QString::number(x + 0.0, 'f', decimals) + " m");
+        const QString words = QString::number(x + 0.0, 'f', decimals) + " m";
+        if (at + 3 + letters.horizontalAdvance(words) <= width()) painter.drawText(QPointF(at + 3, height() - 4), words);
     }
     for (double y = std::ceil((origin_.y() - height()) / perM_ / step) * step; origin_.y() - y * perM_ > 0; y += step) {
         const double at = origin_.y() - y * perM_;
         painter.setPen(kGrid);
         painter.drawLine(QPointF(0, at), QPointF(width(), at));
         painter.setPen(kWords);
-        painter.drawText(QPointF(4, at - 3), QString::number(y + 0.0, 'f', decimals) + " m");
+        const double above = at - 3 - letters.ascent() >= 0 ? at - 3 : at + letters.ascent() + 1; // the topmost has its words below
+        if (above < height() - letters.height()) painter.drawText(QPointF(4, above), QString::number(y + 0.0, 'f', decimals) + " m");
     }
 }
 
@@ -161,6 +177,20 @@ void SectionPlot::drawLines(QPainter& painter) const {
         }
     }
     painter.setBrush(Qt::NoBrush);
+}
+
+std::size_t SectionPlot::outside() const {
+    std::size_t count = 0;
+    if (!section_) return count;
+    for (const inspect::SectionLine& line : section_->lines) {
+        for (const inspect::SectionVertex& vertex : line) count += QRectF(rect()).contains(placeOf(vertex.atM)) ? 0 : 1;
+    }
+    return count;
+}
+
+void SectionPlot::drawOutside(QPainter& painter) const {
+    const std::size_t count = outside();
+    if (count > 0) drawTipAt(painter, rect(), rect().topRight(), tr("%1 points are outside: zoom out").arg(countText(count)));
 }
 
 void SectionPlot::drawMarks(QPainter& painter) const {

@@ -3,6 +3,8 @@
 
 #include "core/inspect/section/section.h"
 
+#include <Eigen/Geometry>
+
 #include <QWidget>
 
 #include <array>
@@ -19,8 +21,10 @@ class SectionPlot : public QWidget {
 public:
     explicit SectionPlot(QWidget* parent = nullptr);
 
-    /// Null: no section. Shows all of it.
-    void show(std::shared_ptr<const inspect::Section> section);
+    /// Null: no section. Shows what is around `aboutM`, across and up; all of it if that box is empty. The wheel shows the rest.
+    void show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM = {});
+    /// Vertices that the plot is too narrow to show at this zoom.
+    [[nodiscard]] std::size_t outside() const;
     [[nodiscard]] const std::shared_ptr<const inspect::Section>& section() const { return section_; }
     /// A ring at the vertex nearest to this point, if it is near the plane; empty: none.
     void mark(const std::optional<Eigen::Vector3d>& pointM);
@@ -50,8 +54,10 @@ private:
     void drawGrid(QPainter& painter) const;
     void drawLines(QPainter& painter) const;
     void drawMarks(QPainter& painter) const;
+    void drawOutside(QPainter& painter) const;
 
     std::shared_ptr<const inspect::Section> section_;
+    Eigen::AlignedBox2d aboutM_;
     double perM_ = 50.0; // pixels
     QPointF origin_;     // of (0, 0), pixels
     bool moved_ = false; // by the operator: a new size does not fit it again

@@ -52,10 +52,9 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     left->addSpacing(12);
     open_ = addButton(*left, "start-open", "open", tr("Open a scan…"), tr("Ctrl+O, or drop files anywhere in this window"));
     connect(open_, &QPushButton::clicked, this, &StartPage::openRequested);
-    connect(addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"),
-                      tr("Ctrl+L; nothing but reads and a subscription is sent")),
+    connect(addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"), tr("Ctrl+L: EdgeScan only reads from it")),
             &QPushButton::clicked, this, &StartPage::connectRequested);
-    session_ = addButton(*left, "start-session", "session", tr("Carry on with the last session"), QString());
+    session_ = addButton(*left, "start-session", "session", tr("Go on with the last session"), QString());
     connect(session_, &QPushButton::clicked, this, &StartPage::continueRequested);
     connect(addButton(*left, "start-demo", "demo", tr("Demo draw-bell"), tr("no scanner, no files needed")), &QPushButton::clicked, this,
             &StartPage::demoRequested);
@@ -131,7 +130,7 @@ QWidget* StartPage::makeTitle() {
 QWidget* StartPage::makeFoot() {
     auto* whole = new QWidget;
     auto* words = new QLabel(tr("Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.") + "\n" +
-                             tr("Sends nothing but reads and a subscription to the scanner.") + " " + exactText(version()));
+                             tr("EdgeScan sends only read requests and one subscription to the scanner.") + " " + exactText(version()));
     words->setWordWrap(true);
     auto* cab = new QPushButton(toolIcon("cab-mode"), tr("Cab mode"));
     cab->setObjectName("start-cab");
@@ -189,7 +188,7 @@ void StartPage::showPreview(const RecentScan& scan) {
         const QFileInfo file(scan.path);
         item->setData(kThere, scan.exists);
         item->setText(shownName(file.fileName()) + "\n" +
-                      (scan.exists ? scan.words : tr("✕ not found: it was moved, or its disk is not here. Locate…")));
+                      (scan.exists ? scan.words : tr("✕ not found: it was moved, or its disk is missing. Locate…")));
         if (!scan.picture.isNull()) item->setIcon(QIcon(QPixmap::fromImage(scan.picture)));
     }
 }

@@ -26,11 +26,11 @@ TourStep tourStep(int step) {
                          "distance and coordinates."),
                 Tour::tr("View from the scanner")};
     case 2:
-        return {Tour::tr("Turn Edge strength first. The curve under it shows the number of edges for every value; where it is flat, "
+        return {Tour::tr("Change Edge strength first. The curve under it shows the number of edge cells for every value. Where it is flat, "
                          "the edges depend little on it."),
                 Tour::tr("Show the edges panel")};
     case 3:
-        return {Tour::tr("Rocks are found from the edges, with visible sizes and how sure each is. The table lists them; a click selects "
+        return {Tour::tr("EdgeScan finds rocks from the edges, with visible sizes and a confidence. The table lists them. A click selects "
                          "a rock in all views."),
                 Tour::tr("Show the rocks")};
     default:

@@ -61,18 +61,18 @@ TargetCard::TargetCard(QWidget* parent)
     lock_->setObjectName("target-lock");
     lock_->setText(tr("Lock"));
     lock_->setCheckable(true);
-    lock_->setToolTip(tr("Locked: Esc and Let Go of All leave it where it is"));
+    lock_->setToolTip(tr("Locked: Esc and Remove All do not remove it"));
     close_->setObjectName("target-close");
     close_->setText(QStringLiteral("✕"));
     close_->setAutoRaise(true);
-    close_->setToolTip(tr("Let go of this target"));
+    close_->setToolTip(tr("Remove this target"));
     distance_->setObjectName("target-distance");
     QFont large = font();
     large.setPointSizeF(kLarge * large.pointSizeF());
     large.setBold(true);
     distance_->setFont(large);
     tolerance_->setToolTip(
-        tr("Two standard deviations of the noise of this scan along the beam; what the scanner gets wrong everywhere is not in it"));
+        tr("Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included."));
     distance_->setToolTip(tolerance_->toolTip());
     caveat_->setText(QObject::tr(rocks::kRockCaveat));
     caveat_->setWordWrap(true);

@@ -25,7 +25,7 @@ TargetRow placeRow(const inspect::CellTarget& target) {
 
 TargetRow mineRow(const inspect::CellTarget& target) {
     return {QObject::tr("E, N, RL"), target.probe.mineM ? triple(*target.probe.mineM) : noPose(),
-            QObject::tr("Easting, Northing and level in the mine grid, metres")};
+            QObject::tr("Easting, Northing and elevation in the mine grid, in metres")};
 }
 
 TargetRow rockRow(const TargetSurroundings& around) {
@@ -36,7 +36,7 @@ TargetRow rockRow(const TargetSurroundings& around) {
             QObject::tr("no. %1: %2 × %3 ± %4 m")
                 .arg(rock.label)
                 .arg(fixed(rock.longestCaliperM, 2), fixed(rock.shortestCaliperM, 2), fixed(shownTolerance(rock.toleranceM, 2), 2)),
-            QObject::tr("Spans of what is seen of it; hidden parts are not counted")};
+            QObject::tr("Length and width of its visible part. Hidden parts are not included.")};
 }
 
 TargetRow resolvesRow(const inspect::CellTarget& target) {
@@ -97,8 +97,9 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
     using State = ShownConfidence::State;
     TargetRow row{
         QObject::tr(kConfidenceRow), QStringLiteral("…"),
-        QObject::tr("Of the settings near those on the screen, how many find this edge too; worked out a moment after the last change. "
-                    "It shows how much the edge depends on the settings, not whether a rock is there")};
+        QObject::tr(
+            "Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the "
+            "settings, not whether a rock is there.")};
     row.known = confidence.state == State::Known;
     if (row.known) row.value = QObject::tr("%1 % of %2 settings").arg(confidence.percent).arg(confidence.settings);
     if (confidence.state == State::Growing) row.value = QObject::tr("when the sweep has ended");

@@ -26,7 +26,7 @@ void fitHeight(QListWidget& list) {
 
 TargetsPanel::TargetsPanel(QWidget* parent)
     : QWidget(parent), hint_(new QLabel(tr("Click a cell in any view to pin it."))), targets_(new QListWidget),
-      letGoOfAll_(new QPushButton(tr("Let Go of All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
+      letGoOfAll_(new QPushButton(tr("Remove All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
       measures_(new QListWidget), removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
     setObjectName("targets-panel");
     targets_->setObjectName("target-list");
@@ -36,7 +36,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
         list->setTextElideMode(Qt::ElideRight);
     }
     letGoOfAll_->setToolTip(tr("All but those that are locked"));
-    removeMeasure_->setToolTip(tr("The measurement that is chosen"));
+    removeMeasure_->setToolTip(tr("The selected measurement"));
     for (QLabel* label : {hint_, note_}) label->setWordWrap(true);
     QFont bold = measuresTitle_->font();
     bold.setBold(true);

@@ -23,8 +23,9 @@ const QColor kPlateau(86, 180, 233, 70);
 CountCurve::CountCurve(const edges::Parameter& parameter, QWidget* parent) : QWidget(parent), parameter_(parameter) {
     setObjectName(QString("curve-") + parameter.key);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setToolTip(tr("Number of edge cells at every threshold, logarithmic. Hatched: the longest stretch over which no more than a fifth of "
-                  "them goes. The upright line is the threshold in use."));
+    setToolTip(
+        tr("Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of "
+           "them disappears. The vertical line is the threshold in use."));
 }
 
 void CountCurve::showCurve(std::optional<edges::EdgeCountCurve> curve) {
@@ -58,12 +59,12 @@ double CountCurve::yOf(std::size_t edges) const {
 }
 
 QString CountCurve::words(bool brief) const {
-    if (!curve_ || curve_->edges.empty()) return tr("number of edges: not known yet");
+    if (!curve_ || curve_->edges.empty()) return tr("counting the edge cells …");
     const auto next = std::ranges::lower_bound(curve_->thresholds, value_);
     const auto place = std::min(static_cast<std::size_t>(next - curve_->thresholds.begin()), curve_->edges.size() - 1);
     const std::size_t edges = found_ && found_->first == value_ ? found_->second : curve_->edges[place];
-    QString text = (brief ? tr("%1 edges") : tr("%1 edge cells")).arg(QLocale(QLocale::English).toString(static_cast<qulonglong>(edges)));
-    if (curve_->stableTo > curve_->stableFrom)
+    QString text = tr("%1 edge cells").arg(QLocale(QLocale::English).toString(static_cast<qulonglong>(edges)));
+    if (!brief && curve_->stableTo > curve_->stableFrom)
         text += tr(" · steady from %1 to %2").arg(curve_->stableFrom, 0, 'g', 3).arg(curve_->stableTo, 0, 'g', 3);
     return text;
 }

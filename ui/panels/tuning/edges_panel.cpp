@@ -167,7 +167,7 @@ void EdgesPanel::addMeaning(QGridLayout& grid) {
     meaning_->setObjectName("meaning");
     meaning_->setWordWrap(true);
     meaning_->setToolTip(
-        tr("The steps in depth that reach the thresholds, worked out from the kernels: the smaller number for a step that "
+        tr("The steps in depth that reach the thresholds, computed from the kernels: the smaller number for a step that "
            "runs diagonally, the larger one along lines or beams. A depth such as 0.5 m can be typed into the box above; "
            "with logarithmic gray levels it is taken at the range given here, and a share such as 5 % holds at every range."));
     grid.addWidget(meaning_, grid.rowCount(), 0, 1, 4);

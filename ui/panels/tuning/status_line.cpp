@@ -108,9 +108,7 @@ StatusLine::StatusLine(QWidget* parent)
                                      {Fact::Counts, "counts"},
                                      {Fact::Recorded, "recorded"},
                                      {Fact::Box, "box"},
-                                     {Fact::Settings, "settings"},
-                                     {Fact::Time, "time"},
-                                     {Fact::Renderer, "renderer"}}) {
+                                     {Fact::Settings, "settings"}}) {
         auto* label = new QLabel;
         label->setObjectName(name);
         // The text is never squeezed: it is shown completely or not at all.
@@ -227,8 +225,8 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     showFact(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
     QLabel& label = *factLabel(Fact::Place).label;
     if (!scan.placement) {
-        showFact(Fact::Place, tr("▲ scanner frame, no pose: no E N RL"), tr("▲ no pose"), true);
-        label.setToolTip(tr("Without a pose nothing is known of the mine grid: coordinates count from the scanner."));
+        showFact(Fact::Place, tr("▲ no pose: no mine coordinates"), tr("▲ no pose"), true);
+        label.setToolTip(tr("Without a pose, coordinates count from the scanner, not from the mine grid."));
         return;
     }
     const Placement& place = *scan.placement;
@@ -245,17 +243,15 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
 
 void StatusLine::showTimeOf(const Scan& scan, bool live) {
     const std::string start = scan.acquisition ? scan.acquisition->startUtc : std::string();
-    const QString text = live ? QString() : start.empty() ? tr("time not known") : tr("measured %1").arg(shownText(start));
-    showFact(Fact::Recorded, text, live || start.empty() ? QString() : tr("measured %1").arg(shownText(start).left(10)), false);
-    factLabel(Fact::Recorded)
-        .label->setToolTip(start.empty() ? tr("The file does not say when it was measured.")
-                                         : tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
+    if (live || start.empty()) return showFact(Fact::Recorded, {}, {}, false); // the badge of the source says "no time"
+    showFact(Fact::Recorded, tr("measured %1").arg(shownText(start)), tr("measured %1").arg(shownText(start).left(10)), false);
+    factLabel(Fact::Recorded).label->setToolTip(tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
 }
 
 void StatusLine::showCounts(const edges::Detection& detection) {
     const auto cells = countCells(*detection.scan);
     const auto of = [&](CellState state) { return cells[static_cast<std::size_t>(state)]; };
-    const QString edges = tr("%1 edges").arg(count(detection.edges->size()));
+    const QString edges = tr("%1 edge cells").arg(count(detection.edges->size()));
     const QString none = tr("%1 no return").arg(count(of(CellState::NoReturn)));
     QString text = tr("%1 points").arg(count(of(CellState::Valid))) + " · " + edges + " · " + none;
     if (of(CellState::DeviceStatus) > 0) text += tr(" · %1 status").arg(count(of(CellState::DeviceStatus)));
@@ -264,7 +260,7 @@ void StatusLine::showCounts(const edges::Detection& detection) {
     }
     if (detection.filled) text += tr(" · %1 filled").arg(count(detection.filled->cells.size()));
     showFact(Fact::Counts, text, edges + " · " + none, false);
-    factLabel(Fact::Counts).label->setToolTip(text);
+    factLabel(Fact::Counts).label->setToolTip(text + "\n" + tr("Edges found in %1 ms").arg(number(detection.totalMs, 1)));
 }
 
 void StatusLine::showBox(const QString& words) { showFact(Fact::Box, words, {}, false); }
@@ -273,24 +269,17 @@ void StatusLine::showSettings(const edges::Settings& settings) {
     const std::vector<std::string> keys = edges::changedFromDefault(settings);
     const QString set = QString("%1 %2").arg(QString(edges::kDefaultSet.name)).arg(edges::kDefaultSet.version);
     QLabel& label = *factLabel(Fact::Settings).label;
-    showFact(Fact::Settings, keys.empty() ? tr("settings: %1").arg(set) : tr("settings: %1, %2 changed").arg(set).arg(keys.size()),
+    showFact(Fact::Settings, keys.empty() ? tr("default settings") : tr("settings: %1 changed").arg(keys.size()),
              keys.empty() ? QString() : tr("%1 changed").arg(keys.size()), false);
-    QStringList about;
+    QStringList about{tr("Set of default settings: %1").arg(set)};
     for (const std::string& key : keys) {
         const edges::Parameter& p = *edges::findParameter(key);
         about << tr("%1: %2 instead of %3")
                      .arg(QObject::tr(p.label), shownText(edges::formatValue(p, p.get(settings))),
                           shownText(edges::formatValue(p, p.get(edges::Settings{}))));
     }
-    label.setToolTip(keys.empty() ? tr("All settings are those of the default set.")
-                                  : about.join("\n") + tr("\nCtrl+D restores the default settings."));
-}
-
-void StatusLine::showTime(double milliseconds) { showFact(Fact::Time, tr("%1 ms").arg(number(milliseconds, 1)), {}, false); }
-
-void StatusLine::showRenderer(const QString& name) {
-    showFact(Fact::Renderer, name.section(' ', 0, 0), {}, false);
-    factLabel(Fact::Renderer).label->setToolTip(name);
+    about << (keys.empty() ? tr("All settings are those of the default set.") : tr("Ctrl+D restores the default settings."));
+    label.setToolTip(about.join("\n"));
 }
 
 void StatusLine::showWork(const QString& title, const QString& stage, double fraction) {

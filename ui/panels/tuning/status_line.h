@@ -1,4 +1,4 @@
-// The status bar: the cell under the mouse, counts, the time of the last update, the renderer.
+// The status bar: the cell under the mouse, the frame, counts, the time of the measurement, changed settings.
 #pragma once
 
 #include "core/edges/explain/cell_values.h"
@@ -43,9 +43,6 @@ public:
     void showTimeOf(const Scan& scan, bool live);
     /// The number and names of the settings that differ from the defaults.
     void showSettings(const edges::Settings& settings);
-    /// Milliseconds from a change of settings to its result.
-    void showTime(double milliseconds);
-    void showRenderer(const QString& name);
     /// Work that ends quickly is not shown.
     void showWork(const QString& title, const QString& stage, double fraction);
     void endWork();
@@ -64,8 +61,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    enum class Fact { Incomplete, Place, Counts, Recorded, Box, Settings, Time, Renderer };
-    static constexpr std::size_t kFacts = 8;
+    enum class Fact { Incomplete, Place, Counts, Recorded, Box, Settings };
+    static constexpr std::size_t kFacts = 6;
     struct FactLabel {
         QLabel* label = nullptr;
         QString words, brief; // brief: for less space; empty: there is no shorter text

@@ -31,7 +31,7 @@ void WarningButton::showState() {
     // The text repeats the meaning of the colour.
     setText("\u26A0 " + (acknowledged_ ? tr("%1, acknowledged").arg(count) : count));
     setStyleSheet(acknowledged_ ? QString() : QString("QToolButton { color: %1; font-weight: bold; }").arg(themeInUse().warn.name()));
-    setToolTip(tr("Shows the warnings of this scan and acknowledges them; they stay, and go into records and screenshots"));
+    setToolTip(tr("Shows the warnings of this scan and acknowledges them. They remain in records and screenshots."));
     setVisible(!warnings_.isEmpty());
 }
 

@@ -1,4 +1,4 @@
-// Colours by range, height and line.
+// Colours by range, height, line and intensity.
 #include "ui/views/cloud/cloud_colours.h"
 
 #include "core/scan/georef/placed_points.h"
@@ -19,9 +19,13 @@ constexpr std::array<std::array<double, 3>, 5> kScale{{{70, 110, 200}, {140, 90,
 constexpr std::size_t kSteps = 256;
 constexpr double kLeftOut = 0.01; // of the points at each end
 constexpr std::size_t kSampled = 20'000;
+constexpr std::uint32_t kWithoutValue = 0xff797979U; // gray
 
-constexpr std::array<std::pair<ColourBy, const char*>, 4> kKeys{
-    {{ColourBy::Nothing, "gray"}, {ColourBy::Range, "range"}, {ColourBy::Height, "height"}, {ColourBy::Line, "line"}}};
+constexpr std::array<std::pair<ColourBy, const char*>, 5> kKeys{{{ColourBy::Nothing, "gray"},
+                                                                 {ColourBy::Range, "range"},
+                                                                 {ColourBy::Height, "height"},
+                                                                 {ColourBy::Line, "line"},
+                                                                 {ColourBy::Intensity, "intensity"}}};
 
 /// The range of the middle 98 % of the values, from an evenly spread sample.
 std::pair<double, double> endsOf(const std::vector<float>& values) {
@@ -41,6 +45,7 @@ std::function<double(std::size_t)> valueOf(const Scan& scan, const CloudGeometry
     const auto beams = static_cast<std::size_t>(scan.beams());
     if (by == ColourBy::Line) return [beams](std::size_t k) { return static_cast<double>(k / beams); };
     if (by == ColourBy::Range) return [&scan](std::size_t k) { return static_cast<double>(scan.rangeMm[k]) / 1000.0; };
+    if (by == ColourBy::Intensity) return [&scan](std::size_t k) { return static_cast<double>(scan.intensity[k]); };
     const auto pointM = [&cloud](std::size_t k) { return Eigen::Vector3d(cloud.point(k).cast<double>() + cloud.originM); };
     if (placed != nullptr)
         return [=](std::size_t k) { return placed->mine(static_cast<int>(k / beams), static_cast<int>(k % beams), pointM(k)).z(); };
@@ -72,6 +77,7 @@ QRgb colourAt(double share) {
 CloudColours cloudColours(const Scan& scan, const std::shared_ptr<const CloudGeometry>& cloud, ColourBy by) {
     CloudColours colours{by, cloud, nullptr};
     if (by == ColourBy::Nothing || !cloud || cloud->validCount == 0 || cloud->cells() != scan.cells()) return colours;
+    if (by == ColourBy::Intensity && scan.intensity.size() != scan.cells()) return colours;
     std::optional<PlacedPoints> placed;
     if (by == ColourBy::Height && scan.placement) placed.emplace(scan);
     colours.mine = placed.has_value();
@@ -89,7 +95,7 @@ CloudColours cloudColours(const Scan& scan, const std::shared_ptr<const CloudGeo
                                                 static_cast<std::uint8_t>(qBlue(colour)), 255};
         table[n] = std::bit_cast<std::uint32_t>(bytes);
     }
-    std::vector<std::uint32_t> points(values.size(), table.front());
+    std::vector<std::uint32_t> points(values.size(), kWithoutValue);
     const double perStep = (kSteps - 1) / (colours.high - colours.low);
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (std::isnan(values[k])) continue;

@@ -1,4 +1,4 @@
-// Colours for the points of a cloud by a measured value: range, height, line.
+// Colours for the points of a cloud by a measured value: range, height, line, strength of the return.
 #pragma once
 
 #include "core/scan/grid/scan.h"
@@ -14,9 +14,9 @@
 
 namespace edgescan::ui {
 
-enum class ColourBy : std::uint8_t { Nothing, Range, Height, Line };
+enum class ColourBy : std::uint8_t { Nothing, Range, Height, Line, Intensity };
 
-/// The key in files: "gray", "range", "height", "line".
+/// The key in files: "gray", "range", "height", "line", "intensity".
 [[nodiscard]] const char* colourKey(ColourBy by);
 /// Empty: unknown key.
 [[nodiscard]] std::optional<ColourBy> colourOfKey(std::string_view key);
@@ -29,12 +29,13 @@ struct CloudColours {
     ColourBy by = ColourBy::Nothing;
     std::shared_ptr<const CloudGeometry> of;
     std::shared_ptr<const std::vector<std::uint32_t>> points; ///< per cell, as CloudView::setFaces takes them
-    double low = 0.0, high = 1.0; ///< the values at the ends of the scale, metres or lines; values beyond have the colour of the end
+    double low = 0.0, high = 1.0; ///< the values at the ends of the scale, metres, lines, or the file's own numbers; values beyond have the
+                                  ///< colour of the end
     bool mine = false;            ///< true: heights are elevations of the mine grid; false: heights above the scanner
 };
 
-/// Returns no colours for ColourBy::Nothing or a cloud without points. The scale covers the middle 98 % of the points; for lines it covers
-/// all. For the worker.
+/// Returns no colours for ColourBy::Nothing, a cloud without points, or intensities that the scan does not have. The scale covers the
+/// middle 98 % of the points; for lines it covers all. For the worker.
 [[nodiscard]] CloudColours cloudColours(const Scan& scan, const std::shared_ptr<const CloudGeometry>& cloud, ColourBy by);
 
 } // namespace edgescan::ui

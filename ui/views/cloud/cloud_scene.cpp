@@ -18,6 +18,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -178,34 +179,74 @@ void CloudScene::setCloud(std::shared_ptr<const CloudGeometry> cloud) {
         for (Layer& part : now_->parts) part.actor->VisibilityOff();
         std::swap(now_, spare_);
     }
-    if (!isSpare) load(std::move(cloud));
+    if (!isSpare) {
+        useFaces(); // the faces of the previous cloud are dropped with it
+        load(*now_, std::move(cloud));
+    }
     colourParts();
 }
 
-void CloudScene::load(std::shared_ptr<const CloudGeometry> cloud) {
-    now_->uploaded.fill(false);
-    now_->points = nullptr;
+void CloudScene::load(DrawnCloud& into, std::shared_ptr<const CloudGeometry> cloud) {
+    into.uploaded.fill(false);
+    into.points = nullptr;
     if (cloud) {
         vtkNew<vtkFloatArray> xyz;
         xyz->SetNumberOfComponents(3);
         xyz->SetArray(const_cast<float*>(cloud->xyz.data()), static_cast<vtkIdType>(cloud->xyz.size()), 1);
-        now_->points = vtkSmartPointer<vtkPoints>::New();
-        now_->points->SetData(xyz);
-        now_->normals = vtkSmartPointer<vtkFloatArray>::New();
-        now_->normals->SetNumberOfComponents(3);
-        now_->normals->SetArray(const_cast<float*>(cloud->normals.data()), static_cast<vtkIdType>(cloud->normals.size()), 1);
+        into.points = vtkSmartPointer<vtkPoints>::New();
+        into.points->SetData(xyz);
+        into.normals = vtkSmartPointer<vtkFloatArray>::New();
+        into.normals->SetNumberOfComponents(3);
+        into.normals->SetArray(const_cast<float*>(cloud->normals.data()), static_cast<vtkIdType>(cloud->normals.size()), 1);
     }
-    useFaces(); // the faces of the previous cloud are dropped with it
-    for (std::size_t i = 0; i < now_->parts.size(); ++i) {
-        Layer& part = now_->parts[i];
+    for (std::size_t i = 0; i < into.parts.size(); ++i) {
+        Layer& part = into.parts[i];
         part.actor->VisibilityOff();
         if (cloud)
-            part.setCells(now_->points, cloud->drawOrder[i]);
+            part.setCells(into.points, cloud->drawOrder[i]);
         else
             part.setCells(nullptr, {});
-        part.data->GetPointData()->SetNormals(cloud ? now_->normals.Get() : nullptr);
+        part.data->GetPointData()->SetNormals(cloud ? into.normals.Get() : nullptr);
     }
-    now_->cloud = std::move(cloud); // only now may the floats of the previous cloud be freed
+    into.cloud = std::move(cloud); // only now may the floats of the previous cloud be freed
+}
+
+void CloudScene::setLayers(const std::vector<CloudLayer>& layers, const Eigen::Vector3d& shownOriginM) {
+    std::vector<std::unique_ptr<DrawnCloud>> before = std::exchange(layers_, {});
+    layerColours_.clear();
+    for (const CloudLayer& layer : layers) {
+        const auto same = std::ranges::find_if(before, [&](const auto& drawn) { return drawn && drawn->cloud == layer.cloud; });
+        layers_.push_back(same != before.end() ? std::move(*same) : newCloud());
+        DrawnCloud& drawn = *layers_.back();
+        if (drawn.cloud != layer.cloud) load(drawn, layer.cloud);
+        const RigidTransform local = layer.local(shownOriginM);
+        vtkNew<vtkMatrix4x4> place;
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) place->SetElement(i, j, local.rotation(i, j));
+            place->SetElement(i, 3, local.translationM[i]);
+        }
+        for (Layer& part : drawn.parts) part.actor->SetUserMatrix(place);
+        layerColours_.push_back(layer.colour);
+    }
+    for (auto& drawn : before) {
+        if (!drawn) continue;
+        for (Layer& part : drawn->parts) part.actor->VisibilityOff();
+        gone_.push_back(std::move(drawn));
+    }
+    drawOverLast();
+    colourParts();
+}
+
+/// Halos, edges and marks have to be drawn after all clouds. The order of the list is changed without RemoveActor(), which frees what is in
+/// the graphics memory.
+void CloudScene::drawOverLast() {
+    std::vector<vtkActor*> over{selection_.actor, selectionRim_.actor, halo_.actor, edge_.actor};
+    for (Layer& layer : classes_) over.push_back(layer.actor);
+    for (vtkActor* actor : {ground_.actor.Get(), outlineHalo_.actor.Get(), outline_.actor.Get(), focus_.Get()}) over.push_back(actor);
+    for (vtkActor* actor : over) {
+        renderer_->GetViewProps()->RemoveItem(actor);
+        renderer_->GetViewProps()->AddItem(actor);
+    }
 }
 
 void CloudScene::keepReady(const std::shared_ptr<const CloudGeometry>& cloud) {
@@ -308,10 +349,14 @@ void CloudScene::showEdgeLayers() {
 std::size_t CloudScene::edgesDrawn() const { return edges_.all && edgesShown_ ? edges_.all->size() : 0; }
 
 void CloudScene::colourParts() {
-    for (Layer& part : now_->parts) {
-        setColour(part.actor, look_.cloud);
-        part.actor->GetProperty()->SetLighting(look_.shaded);
-    }
+    const auto colour = [this](DrawnCloud& cloud, const QColor& with) {
+        for (Layer& part : cloud.parts) {
+            setColour(part.actor, with);
+            part.actor->GetProperty()->SetLighting(look_.shaded);
+        }
+    };
+    colour(*now_, look_.cloud);
+    for (std::size_t n = 0; n < layers_.size(); ++n) colour(*layers_[n], layerColours_[n]);
 }
 
 void CloudScene::setLook(const CloudLook& look) {
@@ -350,36 +395,52 @@ void CloudScene::setCamera(const CameraPose& pose, const ClipRange& clip) {
 }
 
 // Must be called while the graphics context is current.
-void CloudScene::freeSpare() {
-    if (!std::exchange(dropSpare_, false)) return;
-    for (Layer& part : spare_->parts) {
+void CloudScene::unload(DrawnCloud& cloud) {
+    for (Layer& part : cloud.parts) {
         part.setCells(nullptr, {});
         part.data->GetPointData()->SetNormals(nullptr);
         part.data->GetPointData()->SetScalars(nullptr);
         part.mapper->SetScalarVisibility(false);
         part.actor->ReleaseGraphicsResources(window_);
     }
-    spare_->faces = nullptr;
-    spare_->points = nullptr;
-    spare_->normals = nullptr;
-    spare_->cloud = nullptr;
+    cloud.faces = nullptr;
+    cloud.points = nullptr;
+    cloud.normals = nullptr;
+    cloud.cloud = nullptr;
+}
+
+// Must be called while the graphics context is current.
+void CloudScene::freeUnused() {
+    if (std::exchange(dropSpare_, false)) unload(*spare_);
+    for (const auto& drawn : gone_) {
+        unload(*drawn);
+        for (Layer& part : drawn->parts) renderer_->RemoveActor(part.actor);
+    }
+    gone_.clear();
+}
+
+/// True if a part is uploaded to the graphics memory for the first time.
+bool CloudScene::show(DrawnCloud& cloud, const Parts& parts, float size) {
+    bool first = false;
+    for (std::size_t i = 0; i < cloud.parts.size(); ++i) {
+        const int part = static_cast<int>(i);
+        const bool shown = part >= parts.first && part <= parts.last && cloud.cloud && !cloud.cloud->drawOrder[i].empty();
+        cloud.parts[i].actor->SetVisibility(shown);
+        cloud.parts[i].actor->GetProperty()->SetPointSize(size);
+        first = first || (shown && !cloud.uploaded[i]);
+        cloud.uploaded[i] = cloud.uploaded[i] || shown;
+    }
+    return first;
 }
 
 bool CloudScene::setParts(const Parts& parts) {
-    bool first = false;
     const double share = kPartEnds[static_cast<std::size_t>(parts.last)];
     const double larger = parts.enlarge ? std::clamp(std::sqrt(0.5 / share), 1.0, kLargestGrowth) : 1.0;
     const auto size = static_cast<float>(std::round(pointSize_ * larger));
     useFaces();
-    freeSpare();
-    for (std::size_t i = 0; i < now_->parts.size(); ++i) {
-        const int part = static_cast<int>(i);
-        const bool shown = part >= parts.first && part <= parts.last && now_->cloud && !now_->cloud->drawOrder[i].empty();
-        now_->parts[i].actor->SetVisibility(shown);
-        now_->parts[i].actor->GetProperty()->SetPointSize(size);
-        first = first || (shown && !now_->uploaded[i]);
-        now_->uploaded[i] = now_->uploaded[i] || shown;
-    }
+    freeUnused();
+    bool first = show(*now_, parts, size);
+    for (const auto& layer : layers_) first = show(*layer, parts, size) || first;
     renderer_->SetPreserveColorBuffer(parts.onTop);
     renderer_->SetPreserveDepthBuffer(parts.onTop);
     return first;

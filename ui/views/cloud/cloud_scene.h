@@ -3,6 +3,7 @@
 
 #include "ui/views/cloud/camera_motion.h"
 #include "ui/views/cloud/cloud_geometry.h"
+#include "ui/views/cloud/cloud_layer.h"
 #include "ui/views/cloud/edge_cells.h"
 #include "ui/views/cloud/ground_grid.h"
 
@@ -49,6 +50,8 @@ public:
     /// Keeps this cloud in the graphics memory together with the drawn one, so that switching between them uploads nothing. Null: only the
     /// drawn cloud stays in the graphics memory.
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
+    /// Replaces the layers. A cloud that stays is not uploaded again.
+    void setLayers(const std::vector<CloudLayer>& layers, const Eigen::Vector3d& shownOriginM);
     /// Cells that are not drawable are ignored.
     void setEdges(EdgeCells cells);
     /// Per cell, four bytes: red, green, blue, 255. Replaces the single colour of the cloud. Null, or a wrong number of cells: the single
@@ -96,16 +99,21 @@ private:
         std::shared_ptr<const std::vector<std::uint32_t>> faces;
     };
     [[nodiscard]] std::unique_ptr<DrawnCloud> newCloud();
-    void load(std::shared_ptr<const CloudGeometry> cloud);
+    static void load(DrawnCloud& into, std::shared_ptr<const CloudGeometry> cloud);
+    void unload(DrawnCloud& cloud);
+    static bool show(DrawnCloud& cloud, const Parts& parts, float size);
     void useFaces();
     void colourParts();
-    void freeSpare();
+    void freeUnused();
     void showEdgeLayers();
+    void drawOverLast();
     void setLayer(Layer& layer, EdgeCells::Indices& cells);
 
     vtkNew<vtkRenderer> renderer_;
     vtkRenderWindow* window_;
-    std::unique_ptr<DrawnCloud> now_, spare_; // the spare one is not drawn
+    std::unique_ptr<DrawnCloud> now_, spare_;                // the spare one is not drawn
+    std::vector<std::unique_ptr<DrawnCloud>> layers_, gone_; // those that are gone have to be freed when the graphics context is current
+    std::vector<QColor> layerColours_;
     std::shared_ptr<const CloudGeometry> ready_;
     bool dropSpare_ = false; // drop it when the graphics context is current
     CloudLook look_;

@@ -72,6 +72,7 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     pointAt(std::nullopt);
     scene_->setCloud(cloud_);
     scene_->setFaces(pointColours());
+    if (!layers_.empty()) placeLayers();
     showGround();
     growing_ = camera == Camera::Keep && before && cloud_ && before->validCount > 0 && cloud_->validCount > 0;
     if (growing_) {
@@ -91,7 +92,11 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     }
 }
 
-void CloudView::guessBudget() { budget_.restart(cloud_ ? kGuessMsPerPoint * static_cast<double>(cloud_->validCount) : 0.0); }
+void CloudView::guessBudget() {
+    std::size_t points = cloud_ ? cloud_->validCount : 0;
+    for (const CloudLayer& layer : layers_) points += layer.cloud->validCount;
+    budget_.restart(kGuessMsPerPoint * static_cast<double>(points));
+}
 
 void CloudView::setScan(std::shared_ptr<const Scan> scan) {
     std::shared_ptr<const CloudGeometry> geometry = scan ? makeCloudGeometry(*scan) : nullptr;
@@ -159,8 +164,7 @@ void CloudView::moved(int restMs) {
 
 void CloudView::applyCamera() {
     screenMarks_.reset();
-    static const CloudGeometry nothing;
-    scene_->setCamera(pose_, clipRange(pose_, cloud_ ? *cloud_ : nothing, clip_.nearShare, clip_.farShare));
+    scene_->setCamera(pose_, clipRange(pose_, extent(), clip_.nearShare, clip_.farShare));
     followSpacing();
     updateOverlay();
     requestFrame();
@@ -295,7 +299,7 @@ void CloudView::updateOverlay() {
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
     } else if (cloud_->validCount == 0) {
-        marks.centreText = tr("no point to show: no cell of this scan holds a valid range");
+        marks.centreText = tr("no point to show: no cell of this scan has a valid range");
         marks.note = note_;
     } else {
         marks.note = note_;

@@ -6,6 +6,7 @@
 #include "ui/base/touch.h"
 #include "ui/views/cloud/camera_motion.h"
 #include "ui/views/cloud/cloud_geometry.h"
+#include "ui/views/cloud/cloud_layer.h"
 #include "ui/views/cloud/drawing_budget.h"
 #include "ui/views/cloud/edge_cells.h"
 #include "ui/views/cloud/ground_grid.h"
@@ -59,6 +60,10 @@ public:
     void setFaces(std::shared_ptr<const CellIndices> colours, EdgesOver edges = EdgesOver::AsAsked);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& faces() const { return faces_; }
     void setEdgesOverFaces(bool on);
+    /// Clouds of other scans, drawn with this one; their points cannot be picked. They stay when setCloud() replaces the cloud: their
+    /// places belong to the new one, or they have to be replaced.
+    void setLayers(std::vector<CloudLayer> layers);
+    [[nodiscard]] const std::vector<CloudLayer>& layers() const { return layers_; }
     /// Point colours of the cloud `of`, used where no faces are shown; edges are drawn over them. Null: gray.
     void setColours(std::shared_ptr<const CloudGeometry> of, std::shared_ptr<const CellIndices> colours);
     /// The current colours of the points: faces, else colours of this cloud; null: gray.
@@ -176,8 +181,10 @@ signals:
     void hovered(qint64 cell);
     void hoverLeft();
     void clicked(qint64 cell);
-    /// A left click where no point is drawn.
+    /// A left click where no point is drawn ...
     void missed();
+    /// ... and where a point of a layer is drawn in front: its index.
+    void layerClicked(int layer);
     /// End of a drag with a selecting tool: its corners, widget pixels.
     void outlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     void contextMenuRequested(const QPoint& globalPosition, qint64 cell); ///< cell -1: the position is outside the cloud
@@ -232,6 +239,9 @@ private:
     void wheelZoom(QPointF pixel, double notches);
     void wheelClip(double& share, double notches);
     [[nodiscard]] double aspect() const;
+    [[nodiscard]] CloudGeometry extent() const;
+    void placeLayers();
+    [[nodiscard]] std::optional<int> layerInFront(QPointF pixel, const std::optional<std::uint32_t>& of) const;
     [[nodiscard]] Eigen::Vector3d anchorAt(QPointF pixel) const;
 
     std::unique_ptr<CloudScene> scene_;
@@ -240,6 +250,8 @@ private:
     std::shared_ptr<const CloudGeometry> cloud_;
     EdgeCells edges_;
     std::shared_ptr<const CloudGeometry> whole_; // the cloud with all cells; cloud_ differs from it while cells are hidden
+    std::vector<CloudLayer> layers_;
+    Box3f layersBounds_, layersMain_; // local
     std::shared_ptr<const CellIndices> faces_, outline_, selection_;
     std::shared_ptr<const CloudGeometry> colouredCloud_;
     std::shared_ptr<const CellIndices> colours_; // the point colours of setColours()

@@ -11,8 +11,7 @@ using Eigen::Vector3d;
 double CloudView::aspect() const { return static_cast<double>(std::max(1, width())) / std::max(1, height()); }
 
 ScreenView CloudView::screenView() const {
-    static const CloudGeometry nothing;
-    const ClipRange clip = clipRange(pose_, cloud_ ? *cloud_ : nothing, clip_.nearShare, clip_.farShare);
+    const ClipRange clip = clipRange(pose_, extent(), clip_.nearShare, clip_.farShare);
     const double dpr = devicePixelRatioF();
     return {worldToClip(pose_, clip, aspect()), width() * dpr, height() * dpr, std::round(pointSize_ * dpr)};
 }
@@ -24,9 +23,22 @@ std::optional<QPointF> CloudView::pixelOf(std::uint32_t cell) const {
     return QPointF(p.x, p.y) / devicePixelRatioF();
 }
 
+/// Only the boxes: of the cloud and its layers.
+CloudGeometry CloudView::extent() const {
+    CloudGeometry all;
+    all.bounds = layersBounds_;
+    all.mainBounds = layersMain_;
+    if (cloud_) {
+        all.bounds.extend(cloud_->bounds);
+        all.mainBounds.extend(cloud_->mainBounds);
+    }
+    return all;
+}
+
 void CloudView::look(const Vector3d& forward, const Vector3d& up) {
-    if (!cloud_ || cloud_->mainBounds.isEmpty()) return;
-    pose_ = lookingAt(cloud_->mainBounds, forward, up, pose_, aspect());
+    const Box3f all = extent().mainBounds;
+    if (!cloud_ || all.isEmpty()) return;
+    pose_ = lookingAt(all, forward, up, pose_, aspect());
     centre_ = pose_.focus;
     applyCamera();
 }

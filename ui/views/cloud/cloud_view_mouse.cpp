@@ -48,7 +48,9 @@ Vector3d CloudView::anchorAt(QPointF pixel) const {
 std::optional<std::uint32_t> CloudView::cellAt(QPointF pixel) const {
     if (!cloud_) return std::nullopt;
     const double dpr = devicePixelRatioF();
-    return pickPoint(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, kPickPx * dpr);
+    const auto cell = pickPoint(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, kPickPx * dpr);
+    // What a layer covers is not what the operator points at.
+    return cell && !layers_.empty() && layerInFront(pixel, cell) ? std::nullopt : cell;
 }
 
 void CloudView::mousePressEvent(QMouseEvent* event) {
@@ -124,7 +126,10 @@ void CloudView::mouseReleaseEvent(QMouseEvent* event) {
     }
     const auto cell = cellAt(at);
     if (event->button() == Qt::LeftButton && cell) emit clicked(*cell);
-    if (event->button() == Qt::LeftButton && !cell && cloud_) emit missed();
+    if (event->button() == Qt::LeftButton && !cell && cloud_) {
+        const auto layer = layerInFront(at, std::nullopt);
+        layer ? emit layerClicked(*layer) : emit missed();
+    }
     if (event->button() == Qt::MiddleButton) setRotationCentre(at);
     if (event->button() == Qt::RightButton) {
         emit contextMenuRequested(mapToGlobal(at.toPoint()), cell ? static_cast<qint64>(*cell) : -1);

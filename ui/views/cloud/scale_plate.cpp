@@ -152,6 +152,8 @@ QString ScalePlate::scaleTitle() const {
         return colours_.mine ? tr("Elevation [m]") : tr("Height above the scanner [m]");
     case ColourBy::Line:
         return tr("Line");
+    case ColourBy::Intensity:
+        return tr("Intensity");
     case ColourBy::Nothing:
         break;
     }

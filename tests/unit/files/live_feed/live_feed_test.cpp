@@ -116,7 +116,7 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_TRUE(healthOf(status).recording.starts_with("RECORDING ENDED: "));
     status.sweep.lines = status.sweep.received = 1000;
     status.sweep.lost.clear();
-    EXPECT_EQ(healthOf(status).end, "sweep whole");
+    EXPECT_EQ(healthOf(status).end, "sweep complete");
     EXPECT_EQ(healthOf(status).lines, "1000/1000 lines");
 }
 
@@ -126,11 +126,11 @@ TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     status.secondsSinceLine = 0.0;
     status.lines = status.sweep.lines = status.sweep.received = status.sweep.expected = 40;
     EXPECT_EQ(healthOf(status).remark, "");
-    EXPECT_EQ(healthOf(status).end, "sweep whole");
+    EXPECT_EQ(healthOf(status).end, "sweep complete");
     status.sweep.irregular.note(scanner::Irregularity::ClockJump, 7);
     EXPECT_EQ(healthOf(status).remark, "1 remark");
     EXPECT_EQ(healthOf(status).telegrams, Condition::OutOfSpec);
-    EXPECT_EQ(healthOf(status).end, "sweep whole");
+    EXPECT_EQ(healthOf(status).end, "sweep complete");
     status.undecodable = 2;
     EXPECT_EQ(healthOf(status).remark, "2 remarks");
     EXPECT_NE(healthOf(status).remarks.at(0).find("(line 7)"), std::string::npos) << healthOf(status).remarks.at(0);

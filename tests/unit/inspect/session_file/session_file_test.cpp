@@ -36,6 +36,10 @@ TEST(SessionFile, IsReadBackAsItWasWritten) {
     EXPECT_EQ(now.rocks->edits, before.rocks->edits);
     EXPECT_EQ(now.earlier->settings, before.earlier->settings);
     EXPECT_EQ(now.earlier->scan.path, before.earlier->scan.path);
+    ASSERT_EQ(now.layers.size(), 2U);
+    EXPECT_EQ(now.layers[0].place, before.layers[0].place);
+    EXPECT_EQ(now.layers[1].scan.path, before.layers[1].scan.path);
+    EXPECT_FALSE(now.layers[1].visible || now.layers[1].place);
     EXPECT_EQ(now.view.camera, before.view.camera);
     EXPECT_EQ(now.view.images, before.view.images);
     EXPECT_EQ(now.switches, before.switches);
