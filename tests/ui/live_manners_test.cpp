@@ -216,8 +216,12 @@ private slots:
             return count;
         };
         QTRY_VERIFY(green() >= 2);
+        const auto* stop = window.viewer().live.panel().findChild<QPushButton*>("live-connect");
+        const QPoint place = stop->mapToGlobal(QPoint(0, 0));
         emulated.reset();
         QTRY_VERIFY(strip.shown().liveness == files::Liveness::Lost);
+        QTest::qWait(0); // the strip gets its rows
+        QCOMPARE(stop->mapToGlobal(QPoint(0, 0)), place);
         QCOMPARE(green(), 0);
         QVERIFY2(strip.shown().contamination.ends_with(" ago"), strip.shown().contamination.c_str());
         press(window, "live-connect"); // Stop

@@ -66,8 +66,8 @@ LivePanel::LivePanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
+    column->addWidget(head); // first: the buttons do not move when the strip gets another row
     column->addLayout(first);
-    column->addWidget(head);
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::returnPressed, this, [this] {
