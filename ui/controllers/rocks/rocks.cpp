@@ -200,10 +200,10 @@ void Rocks::showFaces() {
     views_.put(std::move(overlay));
 }
 
-/// The rock of the pinned cell loses its outline with the pin.
+/// The outline of the pinned cell's rock goes with the pin.
 void Rocks::followPin(std::optional<std::size_t> cell) {
     const auto was = std::exchange(pinned_, cell);
-    if (!cell && was && selected_ == std::vector{*was}) select({});
+    if (was && selected_ == std::vector{*was}) select(cell ? std::vector{*cell} : std::vector<std::size_t>());
 }
 
 void Rocks::select(std::vector<std::size_t> cells) {
