@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edges/pipeline/detection.h"
-#include "core/edges/pipeline/threshold_map.h"
+#include "core/edges/pipeline/swept_edges.h"
 
 namespace edgescan::edges {
 

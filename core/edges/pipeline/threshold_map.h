@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 namespace edgescan::edges {
 
@@ -43,22 +42,6 @@ struct ThresholdMap {
 
 /// 255 where the cell is an edge at this threshold.
 [[nodiscard]] Grid<std::uint8_t> edgesAt(const ThresholdMap& map, double threshold);
-
-/// The same for many thresholds in a row, as when the user drags a slider: the cost is that of writing the edges, and cells are compared
-/// only if many of them can be edges.
-class SweptEdges {
-public:
-    explicit SweptEdges(ThresholdMap map);
-    /// edgesAt() of the map, for thresholds from 0.
-    [[nodiscard]] Grid<std::uint8_t> at(double threshold) const;
-
-private:
-    ThresholdMap map_; // without cells if they are sorted
-    int lines_, beams_;
-    std::vector<double> values_;       // values of the map, ascending, each once
-    std::vector<std::size_t> counts_;  // per value: number of cells with this value or a higher one
-    std::vector<std::uint32_t> cells_; // cells with the highest value first
-};
 
 /// The largest threshold at which `holds` is true, to the last bit. `holds` must be true for small thresholds and false for large ones.
 /// Below 0: false for all from 0; infinity: true for all. `guess` should be close.

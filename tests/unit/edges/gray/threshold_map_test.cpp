@@ -3,6 +3,7 @@
 #include "core/edges/gray/log_range.h"
 #include "core/edges/gray/smooth.h"
 #include "core/edges/pipeline/edge_count_curve.h"
+#include "core/edges/pipeline/swept_edges.h"
 #include "core/edges/pipeline/threshold_map.h"
 #include "tests/support/detectors.h"
 #include "tests/support/scans.h"
