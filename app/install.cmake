@@ -1,7 +1,7 @@
 # Files and folders of `cmake --install`, by component: cli, viewer (with the program of PCL's peers, which edgescan-lab starts), python. The programs write
 # their man pages and completions themselves.
-set(EDGESCAN_HOMEPAGE "https://example.org/edgescan" CACHE STRING "where the project's pages lie, for software centres")
-set(EDGESCAN_RELEASE_DATE "2026-11-20" CACHE STRING "of this version, for software centres")
+set(EDGESCAN_HOMEPAGE "https://example.org/edgescan" CACHE STRING "where the project has its pages, for software centres")
+set(EDGESCAN_RELEASE_DATE "2026-11-22" CACHE STRING "of this version, for software centres")
 
 # edgescan_pages(PROGRAM COMPONENT)
 function(edgescan_pages program component)

@@ -15,7 +15,7 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/edges/settings/parameters.h"
 #include "core/exports/html/scan_page.h"
-#include "core/exports/html/survey_picture.h"
+#include "core/exports/html/survey_page.h"
 #include "core/exports/report.h"
 #include "core/exports/rock_report.h"
 #include "core/files/formats/formats.h"

@@ -4,7 +4,6 @@
 #include "app/shared/options.h"
 #include "app/shared/outputs.h"
 #include "core/base/inputs.h"
-#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/whole_file.h"

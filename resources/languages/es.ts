@@ -117,7 +117,6 @@
 <message><source>the host name is not known</source><translation>el nombre de host es desconocido</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>compruebe cómo está escrito o use la dirección IP del escáner</translation></message>
 <message><source>the name server does not answer</source><translation>el servidor de nombres no responde</translation></message>
-<message><source>the name has no address</source><translation>el nombre no tiene dirección</translation></message>
 <message><source>use the scanner's IP address</source><translation>use la dirección IP del escáner</translation></message>
 <message><source>the scanner closed the connection</source><translation>el escáner cerró la conexión</translation></message>
 <message><source>the connection broke (%1)</source><translation>la conexión se interrumpió (%1)</translation></message>
@@ -309,6 +308,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ not placed against the active one</source><translation>▲ sin colocar respecto a la activa</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
+<message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
@@ -791,7 +791,9 @@ mantenga \ para verla</translation></message>
 <message><source>Keep last minute</source><translation>Conservar el último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escribir en un archivo nuevo lo que llegó durante el último minuto</translation></message>
 <message><source>Hold</source><translation>Retener</translation></message>
-<message><source>name or address of the scanner</source><translation>nombre o dirección del escáner</translation></message>
+<message><source>scanner, or ws://ROBOT</source><translation>escáner, o ws://ROBOT</translation></message>
+<message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nombre o dirección del escáner; ws://ROBOT es un robot con ROS en el que funciona foxglove_bridge</translation></message>
+<message><source>Name or address of the scanner</source><translation>Nombre o dirección del escáner</translation></message>
 <message><source>Sweep…</source><translation>Barrido…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Líneas de un barrido, paso por línea, montaje</translation></message>
 <message><source>Stop</source><translation>Detener</translation></message>
@@ -817,6 +819,16 @@ mantenga \ para verla</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>%1; messages: %2, per second: %3</source><translation>%1; mensajes: %2, por segundo: %3</translation></message>
+<message><source>Topics…</source><translation>Tópicos…</translation></message>
+<message><source>What the robot offers, and which laser the scan comes from</source><translation>Lo que ofrece el robot, y de qué láser viene el escaneo</translation></message>
+<message><source>The robot has not offered a topic yet.</source><translation>El robot aún no ha ofrecido ningún tópico.</translation></message>
+<message><source>lines of %1 beams</source><translation>líneas de %1 haces</translation></message>
+<message><source>lines of a laser</source><translation>líneas de un láser</translation></message>
+<message><source>Angle of each line</source><translation>Ángulo de cada línea</translation></message>
+<message><source>from the transforms, or from the joint that turned furthest</source><translation>según las transformaciones, o la articulación que más giró</translation></message>
+<message><source>from the joint %1</source><translation>según la articulación %1</translation></message>
+<message><source>Topics that are not used: %1</source><translation>Tópicos que no se usan: %1</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
@@ -885,7 +897,7 @@ mantenga \ para verla</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
-<message><source>Ctrl+L: EdgeScan only reads from it</source><translation>Ctrl+L: EdgeScan solo lee</translation></message>
+<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L; un SICK LMS, o un robot con ROS como ws://ROBOT</translation></message>
 <message><source>Go on with the last session</source><translation>Seguir con la última sesión</translation></message>
 <message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
 <message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
@@ -894,7 +906,7 @@ mantenga \ para verla</translation></message>
 <message><source>Recent</source><translation>Recientes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aquí se listan los escaneos que estuvieron abiertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Los bordes de las rocas en un escaneo láser de distancias</translation></message>
-<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lee rejillas sin procesar, grabaciones (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ y otros.</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lee rejillas sin procesar, grabaciones (.mcap), bags de ROS, PCD, PLY, E57, LAS, PTX, CSV, XYZ y otros.</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>Solo envía al escáner lecturas y una suscripción.</translation></message>
 <message><source>Cab mode</source><translation>Modo cabina</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ no encontrado: se movió, o falta su disco. Localizar…</translation></message>
@@ -1396,7 +1408,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar del escáner para una nube sin cuadrícula, como X,Y,Z [m]</translation></message>
 <message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Puntos que no están en ninguna cuadrícula de escáner: proyectarlos en torno al sensor (auto), hacerlo sin buscar una cuadrícula (always), o rechazarlos (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qué escaneo de un archivo que contiene varios, desde 0</translation></message>
-<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, el láser con más líneas</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tema (topic) de un bag de ROS que es el escaneo; si no, un láser que gira</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulación (joint) de un bag de ROS que gira el láser; si no, la dan las transformaciones</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Archivo de pose del escaneo; una grabación puede contener el suyo</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
@@ -1511,12 +1523,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>cells of %1 degrees</source><translation>celdas de %1 grados</translation></message>
 <message><source>Topic</source><translation>Tópico</translation></message>
 <message><source>Sweep</source><translation>Barrido</translation></message>
-<message><source>Angle of each line</source><translation>Ángulo de cada línea</translation></message>
 <message><source>%1: lines of %2 beams; messages: %3, per second: %4</source><translation>%1: líneas de %2 haces; mensajes: %3, por segundo: %4</translation></message>
 <message><source>%1: clouds of %2 points; messages: %3, per second: %4</source><translation>%1: nubes de %2 puntos; mensajes: %3, por segundo: %4</translation></message>
 <message><source>from %1</source><translation>según %1</translation></message>
-<message><source>from the joint %1</source><translation>según la articulación %1</translation></message>
-<message><source>from the transforms, or from the joint that turned furthest</source><translation>según las transformaciones, o la articulación que más giró</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>barrido %1 del tópico, contado desde 0; el tópico contiene %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>barrido %1, contado desde 0</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>

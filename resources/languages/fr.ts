@@ -117,7 +117,6 @@
 <message><source>the host name is not known</source><translation>le nom d'hôte est inconnu</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>vérifiez son orthographe ou utilisez l'adresse IP du scanner</translation></message>
 <message><source>the name server does not answer</source><translation>le serveur de noms ne répond pas</translation></message>
-<message><source>the name has no address</source><translation>ce nom n'a pas d'adresse</translation></message>
 <message><source>use the scanner's IP address</source><translation>utilisez l'adresse IP du scanner</translation></message>
 <message><source>the scanner closed the connection</source><translation>le scanner a fermé la connexion</translation></message>
 <message><source>the connection broke (%1)</source><translation>la connexion s'est interrompue (%1)</translation></message>
@@ -309,6 +308,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ not placed against the active one</source><translation>▲ non placée par rapport à l'active</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
+<message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
@@ -791,7 +791,9 @@ tenez \ pour la voir</translation></message>
 <message><source>Keep last minute</source><translation>Conserver la dernière minute</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Écrire dans un nouveau fichier ce qui est arrivé pendant la dernière minute</translation></message>
 <message><source>Hold</source><translation>Figer</translation></message>
-<message><source>name or address of the scanner</source><translation>nom ou adresse du scanner</translation></message>
+<message><source>scanner, or ws://ROBOT</source><translation>scanner, ou ws://ROBOT</translation></message>
+<message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nom ou adresse du scanner ; ws://ROBOT est un robot avec ROS sur lequel tourne foxglove_bridge</translation></message>
+<message><source>Name or address of the scanner</source><translation>Nom ou adresse du scanner</translation></message>
 <message><source>Sweep…</source><translation>Balayage…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
@@ -817,6 +819,16 @@ tenez \ pour la voir</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
 <message><source>Pause</source><translation>Pause</translation></message>
+<message><source>%1; messages: %2, per second: %3</source><translation>%1 ; messages : %2, par seconde : %3</translation></message>
+<message><source>Topics…</source><translation>Topics…</translation></message>
+<message><source>What the robot offers, and which laser the scan comes from</source><translation>Ce que le robot propose, et de quel laser vient le scan</translation></message>
+<message><source>The robot has not offered a topic yet.</source><translation>Le robot n'a encore proposé aucun topic.</translation></message>
+<message><source>lines of %1 beams</source><translation>lignes de %1 faisceaux</translation></message>
+<message><source>lines of a laser</source><translation>lignes d'un laser</translation></message>
+<message><source>Angle of each line</source><translation>Angle de chaque ligne</translation></message>
+<message><source>from the transforms, or from the joint that turned furthest</source><translation>d'après les transformations, ou l'articulation qui a le plus tourné</translation></message>
+<message><source>from the joint %1</source><translation>d'après l'articulation %1</translation></message>
+<message><source>Topics that are not used: %1</source><translation>Topics qui ne sont pas utilisés : %1</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
 <message><source>something that is not a rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
@@ -885,7 +897,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
-<message><source>Ctrl+L: EdgeScan only reads from it</source><translation>Ctrl+L : EdgeScan ne fait que lire</translation></message>
+<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L ; un SICK LMS, ou un robot avec ROS par ws://ROBOT</translation></message>
 <message><source>Go on with the last session</source><translation>Continuer la dernière session</translation></message>
 <message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
 <message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
@@ -894,7 +906,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Recent</source><translation>Récents</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Les scans déjà ouverts sont listés ici.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>Les arêtes des blocs dans un scan laser de distances</translation></message>
-<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lit les grilles brutes, les enregistrements (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ et d'autres.</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lit les grilles brutes, les enregistrements (.mcap), les bags ROS, PCD, PLY, E57, LAS, PTX, CSV, XYZ et d'autres.</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>N'envoie au scanner que des lectures et un abonnement.</translation></message>
 <message><source>Cab mode</source><translation>Mode cabine</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ introuvable : déplacé, ou son disque manque. Localiser…</translation></message>
@@ -1396,7 +1408,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Place du scanner pour un nuage sans grille, comme X,Y,Z [m]</translation></message>
 <message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Points qui ne sont sur aucune grille de scanner : les projeter autour du capteur (auto), le faire sans chercher de grille (always), ou les refuser (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Quel scan d'un fichier qui en contient plusieurs, à partir de 0</translation></message>
-<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon le laser qui a le plus de lignes</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon un laser qui tourne</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
@@ -1511,12 +1523,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>cells of %1 degrees</source><translation>cellules de %1 degrés</translation></message>
 <message><source>Topic</source><translation>Topic</translation></message>
 <message><source>Sweep</source><translation>Balayage</translation></message>
-<message><source>Angle of each line</source><translation>Angle de chaque ligne</translation></message>
 <message><source>%1: lines of %2 beams; messages: %3, per second: %4</source><translation>%1 : lignes de %2 faisceaux ; messages : %3, par seconde : %4</translation></message>
 <message><source>%1: clouds of %2 points; messages: %3, per second: %4</source><translation>%1 : nuages de %2 points ; messages : %3, par seconde : %4</translation></message>
 <message><source>from %1</source><translation>d'après %1</translation></message>
-<message><source>from the joint %1</source><translation>d'après l'articulation %1</translation></message>
-<message><source>from the transforms, or from the joint that turned furthest</source><translation>d'après les transformations, ou l'articulation qui a le plus tourné</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>balayage %1 du topic, compté à partir de 0 ; le topic en contient %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>balayage %1, compté à partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>

@@ -117,7 +117,6 @@
 <message><source>the host name is not known</source><translation>o nome de host é desconhecido</translation></message>
 <message><source>check its spelling or use the scanner's IP address</source><translation>verifique como está escrito ou use o endereço IP do scanner</translation></message>
 <message><source>the name server does not answer</source><translation>o servidor de nomes não responde</translation></message>
-<message><source>the name has no address</source><translation>o nome não tem endereço</translation></message>
 <message><source>use the scanner's IP address</source><translation>use o endereço IP do scanner</translation></message>
 <message><source>the scanner closed the connection</source><translation>o scanner fechou a conexão</translation></message>
 <message><source>the connection broke (%1)</source><translation>a conexão foi interrompida (%1)</translation></message>
@@ -309,6 +308,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ not placed against the active one</source><translation>▲ não posicionada em relação à ativa</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
+<message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Não é possível ligar a %1: escreva o nome ou o endereço do scanner, ou ws://ROBOT para um robô com ROS.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
@@ -791,7 +791,9 @@ segure \ para vê-la</translation></message>
 <message><source>Keep last minute</source><translation>Conservar o último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escrever em um arquivo novo o que chegou durante o último minuto</translation></message>
 <message><source>Hold</source><translation>Reter</translation></message>
-<message><source>name or address of the scanner</source><translation>nome ou endereço do scanner</translation></message>
+<message><source>scanner, or ws://ROBOT</source><translation>scanner, ou ws://ROBOT</translation></message>
+<message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nome ou endereço do scanner; ws://ROBOT é um robô com ROS em que corre o foxglove_bridge</translation></message>
+<message><source>Name or address of the scanner</source><translation>Nome ou endereço do scanner</translation></message>
 <message><source>Sweep…</source><translation>Varredura…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Linhas de uma varredura, passo por linha, montagem</translation></message>
 <message><source>Stop</source><translation>Parar</translation></message>
@@ -817,6 +819,16 @@ segure \ para vê-la</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
+<message><source>%1; messages: %2, per second: %3</source><translation>%1; mensagens: %2, por segundo: %3</translation></message>
+<message><source>Topics…</source><translation>Tópicos…</translation></message>
+<message><source>What the robot offers, and which laser the scan comes from</source><translation>O que o robô oferece, e de que laser vem a varredura</translation></message>
+<message><source>The robot has not offered a topic yet.</source><translation>O robô ainda não ofereceu nenhum tópico.</translation></message>
+<message><source>lines of %1 beams</source><translation>linhas de %1 feixes</translation></message>
+<message><source>lines of a laser</source><translation>linhas de um laser</translation></message>
+<message><source>Angle of each line</source><translation>Ângulo de cada linha</translation></message>
+<message><source>from the transforms, or from the joint that turned furthest</source><translation>segundo as transformações, ou a junta que mais girou</translation></message>
+<message><source>from the joint %1</source><translation>segundo a junta %1</translation></message>
+<message><source>Topics that are not used: %1</source><translation>Tópicos que não são usados: %1</translation></message>
 <message><source>at least %1</source><translation>pelo menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que não é uma rocha</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
@@ -885,7 +897,7 @@ segure \ para vê-la</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
-<message><source>Ctrl+L: EdgeScan only reads from it</source><translation>Ctrl+L: o EdgeScan só lê</translation></message>
+<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L; um SICK LMS, ou um robô com ROS como ws://ROBOT</translation></message>
 <message><source>Go on with the last session</source><translation>Seguir com a última sessão</translation></message>
 <message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
 <message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
@@ -894,7 +906,7 @@ segure \ para vê-la</translation></message>
 <message><source>Recent</source><translation>Recentes</translation></message>
 <message><source>Scans that were open are listed here.</source><translation>Aqui são listados os scans que estiveram abertos.</translation></message>
 <message><source>The edges of rocks in a laser range scan</source><translation>As bordas das rochas numa varredura laser de distâncias</translation></message>
-<message><source>Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
+<message><source>Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), bags do ROS, PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
 <message><source>Cab mode</source><translation>Modo cabine</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ não encontrado: foi movido, ou falta o disco. Localizar…</translation></message>
@@ -1396,7 +1408,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Place of the scanner for a cloud without a grid, as X,Y,Z [m]</source><translation>Lugar do scanner para uma nuvem sem grade, como X,Y,Z [m]</translation></message>
 <message><source>Points without a scanner grid: project them about the sensor (auto), do so without looking for a grid (always), or refuse them (never)</source><translation>Pontos que não estão em nenhuma grade de scanner: projetá-los em torno do sensor (auto), fazê-lo sem procurar uma grade (always), ou recusá-los (never)</translation></message>
 <message><source>Which scan of a file that holds several, from 0</source><translation>Qual varredura de um arquivo que contém várias, a partir de 0</translation></message>
-<message><source>Topic of a ROS bag that is the scan; otherwise the laser with most lines</source><translation>Tópico de um bag do ROS que é a varredura; senão, o laser com mais linhas</translation></message>
+<message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Tópico de um bag do ROS que é a varredura; senão um laser que gira</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Junta (joint) de um bag do ROS que gira o laser; senão, as transformações a dão</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Arquivo de pose da varredura; uma gravação pode conter o seu</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
@@ -1511,12 +1523,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>cells of %1 degrees</source><translation>células de %1 graus</translation></message>
 <message><source>Topic</source><translation>Tópico</translation></message>
 <message><source>Sweep</source><translation>Varredura</translation></message>
-<message><source>Angle of each line</source><translation>Ângulo de cada linha</translation></message>
 <message><source>%1: lines of %2 beams; messages: %3, per second: %4</source><translation>%1: linhas de %2 feixes; mensagens: %3, por segundo: %4</translation></message>
 <message><source>%1: clouds of %2 points; messages: %3, per second: %4</source><translation>%1: nuvens de %2 pontos; mensagens: %3, por segundo: %4</translation></message>
 <message><source>from %1</source><translation>segundo %1</translation></message>
-<message><source>from the joint %1</source><translation>segundo a junta %1</translation></message>
-<message><source>from the transforms, or from the joint that turned furthest</source><translation>segundo as transformações, ou a junta que mais girou</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>varredura %1 do tópico, contada a partir de 0; o tópico contém %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>varredura %1, contada a partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>

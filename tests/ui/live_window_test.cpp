@@ -2,6 +2,7 @@
 // again.
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/report.h"
+#include "core/scanner/emulator/bridge.h"
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
 #include "tests/support/own_sockets.h"
@@ -12,11 +13,13 @@
 #include "ui/panels/live/scanner_link.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/timeline.h"
+#include "ui/panels/live/topic_menu.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/panels/tuning/warning_button.h"
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -120,6 +123,56 @@ private slots:
         scan_ = simulation->scan;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(files::saveScan(scan_, bell_));
+    }
+
+    // A robot's bridge: the port is that of the field or of the address, the topics are listed with what they give, and one is chosen.
+    void theTopicsOfARobotAreListedAndChosen() {
+        auto lines = scanner::bridgeSweepOf(scan_);
+        QVERIFY(lines);
+        scanner::EmulatedScannerSettings settings;
+        settings.linesPerSecond = 100;
+        auto bridge = scanner::serveBridge(std::move(*lines), settings);
+        QVERIFY(bridge);
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        QTest::keyClick(&on.window, Qt::Key_L, Qt::ControlModifier);
+        LivePanel& panel = on.viewer.live.panel();
+        auto* host = panel.findChild<QLineEdit*>("live-host");
+        auto* port = panel.findChild<QSpinBox*>("live-port");
+        QTRY_VERIFY(host->isVisible());
+        QCOMPARE(port->value(), 2112);
+        host->setText("ws://127.0.0.1");
+        QCOMPARE(port->value(), 8765);
+        host->setText("ws://127.0.0.1:1234");
+        QCOMPARE(panel.port(), 1234);
+        QVERIFY(!port->isEnabled());
+        host->setText("wss://127.0.0.1");
+        press(on.window, "live-connect");
+        QVERIFY(on.viewer.notice.isVisible() && !on.viewer.live.scanner().connected());
+        host->setText("ws://127.0.0.1");
+        port->setValue((*bridge)->port());
+        press(on.window, "live-connect");
+        QVERIFY(waitForLines(on.window, 20));
+        QVERIFY(panel.topics().isVisible());
+        const auto row = [&](const QString& words) -> QAction* {
+            emit panel.topics().asked();
+            const auto rows = panel.topics().menu()->actions();
+            const auto found = std::ranges::find_if(rows, [&](const QAction* each) { return each->text().contains(words); });
+            return found != rows.end() ? *found : nullptr;
+        };
+        QAction* scan = row("/scan: lines of 381 beams; messages: ");
+        QVERIFY(scan != nullptr && scan->isChecked() && scan->isEnabled());
+        QVERIFY(row("from the transforms") != nullptr && row("from the transforms")->isChecked());
+        QVERIFY(row("/tf: transforms: head in mast") != nullptr);
+        QVERIFY(row("Topics that are not used: 1") != nullptr);
+        const std::uint64_t stream = on.viewer.live.scanner().stream();
+        row("/scan: lines")->trigger();
+        QVERIFY(on.viewer.live.scanner().stream() != stream);
+        QVERIFY(eventually([&] {
+            const auto& picture = on.viewer.engine.picture();
+            return picture->source.stream == on.viewer.live.scanner().stream() && linesShown(on.window) > 10;
+        }));
+        on.viewer.live.scanner().disconnectScanner();
     }
 
     void theSweepGrowsWhileSlidersWorkAndEndsAsTheFile() {

@@ -135,7 +135,6 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "the host name is not known"),
     QT_TRANSLATE_NOOP("QObject", "check its spelling or use the scanner's IP address"),
     QT_TRANSLATE_NOOP("QObject", "the name server does not answer"),
-    QT_TRANSLATE_NOOP("QObject", "the name has no address"),
     QT_TRANSLATE_NOOP("QObject", "use the scanner's IP address"),
     QT_TRANSLATE_NOOP("QObject", "the scanner closed the connection"),
     QT_TRANSLATE_NOOP("QObject", "the connection broke (%1)"),

@@ -11,6 +11,7 @@
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/timeline.h"
+#include "ui/panels/live/topic_menu.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -23,8 +24,6 @@
 
 namespace edgescan::ui {
 namespace {
-
-constexpr int kBridgePort = 8765; // of foxglove_bridge
 
 scanner::SweepSettings rememberedSweep(const Preferences& preferences) {
     const auto json = parseJson(preferences.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
@@ -79,7 +78,18 @@ void Live::connectPanel() {
             notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no host to connect to: type the scanner's name or address."));
             return panel_.askAddress();
         }
-        connectTo(panel_.host(), panel_.port(), panel_.sweep());
+        if (panel_.host().contains("://") && !panel_.bridge()) {
+            notice_.showNotice(NoticeBar::Kind::Warning,
+                               tr("%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.")
+                                   .arg(shownName(panel_.host(), 60)));
+            return panel_.askAddress();
+        }
+        const bool same = topicOf_ == panel_.host();
+        connectTo(panel_.host(), panel_.port(), panel_.sweep(), same ? topic_ : std::string(), same ? joint_ : std::string());
+    });
+    connect(&panel_.topics(), &TopicMenu::asked, this, [this] { panel_.topics().showTopics(scanner_.topics(), joint_); });
+    connect(&panel_.topics(), &TopicMenu::chosen, this, [this](const std::string& topic, const std::string& joint) {
+        connectTo(panel_.host(), panel_.port(), panel_.sweep(), topic, joint);
     });
     connect(&panel_, &LivePanel::disconnectRequested, this, [this] {
         scanner_.disconnectScanner();
@@ -113,11 +123,13 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
     timeline_.clear();
     files_.leave();
+    topicOf_ = host;
+    topic_ = topic;
+    joint_ = joint;
     scanner::ConnectionSettings scanner;
-    const QUrl bridge(host);
-    scanner.bridge = bridge.scheme() == "ws";
-    scanner.host = (scanner.bridge ? bridge.host() : host).toStdString();
-    scanner.port = static_cast<std::uint16_t>(scanner.bridge ? bridge.port(kBridgePort) : port);
+    scanner.bridge = panel_.bridge();
+    scanner.host = (scanner.bridge ? QUrl(host).host() : host).toStdString();
+    scanner.port = static_cast<std::uint16_t>(panel_.port());
     scanner.topic = topic;
     scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);

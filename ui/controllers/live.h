@@ -24,8 +24,8 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// Connects to a live scanner; EdgeScan sends only read requests and a subscription. "ws://HOST" is a robot's bridge; `topic` and
-    /// `joint` are those of its laser, empty: the ones that are found.
+    /// Connects to a live scanner; EdgeScan sends only read requests and a subscription. "ws://HOST" or "ws://HOST:PORT" is a robot's
+    /// bridge; `topic` and `joint` are those of its laser, empty: the ones that are found.
     void connectTo(const QString& host, int port, const scanner::SweepSettings& sweep, const std::string& topic = {},
                    const std::string& joint = {});
     void record(bool on);
@@ -70,6 +70,8 @@ private:
     ScannerLink scanner_;
     std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as read from the file
     QString recordingFolder_;
+    std::string topic_, joint_; // that the operator chose of the robot at the address below
+    QString topicOf_;
     QString heldNote_;
     std::uint64_t growingStream_ = 0; // stream of the previous picture, while its scan grew
 };

@@ -2,6 +2,7 @@
 #include "core/containers/compression/chunks.h"
 
 #include <algorithm>
+#include <span>
 
 #ifdef EDGESCAN_ZSTD
 #include <zstd.h>
@@ -18,96 +19,76 @@ namespace {
 
 constexpr std::size_t kPiece = 256 * 1024;
 
-Error damaged(const std::string& compression, const std::string& where) {
-    return {"it is compressed with " + compression + " and damaged or cut off", where, "copy the file again"};
-}
+/// What one call of a library did.
+struct Step {
+    std::size_t eaten, made;
+    bool sound, ended; ///< ended: nothing follows
+};
 
-// Room for the next piece of output, within the promised size and one byte more, so that too long an output is noticed.
-bool grow(Bytes& out, std::size_t used, std::uint64_t size) {
-    if (used > size) return false;
-    if (used == out.size()) out.resize(static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, used + std::max(kPiece, used))));
-    return true;
+/// All that next(packed, room) makes of the bytes, call by call.
+template <class Next>
+Result<Bytes> unpacked(ByteView packed, std::uint64_t size, const Error& damaged, const Next& next) {
+    Bytes out;
+    std::size_t used = 0;
+    for (bool ended = false; !ended;) {
+        // Room within the promised size and one byte more, so that too long an output is noticed.
+        if (used > size) return damaged;
+        if (used == out.size()) out.resize(static_cast<std::size_t>(std::min<std::uint64_t>(size + 1, used + std::max(kPiece, used))));
+        const Step step = next(packed, std::span(out).subspan(used));
+        ended = step.ended;
+        if (!step.sound || (!ended && step.eaten == 0 && step.made == 0)) return damaged;
+        packed = packed.subspan(step.eaten);
+        used += step.made;
+    }
+    if (used != size) return damaged;
+    out.resize(used);
+    return out;
 }
 
 #ifdef EDGESCAN_ZSTD
-Result<Bytes> unpackZstd(ByteView packed, std::uint64_t size, const std::string& where) {
+Result<Bytes> unpackZstd(ByteView packed, std::uint64_t size, const Error& damaged) {
     ZSTD_DStream* stream = ZSTD_createDStream();
-    if (stream == nullptr) return damaged("zstd", where);
-    Bytes out;
-    ZSTD_inBuffer in{packed.data(), packed.size(), 0};
-    std::size_t used = 0;
-    bool sound = true;
-    std::size_t left = 1;
-    while (sound && left != 0) {
-        sound = grow(out, used, size);
-        if (!sound) break;
-        ZSTD_outBuffer piece{out.data() + used, out.size() - used, 0};
-        const std::size_t before = in.pos;
-        left = ZSTD_decompressStream(stream, &piece, &in);
-        used += piece.pos;
-        if (ZSTD_isError(left) != 0 || (piece.pos == 0 && in.pos == before)) sound = false;
-        if (left == 0 && in.pos < in.size) left = 1; // another frame follows
-    }
+    if (stream == nullptr) return damaged;
+    auto out = unpacked(packed, size, damaged, [stream](ByteView from, std::span<std::uint8_t> room) {
+        ZSTD_inBuffer in{from.data(), from.size(), 0};
+        ZSTD_outBuffer piece{room.data(), room.size(), 0};
+        const std::size_t left = ZSTD_decompressStream(stream, &piece, &in);
+        return Step{in.pos, piece.pos, ZSTD_isError(left) == 0, left == 0 && in.pos == in.size}; // another frame may follow
+    });
     ZSTD_freeDStream(stream);
-    if (!sound || used != size) return damaged("zstd", where);
-    out.resize(used);
     return out;
 }
 #endif
 
 #ifdef EDGESCAN_LZ4
-Result<Bytes> unpackLz4(ByteView packed, std::uint64_t size, const std::string& where) {
+Result<Bytes> unpackLz4(ByteView packed, std::uint64_t size, const Error& damaged) {
     LZ4F_dctx* context = nullptr;
-    if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) return damaged("lz4", where);
-    Bytes out;
-    std::size_t used = 0;
-    bool sound = true;
-    std::size_t left = 1;
-    while (sound && left != 0) {
-        sound = grow(out, used, size);
-        if (!sound) break;
-        std::size_t made = out.size() - used;
-        std::size_t eaten = packed.size();
-        left = LZ4F_decompress(context, out.data() + used, &made, packed.data(), &eaten, nullptr);
-        packed = packed.subspan(eaten);
-        used += made;
-        if (LZ4F_isError(left) != 0 || (made == 0 && eaten == 0)) sound = false;
-        if (left == 0 && !packed.empty()) left = 1; // another frame follows
-    }
+    if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0) return damaged;
+    auto out = unpacked(packed, size, damaged, [context](ByteView from, std::span<std::uint8_t> room) {
+        std::size_t made = room.size(), eaten = from.size();
+        const std::size_t left = LZ4F_decompress(context, room.data(), &made, from.data(), &eaten, nullptr);
+        return Step{eaten, made, LZ4F_isError(left) == 0, left == 0 && eaten == from.size()}; // another frame may follow
+    });
     LZ4F_freeDecompressionContext(context);
-    if (!sound || used != size) return damaged("lz4", where);
-    out.resize(used);
     return out;
 }
 #endif
 
 #ifdef EDGESCAN_BZ2
-Result<Bytes> unpackBz2(ByteView packed, std::uint64_t size, const std::string& where) {
+Result<Bytes> unpackBz2(ByteView packed, std::uint64_t size, const Error& damaged) {
     bz_stream stream{};
-    if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return damaged("bz2", where);
-    Bytes out;
-    std::size_t used = 0;
-    int state = BZ_OK;
-    while (state == BZ_OK) {
-        if (!grow(out, used, size)) break;
-        if (stream.avail_in == 0) { // its numbers have 32 bits
-            const std::size_t piece = std::min(packed.size(), std::size_t{1} << 30U);
-            stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(packed.data())); // read only
-            stream.avail_in = static_cast<unsigned>(piece);
-            packed = packed.subspan(piece);
-        }
-        const std::size_t room = std::min(out.size() - used, std::size_t{1} << 30U);
-        stream.next_out = reinterpret_cast<char*>(out.data()) + used;
-        stream.avail_out = static_cast<unsigned>(room);
-        const unsigned before = stream.avail_in;
-        state = BZ2_bzDecompress(&stream);
-        const std::size_t made = room - stream.avail_out;
-        used += made;
-        if (state == BZ_OK && made == 0 && stream.avail_in == before) break; // cut off
-    }
+    if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return damaged;
+    auto out = unpacked(packed, size, damaged, [&stream](ByteView from, std::span<std::uint8_t> room) {
+        const std::size_t most = std::size_t{1} << 30U; // its numbers have 32 bits
+        const std::size_t in = std::min(from.size(), most), piece = std::min(room.size(), most);
+        stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(from.data())); // read only
+        stream.avail_in = static_cast<unsigned>(in);
+        stream.next_out = reinterpret_cast<char*>(room.data());
+        stream.avail_out = static_cast<unsigned>(piece);
+        const int state = BZ2_bzDecompress(&stream);
+        return Step{in - stream.avail_in, piece - stream.avail_out, state == BZ_OK || state == BZ_STREAM_END, state == BZ_STREAM_END};
+    });
     BZ2_bzDecompressEnd(&stream);
-    if (state != BZ_STREAM_END || used != size) return damaged("bz2", where);
-    out.resize(used);
     return out;
 }
 #endif
@@ -128,14 +109,15 @@ std::optional<std::uint64_t> zstdSize([[maybe_unused]] ByteView packed) {
 
 Result<Bytes> unpackChunk(const std::string& compression, [[maybe_unused]] ByteView packed, [[maybe_unused]] std::uint64_t size,
                           const std::string& where) {
+    [[maybe_unused]] const Error damaged{"it is compressed with " + compression + " and damaged or cut off", where, "copy the file again"};
 #ifdef EDGESCAN_ZSTD
-    if (compression == "zstd") return unpackZstd(packed, size, where);
+    if (compression == "zstd") return unpackZstd(packed, size, damaged);
 #endif
 #ifdef EDGESCAN_LZ4
-    if (compression == "lz4") return unpackLz4(packed, size, where);
+    if (compression == "lz4") return unpackLz4(packed, size, damaged);
 #endif
 #ifdef EDGESCAN_BZ2
-    if (compression == "bz2") return unpackBz2(packed, size, where);
+    if (compression == "bz2") return unpackBz2(packed, size, damaged);
 #endif
     if (compression == "zstd" || compression == "lz4" || compression == "bz2")
         return Error{"this program was built without " + compression + ", which this recording is compressed with", where,

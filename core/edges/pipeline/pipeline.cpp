@@ -4,12 +4,12 @@
 #include "core/base/instruction_set.h"
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
-#include "core/edges/gray/masked_cells.h"
 #include "core/edges/gray/smooth.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "core/scan/gap_filling/gap_filling.h"
+#include "core/scan/grid/missing_cells.h"
 
 #include <opencv2/core/utility.hpp>
 
@@ -18,6 +18,16 @@
 
 namespace edgescan::edges {
 namespace {
+
+/// lines x beams: 255 where the gray methods ignore a cell under these settings; empty (0 x 0) if they use all cells.
+Grid<std::uint8_t> maskedCells(const Scan& scan, const Settings& settings) {
+    if (!settings.maskMissing) return {};
+    Grid<std::uint8_t> masked = missingCells(scan);
+    if (!settings.maskIsolated) return masked;
+    const Grid<std::uint8_t> isolated = isolatedCells(scan);
+    for (std::size_t k = 0; k < masked.size(); ++k) masked[k] |= isolated[k];
+    return masked;
+}
 
 using Clock = std::chrono::steady_clock;
 

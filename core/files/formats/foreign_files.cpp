@@ -1,4 +1,5 @@
 // Files of other programs that are not read, known by their first bytes or by their name, and what turns them into files that are.
+#include "core/base/number_text.h"
 #include "core/containers/compression/zip_archive.h"
 #include "core/files/formats/format.h"
 #include "core/files/point_tables/text_layout.h"
@@ -127,11 +128,7 @@ const ForeignKind* officeKind(const Source& source) {
     return has("mimetype") && has("content.xml") ? &kSpreadsheet : nullptr;
 }
 
-bool startsLike(std::string_view text, std::string_view mark) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    return text.size() >= mark.size() &&
-           std::equal(mark.begin(), mark.end(), text.begin(), [&](char a, char b) { return lower(a) == lower(b); });
-}
+bool startsLike(std::string_view text, std::string_view mark) { return asciiLower(text.substr(0, mark.size())) == asciiLower(mark); }
 
 const ForeignKind* kindByText(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);

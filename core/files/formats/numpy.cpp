@@ -1,6 +1,7 @@
 // Arrays of numpy: ranges as lines x beams, points as records or with three numbers each; .npy, and .npz archives of them.
 #include "core/base/bytes_behind.h"
 #include "core/base/memory.h"
+#include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/containers/compression/zip_archive.h"
 #include "core/files/formats/format.h"
@@ -99,10 +100,8 @@ Result<PointTable> recordPoints(const NumpyArray& array, const Source& source) {
         names += (names.empty() ? "" : ", ") + field.name;
         const auto scalar = field.scalar.scalar();
         if (!scalar) continue;
-        std::string name = field.name;
-        std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
         bigEndian = bigEndian || field.scalar.bigEndian;
-        fields.push_back({name, *scalar, 0, field.offset, array.itemBytes});
+        fields.push_back({asciiLower(field.name), *scalar, 0, field.offset, array.itemBytes});
     }
     const auto picked = pickFields(fields);
     if (!picked)

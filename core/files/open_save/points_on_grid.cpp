@@ -17,8 +17,6 @@
 #include "core/scan/grid/cartesian.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 
 namespace edgescan::files {

@@ -1,6 +1,7 @@
 // What a reader gets: the bytes of one file, where they came from, and what the user said.
 #pragma once
 
+#include "core/base/number_text.h"
 #include "core/base/result.h"
 #include "core/scan/grid/reading_options.h"
 
@@ -40,11 +41,7 @@ struct Source {
     }
     /// Lower case, with the dot; of what is packed its own.
     [[nodiscard]] std::string extension() const { return lowerCase(isNamedPacked() ? path.stem().extension() : path.extension()); }
-    [[nodiscard]] static std::string lowerCase(const std::filesystem::path& name) {
-        std::string text = name.string();
-        for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-        return text;
-    }
+    [[nodiscard]] static std::string lowerCase(const std::filesystem::path& name) { return asciiLower(name.string()); }
 
     [[nodiscard]] Error refused(std::string what, std::string hint) const { return {std::move(what), path.string(), std::move(hint)}; }
     [[nodiscard]] Error refusedAtLine(std::size_t lineNumber, std::string what, std::string hint) const {

@@ -1,5 +1,6 @@
 // Words, cells and the head of a text of numbers.
 #include "core/files/point_tables/text_words.h"
+#include "core/base/number_text.h"
 
 #include "core/files/point_tables/point_table.h"
 
@@ -38,9 +39,7 @@ bool isRowOfUnits(std::string_view line) {
     const auto words = wordsIn(line);
     return words.size() >= 3 && std::ranges::all_of(words, [](std::string_view word) {
                if (word.size() > 2 && (word.front() == '[' || word.front() == '(')) word = word.substr(1, word.size() - 2);
-               std::string lower(word);
-               std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-               return std::ranges::find(kUnits, lower) != kUnits.end();
+               return std::ranges::find(kUnits, asciiLower(word)) != kUnits.end();
            });
 }
 
@@ -58,9 +57,7 @@ bool isMissingMark(std::string_view word) {
     static constexpr std::array<std::string_view, 14> kMarks{"na",  "n/a",   "<na>", "#n/a", "#na", "null", "none",
                                                              "nil", "empty", "-",    "--",   "?",   "nat",  "missing"};
     if (word.size() > 7) return false;
-    std::string lower(word);
-    std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return std::ranges::find(kMarks, lower) != kMarks.end();
+    return std::ranges::find(kMarks, asciiLower(word)) != kMarks.end();
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -1,5 +1,6 @@
 // A robot has a laser at rest and one that tilts: its frame, what it sees and its names say which is which.
 #include "core/files/ros/turned_first.h"
+#include "core/base/number_text.h"
 
 #include "core/files/ros/bag_place.h"
 #include "core/files/ros/laser_lines.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -78,9 +78,9 @@ bool sawTheTurn(const containers::RosBag& bag, std::uint32_t topic, const std::v
 std::set<std::string> wordsOf(const std::string& names) {
     std::set<std::string> words;
     std::string word;
-    for (const char c : names + " ") {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-            word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const char c : asciiLower(names) + " ") {
+        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
+            word += c;
         } else if (!word.empty()) {
             words.insert(std::exchange(word, {}));
         }

@@ -89,7 +89,7 @@ const std::vector<ReadingOption>& table() {
          "Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped", {},
          EDGESCAN_OPTION(straighten)},
         {"scan", kBoth, Kind::Whole, "Which scan of a file that holds several, from 0", {}, EDGESCAN_OPTION(scanIndex), &kScanIndex},
-        {"topic", kBoth, Kind::Name, "Topic of a ROS bag that is the scan; otherwise the laser with most lines", {}, EDGESCAN_OPTION(topic)},
+        {"topic", kBoth, Kind::Name, "Topic of a ROS bag that is the scan; otherwise a laser that is turned", {}, EDGESCAN_OPTION(topic)},
         {"joint", kBoth, Kind::Name, "Joint of a ROS bag that turns the laser; otherwise from the transforms", {}, EDGESCAN_OPTION(joint)},
         {"pose", ReadingOption::kFlag, Kind::Path, "Pose file of the scan; a recording may hold its own", {}, EDGESCAN_OPTION(pose)},
         {"calibration", ReadingOption::kFlag, Kind::Path, "Calibration file of the robot; a recording may hold its own", {}, EDGESCAN_OPTION(calibration)},

@@ -2,7 +2,6 @@
 #include "core/scanner/cola/fields.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
 namespace edgescan::scanner {

@@ -1,9 +1,10 @@
 // One TCP connection, and the frames of a scanner on it.
 #include "core/scanner/cola/link_socket.h"
-#include "core/scanner/cola/name_lookup.h"
 
+#include <algorithm>
 #include <array>
 #include <mutex>
+#include <thread>
 
 namespace edgescan::scanner {
 
@@ -12,6 +13,25 @@ namespace {
 namespace asio = boost::asio;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
+
+/// Shared with the thread that looks up a name. That thread may outlive the link.
+struct Lookup {
+    std::mutex mutex;
+    std::vector<asio::ip::address> addresses; ///< without one the name is not known
+    bool done = false;
+};
+
+void resolve(const std::shared_ptr<Lookup>& lookup, const std::string& host) {
+    asio::io_context context;
+    error_code unknown;
+    const auto found = tcp::resolver(context).resolve(host, "", unknown);
+    const std::lock_guard lock(lookup->mutex);
+    for (const auto& entry : found) {
+        const asio::ip::address address = entry.endpoint().address();
+        if (std::ranges::find(lookup->addresses, address) == lookup->addresses.end()) lookup->addresses.push_back(address);
+    }
+    lookup->done = true;
+}
 
 constexpr int kReceiveBuffer = 1 << 20; ///< bytes; ten seconds of data from a scanner that sends text
 
@@ -51,6 +71,27 @@ void Link::Socket::drain(const bool& done) {
     }
 }
 
+Result<std::vector<asio::ip::address>> Link::Socket::lookUp(const std::string& host, Clock::time_point deadline) {
+    if (host.empty()) return Error{"no scanner is given", where, "give its IP address or host name"};
+    const bool bracketed = host.starts_with('[') && host.ends_with(']');
+    const std::string bare = bracketed ? host.substr(1, host.size() - 2) : host;
+    error_code isName;
+    const auto literal = asio::ip::make_address(bare, isName);
+    if (!isName) return std::vector{literal};
+    const auto lookup = std::make_shared<Lookup>();
+    std::thread([lookup, bare] { resolve(lookup, bare); }).detach();
+    while (true) {
+        {
+            const std::lock_guard lock(lookup->mutex);
+            if (!lookup->addresses.empty()) return lookup->addresses;
+            if (lookup->done) return Error{"the host name is not known", where, "check its spelling or use the scanner's IP address"};
+        }
+        if (Clock::now() >= deadline) return Error{"the name server does not answer", where, "use the scanner's IP address"};
+        run(false, Clock::now() + std::chrono::milliseconds(5));
+        if (stop) return Error{"interrupted", where, {}};
+    }
+}
+
 Error Link::Socket::connectError(const error_code& problem, bool late) const {
     if (late || problem == asio::error::timed_out) return {"nothing answers there", where, hints.silent};
     if (problem == asio::error::connection_refused) return {"the connection is refused", where, hints.refused};
@@ -67,18 +108,12 @@ Result<Done> Link::connect(const std::string& host, std::uint16_t port, Clock::d
     close();
     s.where = addressText(host, port);
     const auto deadline = Clock::now() + timeout;
-    const auto addresses = lookUp(host, deadline, [&](Clock::duration duration) {
-        pause(duration);
-        return !s.stop;
-    });
-    if (!addresses) return Error{addresses.error().what, s.where, addresses.error().hint};
-    Result<Done> outcome = Error{"the name has no address", s.where, s.hints.noAddress};
-    for (const std::string& address : *addresses) {
-        error_code problem;
-        const auto literal = asio::ip::make_address(address, problem);
-        if (problem) continue;
+    const auto addresses = s.lookUp(host, deadline);
+    if (!addresses) return addresses.error();
+    Result<Done> outcome = Done{};
+    for (const asio::ip::address& address : *addresses) {
         // Each address is tried for its own time; a host has one or two.
-        outcome = s.connect({literal, port}, std::max(deadline, Clock::now() + timeout / 2));
+        outcome = s.connect({address, port}, std::max(deadline, Clock::now() + timeout / 2));
         if (outcome || s.stop) return outcome;
     }
     return outcome;
@@ -86,10 +121,7 @@ Result<Done> Link::connect(const std::string& host, std::uint16_t port, Clock::d
 
 void Link::close() { socket_->close(); }
 
-void Link::pause(Clock::duration duration) {
-    const bool never = false;
-    socket_->run(never, Clock::now() + duration);
-}
+void Link::pause(Clock::duration duration) { socket_->run(false, Clock::now() + duration); }
 
 void Link::interrupt() {
     socket_->stop = true;
@@ -101,7 +133,7 @@ bool Link::interrupted() const { return socket_->stop; }
 struct ColaLink::Frames : Link::Socket {
     explicit Frames(Hooks given)
         : Socket({"check power, cable and the address, and that this computer is in the scanner's network",
-                  "check the port (2111 or 2112) and that no other program holds the scanner", "use the scanner's IP address"}),
+                  "check the port (2111 or 2112) and that no other program holds the scanner"}),
           hooks(std::move(given)) {}
 
     Result<Done> connect(const tcp::endpoint& endpoint, Clock::time_point deadline) override;

@@ -15,7 +15,7 @@ struct Link::Socket {
 
     /// What the operator can do if a connection fails.
     struct Hints {
-        std::string silent, refused, noAddress;
+        std::string silent, refused;
     };
 
     explicit Socket(Hints given) : hints(std::move(given)) {}
@@ -28,6 +28,9 @@ struct Link::Socket {
     bool run(const bool& done, Clock::time_point deadline);
     /// After a cancellation: waits until the handler has returned, because it refers to variables on the stack.
     void drain(const bool& done);
+    /// The addresses of a host; an IPv4 or IPv6 address is returned as it is. A name is looked up on a separate thread, which is abandoned
+    /// if the deadline passes or another thread interrupts: a name server that does not answer cannot block the caller.
+    Result<std::vector<boost::asio::ip::address>> lookUp(const std::string& host, Clock::time_point deadline);
     [[nodiscard]] Error connectError(const error_code& problem, bool late) const;
 
     const Hints hints;

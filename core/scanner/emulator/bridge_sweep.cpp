@@ -4,7 +4,6 @@
 #include "core/base/angles.h"
 #include "core/containers/ros/bag.h"
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>

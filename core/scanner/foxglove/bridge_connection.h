@@ -6,7 +6,6 @@
 #include "core/scanner/sick_lms/scanner_connection.h"
 
 #include <map>
-#include <set>
 
 namespace edgescan::scanner {
 

@@ -32,7 +32,7 @@ struct WebSocket::Messages : Link::Socket {
 
     Messages()
         : Socket({"check power, cable and the address, and that this computer is in the robot's network",
-                  "check the port (8765) and that foxglove_bridge runs on the robot", "use the robot's IP address"}) {}
+                  "check the port (8765) and that foxglove_bridge runs on the robot"}) {}
 
     Result<Done> connect(const tcp::endpoint& endpoint, Clock::time_point deadline) override;
     void close() override {

@@ -4,7 +4,6 @@
 #include "core/scanner/sick_lms/scanner_dialogue.h"
 
 #include <atomic>
-#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>

@@ -14,7 +14,7 @@ struct TruthSet {
     Grid<std::uint16_t> cleanMm; ///< range without noise, whole mm, 0 = no range; empty if unknown
 };
 
-/// Which folds of a re-scanned surface count: none, or those between its facets (core/sim/truth/facets.h). Other scenes have one truth.
+/// Which folds of a re-scanned surface count: none, or those between its facets (docs/method/edges.md). Other scenes have one truth.
 enum class Facets : std::uint8_t { None, Folds };
 
 /// Writes gt_class.png, gt_ignore.png (of a re-scan also gt_class_facets.png and gt_ignore_facets.png), object.png, face.png,

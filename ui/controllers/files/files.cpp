@@ -84,7 +84,8 @@ QString Files::filters() {
         filters << filterOf(format, format.reads);
     }
     filters.removeAll(QString());
-    all << "*.gz"; // any of them
+    all << "*.gz"
+        << "metadata.yaml"; // any of them packed; the bag of a folder
     return tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + tr("All files (*)");
 }
 

@@ -7,6 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 #include "ui/panels/live/sweep_form.h"
+#include "ui/panels/live/topic_menu.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -16,14 +17,16 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <QWidgetAction>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr int kBetween = 8;      // px between two buttons
-constexpr int kUsualPort = 2112; // SICK's second CoLa port, the default of sick_scan_xd
+constexpr int kBetween = 8;       // px between two buttons
+constexpr int kUsualPort = 2112;  // SICK's second CoLa port, the default of sick_scan_xd
+constexpr int kBridgePort = 8765; // of foxglove_bridge
 
 QPushButton* button(const char* name, const QString& text, const QString& help) {
     auto* made = new QPushButton(text);
@@ -37,13 +40,15 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
 LivePanel::LivePanel(QWidget* parent)
     : QWidget(parent), title_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
       connect_(button("live-connect", tr("Connect"), tr("EdgeScan sends only read requests and one subscription to the scanner"))),
-      sweepButton_(new QToolButton), sweep_(new SweepForm),
+      sweepButton_(new QToolButton), sweep_(new SweepForm), topics_(new TopicMenu),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, unchanged, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
       follow_(button("live-follow", tr("Hold"), QString())), scanner_(new ElidedLabel), strip_(new HealthStrip) {
     setObjectName("live-panel");
     host_->setObjectName("live-host");
-    host_->setPlaceholderText(tr("name or address of the scanner"));
+    host_->setPlaceholderText(tr("scanner, or ws://ROBOT"));
+    host_->setToolTip(tr("Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs"));
+    host_->setAccessibleName(tr("Name or address of the scanner"));
     host_->setMaximumWidth(220);
     port_->setObjectName("live-port");
     port_->setRange(1, 65535);
@@ -56,7 +61,7 @@ LivePanel::LivePanel(QWidget* parent)
     auto* row = new FlowLayout(head);
     row->setContentsMargins(6, 0, 6, 2);
     row->setSpacing(kBetween);
-    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, record_, keep_, scanner_})
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, topics_, record_, keep_, scanner_})
         row->addWidget(each);
     auto* first = new QHBoxLayout;
     first->setContentsMargins(6, 2, 0, 0);
@@ -70,6 +75,7 @@ LivePanel::LivePanel(QWidget* parent)
     column->addLayout(first);
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
+    connect(host_, &QLineEdit::textChanged, this, &LivePanel::followAddress);
     connect(host_, &QLineEdit::returnPressed, this, [this] {
         if (!connected_) emit connectRequested();
     });
@@ -101,7 +107,20 @@ void LivePanel::addSweepMenu() {
 
 void LivePanel::setAddress(const QString& host, int port) {
     host_->setText(host);
-    if (port > 0) port_->setValue(port);
+    if (port > 0 && (!bridge_ || QUrl(host).port() <= 0)) port_->setValue(port);
+}
+
+/// A port in the address is the port; else the usual one of scanners gives way to that of bridges, and the other way round.
+void LivePanel::followAddress() {
+    const QUrl address(host());
+    const bool bridge = address.scheme() == "ws";
+    const int typed = bridge ? address.port() : -1;
+    if (typed > 0)
+        port_->setValue(typed);
+    else if (bridge != bridge_ && port_->value() == (bridge_ ? kBridgePort : kUsualPort))
+        port_->setValue(bridge ? kBridgePort : kUsualPort);
+    bridge_ = bridge;
+    port_->setEnabled(!connected_ && typed <= 0);
 }
 
 QString LivePanel::host() const { return host_->text().trimmed(); }
@@ -123,7 +142,8 @@ void LivePanel::setConnected(bool connected) {
     // What is hidden would pass the focus on, and the next Space would press another button.
     if (QWidget* focused = QApplication::focusWidget(); focused != nullptr && isAncestorOf(focused)) focused->clearFocus();
     connect_->setText(connected ? tr("Stop") : tr("Connect"));
-    for (QWidget* each : std::initializer_list<QWidget*>{host_, port_}) each->setEnabled(!connected);
+    host_->setEnabled(!connected);
+    followAddress();
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
     if (!connected) setRecording(false);
     showFields();
@@ -149,11 +169,13 @@ void LivePanel::showFields() {
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_);
     for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(brief_ && connected_);
     for (QWidget* each : std::initializer_list<QWidget*>{record_, follow_}) each->setHidden(!connected_);
+    topics_->setHidden(!connected_ || !bridge_ || brief_);
     keep_->setHidden(brief_ || !connected_); // it is in the menu
 }
 
 void LivePanel::setRecording(bool recording) {
     record_->setChecked(recording);
+    topics_->setEnabled(!recording); // another topic is another connection, which would end the recording
     record_->setText(recording ? tr("Stop recording") : tr("Record"));
 }
 

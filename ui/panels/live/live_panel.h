@@ -15,6 +15,7 @@ class QToolButton;
 namespace edgescan::ui {
 
 class SweepForm;
+class TopicMenu;
 
 /// GUI thread only. Signals the operator's choices and displays the values it is given; it opens no connection.
 class LivePanel : public QWidget {
@@ -24,7 +25,10 @@ public:
 
     void setAddress(const QString& host, int port);
     [[nodiscard]] QString host() const;
+    /// That of "ws://HOST:PORT", else of its own field.
     [[nodiscard]] int port() const;
+    /// The address is that of a robot's bridge.
+    [[nodiscard]] bool bridge() const { return bridge_; }
     void setSweep(const scanner::SweepSettings& settings);
     [[nodiscard]] scanner::SweepSettings sweep() const;
     /// Puts the text cursor into the host field.
@@ -42,6 +46,7 @@ public:
     /// Hides the panel with all that it says about the last scanner.
     void forgetScanner();
 
+    [[nodiscard]] TopicMenu& topics() { return *topics_; }
     [[nodiscard]] HealthStrip& strip() { return *strip_; }
     [[nodiscard]] QString scannerShown() const;
 
@@ -57,6 +62,7 @@ signals:
 private:
     void addSweepMenu();
     void showFields();
+    void followAddress();
 
     QLabel* title_;
     QLineEdit* host_;
@@ -64,12 +70,13 @@ private:
     QPushButton* connect_;
     QToolButton* sweepButton_;
     SweepForm* sweep_;
+    TopicMenu* topics_;
     QPushButton* record_;
     QPushButton* keep_;
     QPushButton* follow_;
     QLabel* scanner_;
     HealthStrip* strip_;
-    bool connected_ = false, brief_ = false;
+    bool connected_ = false, brief_ = false, bridge_ = false;
 };
 
 } // namespace edgescan::ui

@@ -35,6 +35,8 @@ public:
     std::optional<int> useSweep(const scanner::SweepSettings& sweep);
     [[nodiscard]] bool connected() const { return feed_ != nullptr; }
     [[nodiscard]] scanner::ConnectionState connection() const { return feed_ ? feed_->status().connection : scanner::ConnectionState{}; }
+    /// Topics of a robot's bridge; empty: not connected to one, or not known yet.
+    [[nodiscard]] std::vector<files::OfferedTopic> topics() const { return feed_ ? feed_->offered() : std::vector<files::OfferedTopic>(); }
     [[nodiscard]] bool recording() const { return recording_; }
     /// Path of the newest recording of this connection; empty: no recording.
     [[nodiscard]] const QString& recordingPath() const { return recordingPath_; }

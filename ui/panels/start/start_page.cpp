@@ -52,7 +52,8 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     left->addSpacing(12);
     open_ = addButton(*left, "start-open", "open", tr("Open a scan…"), tr("Ctrl+O, or drop files anywhere in this window"));
     connect(open_, &QPushButton::clicked, this, &StartPage::openRequested);
-    connect(addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"), tr("Ctrl+L: EdgeScan only reads from it")),
+    connect(addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"),
+                      tr("Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT")),
             &QPushButton::clicked, this, &StartPage::connectRequested);
     session_ = addButton(*left, "start-session", "session", tr("Go on with the last session"), QString());
     connect(session_, &QPushButton::clicked, this, &StartPage::continueRequested);
@@ -129,7 +130,7 @@ QWidget* StartPage::makeTitle() {
 
 QWidget* StartPage::makeFoot() {
     auto* whole = new QWidget;
-    auto* words = new QLabel(tr("Reads raw grids, recordings (.mcap), PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.") + "\n" +
+    auto* words = new QLabel(tr("Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.") + "\n" +
                              tr("EdgeScan sends only read requests and one subscription to the scanner.") + " " + exactText(version()));
     words->setWordWrap(true);
     auto* cab = new QPushButton(toolIcon("cab-mode"), tr("Cab mode"));
