@@ -34,6 +34,7 @@
 <message><source>sweep complete</source><translation>barrido completo</translation></message>
 <message><source>sweep ended</source><translation>barrido terminado</translation></message>
 <message><source>%1 left</source><translation>faltan %1</translation></message>
+<message><source>%1, %2 ago</source><translation>%1, hace %2</translation></message>
 <message><source>recording %1 MB, %2</source><translation>grabación %1 MB, %2</translation></message>
 <message><source>recording %1 MB</source><translation>grabación %1 MB</translation></message>
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>el disco lleva %1 s de retraso (%2 MB)</translation></message>
@@ -305,11 +306,13 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ not read</source><translation>▲ no leída</translation></message>
 <message><source>being read</source><translation>leyendo</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ sin colocar respecto a la activa</translation></message>
+<message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
+<message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
-<message><source>Held: %1. Press Hold again to follow the scanner.</source><translation>Retenido: %1. Pulse Retener otra vez para seguir al escáner.</translation></message>
+<message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retenido: %1. Pulse Seguir para continuar con el escáner.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
@@ -449,6 +452,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
@@ -787,7 +791,6 @@ mantenga \ para verla</translation></message>
 <message><source>Keep last minute</source><translation>Conservar el último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escribir en un archivo nuevo lo que llegó durante el último minuto</translation></message>
 <message><source>Hold</source><translation>Retener</translation></message>
-<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>La imagen queda como está mientras el escáner sigue; desactivado: crece con el escáner</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>escáner, o ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nombre o dirección del escáner; ws://ROBOT es un robot con ROS en el que funciona foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nombre o dirección del escáner</translation></message>
@@ -795,6 +798,9 @@ mantenga \ para verla</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Líneas de un barrido, paso por línea, montaje</translation></message>
 <message><source>Stop</source><translation>Detener</translation></message>
 <message><source>Stop recording</source><translation>Detener la grabación</translation></message>
+<message><source>Follow</source><translation>Seguir</translation></message>
+<message><source>The picture is held: from now on it grows with the scanner again</source><translation>La imagen está retenida: desde ahora vuelve a crecer con el escáner</translation></message>
+<message><source>The picture stays as it is while the scanner goes on</source><translation>La imagen queda como está mientras el escáner continúa</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
@@ -1252,6 +1258,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>free rotation</source><translation>rotación libre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
+<message><source>Next Sweep</source><translation>Barrido siguiente</translation></message>
+<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>El barrido siguiente ha sustituido a %1, que tiene objetivos o mediciones. Deshacer (Ctrl+Z) lo recupera con ellos.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 ya no se compara como A, porque puede ser de otro lugar. Deshacer (Ctrl+Z) lo recupera.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>

@@ -34,6 +34,7 @@
 <message><source>sweep complete</source><translation>balayage complet</translation></message>
 <message><source>sweep ended</source><translation>balayage terminé</translation></message>
 <message><source>%1 left</source><translation>encore %1</translation></message>
+<message><source>%1, %2 ago</source><translation>%1, il y a %2</translation></message>
 <message><source>recording %1 MB, %2</source><translation>enregistrement %1 Mo, %2</translation></message>
 <message><source>recording %1 MB</source><translation>enregistrement %1 Mo</translation></message>
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>le disque a %1 s de retard (%2 Mo)</translation></message>
@@ -305,11 +306,13 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ not read</source><translation>▲ non lue</translation></message>
 <message><source>being read</source><translation>en cours de lecture</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ non placée par rapport à l'active</translation></message>
+<message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
+<message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
-<message><source>Held: %1. Press Hold again to follow the scanner.</source><translation>Figé : %1. Appuyez encore sur Figer pour suivre le scanner.</translation></message>
+<message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Figé : %1. Appuyez sur Suivre pour continuer avec le scanner.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
@@ -449,6 +452,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
@@ -787,7 +791,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Keep last minute</source><translation>Conserver la dernière minute</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Écrire dans un nouveau fichier ce qui est arrivé pendant la dernière minute</translation></message>
 <message><source>Hold</source><translation>Figer</translation></message>
-<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>L'image reste telle quelle pendant que le scanner continue ; désactivé : elle croît avec le scanner</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>scanner, ou ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nom ou adresse du scanner ; ws://ROBOT est un robot avec ROS sur lequel tourne foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nom ou adresse du scanner</translation></message>
@@ -795,6 +798,9 @@ tenez \ pour la voir</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
 <message><source>Stop recording</source><translation>Arrêter l'enregistrement</translation></message>
+<message><source>Follow</source><translation>Suivre</translation></message>
+<message><source>The picture is held: from now on it grows with the scanner again</source><translation>L'image est figée : désormais elle croît de nouveau avec le scanner</translation></message>
+<message><source>The picture stays as it is while the scanner goes on</source><translation>L'image reste telle quelle pendant que le scanner continue</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
@@ -1252,6 +1258,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>free rotation</source><translation>rotation libre</translation></message>
 <message><source>orthographic</source><translation>orthographique</translation></message>
 <message><source>perspective</source><translation>perspective</translation></message>
+<message><source>Next Sweep</source><translation>Balayage suivant</translation></message>
+<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>Le balayage suivant a remplacé %1, qui a des cibles ou des mesures. Annuler (Ctrl+Z) le ramène avec elles.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 n'est plus comparé comme A, car il peut venir d'un autre endroit. Annuler (Ctrl+Z) le ramène.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>

@@ -34,6 +34,7 @@
 <message><source>sweep complete</source><translation>varredura completa</translation></message>
 <message><source>sweep ended</source><translation>varredura terminada</translation></message>
 <message><source>%1 left</source><translation>faltam %1</translation></message>
+<message><source>%1, %2 ago</source><translation>%1, há %2</translation></message>
 <message><source>recording %1 MB, %2</source><translation>gravação %1 MB, %2</translation></message>
 <message><source>recording %1 MB</source><translation>gravação %1 MB</translation></message>
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>o disco está %1 s atrasado (%2 MB)</translation></message>
@@ -305,11 +306,13 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ not read</source><translation>▲ não lida</translation></message>
 <message><source>being read</source><translation>sendo lida</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ não posicionada em relação à ativa</translation></message>
+<message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Não é possível ligar a %1: escreva o nome ou o endereço do scanner, ou ws://ROBOT para um robô com ROS.</translation></message>
+<message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
-<message><source>Held: %1. Press Hold again to follow the scanner.</source><translation>Retido: %1. Pressione Reter outra vez para seguir o scanner.</translation></message>
+<message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retido: %1. Carregue em Seguir para continuar com o scanner.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
@@ -449,6 +452,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
@@ -787,7 +791,6 @@ segure \ para vê-la</translation></message>
 <message><source>Keep last minute</source><translation>Conservar o último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escrever em um arquivo novo o que chegou durante o último minuto</translation></message>
 <message><source>Hold</source><translation>Reter</translation></message>
-<message><source>The picture stays as it is while the scanner goes on; off: it grows with the scanner</source><translation>A imagem fica como está enquanto o scanner continua; desligado: cresce com o scanner</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>scanner, ou ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nome ou endereço do scanner; ws://ROBOT é um robô com ROS em que corre o foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nome ou endereço do scanner</translation></message>
@@ -795,6 +798,9 @@ segure \ para vê-la</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Linhas de uma varredura, passo por linha, montagem</translation></message>
 <message><source>Stop</source><translation>Parar</translation></message>
 <message><source>Stop recording</source><translation>Parar a gravação</translation></message>
+<message><source>Follow</source><translation>Seguir</translation></message>
+<message><source>The picture is held: from now on it grows with the scanner again</source><translation>A imagem está retida: a partir de agora volta a crescer com o scanner</translation></message>
+<message><source>The picture stays as it is while the scanner goes on</source><translation>A imagem fica como está enquanto o scanner continua</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
@@ -1252,6 +1258,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>free rotation</source><translation>rotação livre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
+<message><source>Next Sweep</source><translation>Varredura seguinte</translation></message>
+<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>A varredura seguinte substituiu %1, que tem alvos ou medições. Desfazer (Ctrl+Z) recupera-a com eles.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 já não é comparado como A, porque pode ser de outro lugar. Desfazer (Ctrl+Z) recupera-o.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>

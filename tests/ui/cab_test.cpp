@@ -9,6 +9,7 @@
 #include "ui/panels/cab/hold_button.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
+#include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_overlay.h"
@@ -289,6 +290,38 @@ private slots:
         QTRY_VERIFY(on.window.menuBar()->isVisible() && on.viewer.views.gray().isVisible());
         QTRY_VERIFY(std::abs(on.viewer.views.gray().width() - before) <= 4);
         QVERIFY(on.window.findChild<QDockWidget*>("dock-edges")->isVisible());
+    }
+
+    void nothingIsLeftOverTheCloudAndNothingComesUnasked() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        QDialog section(&on.window); // as the window of a section
+        section.show();
+        QVERIFY(!on.viewer.live.panel().isVisible());
+        on.window.cab().set(true);
+        QVERIFY(!section.isVisible());
+        on.window.cab().set(false);
+        QVERIFY2(!on.viewer.live.panel().isVisible(), "no scanner was asked for");
+    }
+
+    void theOutlineGoesToTheNextTarget() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.viewer.rocks.setShown(true);
+        QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
+        const auto& rocks = on.viewer.rocks.picture()->study.rocks;
+        QVERIFY(rocks.size() >= 2);
+        on.viewer.rocks.jumpTo(rocks[0].label);
+        on.viewer.targets.lock(1, true); // clicks on rocks do not move it
+        on.viewer.rocks.jumpTo(rocks[1].label);
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(2));
+        const auto second = on.viewer.views.cloud().outline();
+        QVERIFY(second);
+        on.window.cab().set(true);
+        press(on.window, "cab-previous");
+        const auto first = on.viewer.views.cloud().outline();
+        QVERIFY(first && *first != *second);
+        QVERIFY(on.viewer.rocks.picture()->labelAt(first->front()) == rocks[0].label);
     }
 
     void itIsRememberedAndTheLayoutOfBeforeComesBack() {

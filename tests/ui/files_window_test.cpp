@@ -80,7 +80,8 @@ private slots:
         QVERIFY(on.settled());
         QCOMPARE(window.viewer().engine.picture(), before);
         QCOMPARE(window.viewer().views.edges().image(), before->edges);
-        QCOMPARE(window.windowTitle(), QString::fromStdString(before->detection->scan->name) + " - EdgeScan");
+        QCOMPARE(window.windowTitle(),
+                 QFileInfo(QString::fromStdString(before->detection->scan->path)).fileName() + " - EdgeScan"); // with its ending
     }
 
     void beamsThatLieElsewhereAreToldAndStraightened() {

@@ -10,10 +10,12 @@
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/sweep_bar.h"
 #include "ui/panels/live/timeline.h"
+#include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/warning_button.h"
 
 #include <QComboBox>
 #include <QLabel>
+#include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
@@ -93,6 +95,137 @@ private slots:
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("LIVE"));
         QVERIFY(on.picture().detection->scan->path != bell_);
+    }
+
+    void theButtonOfAHeldPictureSaysFollow() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        const auto& button = *window.viewer().live.panel().findChild<QPushButton*>("live-follow");
+        QCOMPARE(button.text(), QString("Hold"));
+        QVERIFY(!button.isChecked());
+        const QColor ground = button.palette().color(QPalette::Button);
+        QTRY_VERIFY(!window.viewer().live.scanner().following()); // held at the end of a sweep
+        QCOMPARE(button.text(), QString("Follow"));
+        QVERIFY(button.isChecked() && button.palette().color(QPalette::Button) != ground);
+        QTRY_VERIFY(window.viewer().views.gray().note().contains("Press Follow"));
+        press(window, "live-follow");
+        QCOMPARE(button.text(), QString("Hold"));
+        QVERIFY(!button.isChecked() && button.palette().color(QPalette::Button) == ground);
+    }
+
+    void aPinOnAHeldPictureComesBackByUndo() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        Viewer& v = window.viewer();
+        QVERIFY(on.show());
+        v.rocks.setShown(true);
+        v.live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY(!v.live.scanner().following() && !v.engine.behind() && !v.rocks.behind()); // held at the end of a sweep
+        const auto held = on.picture().detection->scan;
+        ImageView& view = v.views.gray();
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.viewPort()->toPixel(QPointF(190.5, 60.5), view.size()).toPoint());
+        QCOMPARE(v.targets.notebook().targets.size(), std::size_t(1));
+        const auto pinned = v.targets.notebook();
+        press(window, "live-follow");
+        QTRY_VERIFY(on.picture().detection->scan->name != held->name);
+        QVERIFY(v.targets.notebook().targets.empty() && !v.views.pinned());
+        QVERIFY2(!v.views.cloud().outline(), "no outline of the sweep before");
+        QVERIFY2(v.notice.text().contains("Undo"), qPrintable(v.notice.text()));
+        QVERIFY(on.activate());
+        QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(on.picture().detection->scan == held);
+        QVERIFY(!v.live.scanner().following());
+        QCOMPARE(v.targets.notebook().targets.size(), std::size_t(1));
+        QCOMPARE(v.targets.notebook().targets.front().cell, pinned.targets.front().cell);
+        QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier); // the pin itself
+        QVERIFY(v.targets.notebook().targets.empty());
+    }
+
+    void aScannerIsNotComparedUnaskedWithAnotherPlace() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        Viewer& v = on.viewer;
+        QVERIFY(on.showWith(bell_) && on.activate());
+        QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
+        const auto a = v.comparing.pictureA();
+        QVERIFY(a);
+        v.live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QVERIFY(!v.comparing.pictureA());
+        QVERIFY2(v.notice.text().contains("no longer compared"), qPrintable(v.notice.text()));
+        QTRY_VERIFY(!v.live.scanner().following() && !v.engine.behind());
+        QVERIFY(!v.comparing.comparison());
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(v.comparing.pictureA() == a);
+        // A sweep of this scanner is compared after connecting again, too.
+        QTest::keyClick(&on.window, Qt::Key_A, Qt::ShiftModifier);
+        const auto own = v.comparing.pictureA();
+        QVERIFY(own && own != a);
+        press(on.window, "live-connect"); // Stop
+        v.live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QVERIFY(v.comparing.pictureA() == own);
+    }
+
+    void anUnknownMountingIsAskedForAndMarked() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        Viewer& v = on.viewer;
+        QVERIFY(on.show());
+        scanner::SweepSettings assumed = scanner::assumedSweep();
+        assumed.expectedLines = kLines;
+        v.live.connectTo("127.0.0.1", emulated->port(), assumed);
+        QVERIFY2(v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
+        auto* menu = v.live.panel().findChild<QToolButton*>("live-sweep")->menu();
+        QTest::mouseClick(v.notice.findChild<QToolButton*>("notice-action"), Qt::LeftButton);
+        QTRY_VERIFY(menu->isVisible());
+        menu->close();
+        QTRY_VERIFY(!v.live.scanner().following() && !v.engine.behind());
+        v.targets.keepMeasure({inspect::MeasureKind::Distance, {60 * 381 + 150, 60 * 381 + 230}, {}});
+        auto* list = v.targetsPanel.findChild<QListWidget*>("measure-list");
+        QVERIFY(list != nullptr);
+        QTRY_VERIFY(list->count() == 1 && list->item(0)->text().contains("mounting assumed"));
+        v.live.panel().setSweep(sweep());
+        menu->popup(QPoint(10, 10)); // typed values are taken when it closes
+        menu->close();
+        QVERIFY2(!v.notice.isVisible() || !v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
+    }
+
+    void nothingOfALostScannerIsGreen() {
+        auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        window.viewer().live.setRecordingFolder(QString::fromStdString((folder_ / "green").string()));
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        press(window, "live-record");
+        HealthStrip& strip = window.viewer().live.panel().strip();
+        const auto green = [&] {
+            int count = 0;
+            for (const QWidget* each : strip.findChildren<QWidget*>()) {
+                const auto* badge = dynamic_cast<const StateBadge*>(each);
+                count += badge != nullptr && badge->isVisible() && badge->sign() == StateBadge::Sign::Good ? 1 : 0;
+            }
+            return count;
+        };
+        QTRY_VERIFY(green() >= 2);
+        const auto* stop = window.viewer().live.panel().findChild<QPushButton*>("live-connect");
+        const QPoint place = stop->mapToGlobal(QPoint(0, 0));
+        emulated.reset();
+        QTRY_VERIFY(strip.shown().liveness == files::Liveness::Lost);
+        QTest::qWait(0); // the strip gets its rows
+        QCOMPARE(stop->mapToGlobal(QPoint(0, 0)), place);
+        QCOMPARE(green(), 0);
+        QVERIFY2(strip.shown().contamination.ends_with(" ago"), strip.shown().contamination.c_str());
+        press(window, "live-connect"); // Stop
+        QCOMPARE(green(), 0);
     }
 
     void theTitleIsThatOfTheSweepOnTheScreen() {

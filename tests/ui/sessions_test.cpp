@@ -22,6 +22,7 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QListWidget>
+#include <QLockFile>
 #include <QMimeData>
 #include <QProcess>
 #include <QRegularExpression>
@@ -327,6 +328,34 @@ private slots:
         QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 2);
         QVERIFY(atRest(on));
         QVERIFY(on.window.sessions().autosaves().afterCrash().size() <= 1); // the first one; the second was continued
+    }
+
+    // A process that was just killed holds its session for a moment.
+    void theStartPageFindsALateSession() {
+        QDir().mkpath(inFolder("late/sessions"));
+        WindowFixture on(inFolder("late/viewer.ini"));
+        on.preferences.keep("tour-ended", true);
+        const QString path = inFolder("late/sessions/running-999999-0") + inspect::kSessionEnding;
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{}") == 2);
+        file.close();
+        QLockFile held(path + ".lock");
+        QVERIFY(held.tryLock(0));
+        QVERIFY(on.show());
+        QVERIFY(on.window.sessions().toGoOn().isEmpty());
+        StartPage* page = showStart(on.window, on.preferences);
+        const auto* button = page->findChild<QAbstractButton*>("start-session");
+        QVERIFY(!button->isEnabled());
+        struct Watch : QObject {
+            int seen = 0;
+            bool eventFilter(QObject*, QEvent* event) override {
+                seen += event->type() == QEvent::EnabledChange ? 1 : 0;
+                return false;
+            }
+        } watch;
+        page->findChild<QAbstractButton*>("start-session")->installEventFilter(&watch);
+        held.unlock();
+        QTRY_VERIFY(watch.seen > 0);
     }
 
     void theStartPageIsUsedByKeys() {

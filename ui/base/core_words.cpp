@@ -47,6 +47,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "sweep complete"),
     QT_TRANSLATE_NOOP("QObject", "sweep ended"),
     QT_TRANSLATE_NOOP("QObject", "%1 left"),
+    QT_TRANSLATE_NOOP("QObject", "%1, %2 ago"),
     QT_TRANSLATE_NOOP("QObject", "recording %1 MB, %2"),
     QT_TRANSLATE_NOOP("QObject", "recording %1 MB"),
     QT_TRANSLATE_NOOP("QObject", "the disk is %1 s behind (%2 MB)"),

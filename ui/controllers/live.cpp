@@ -36,6 +36,10 @@ scanner::SweepSettings rememberedSweep(const Preferences& preferences) {
     return scanner::settingsOf(metadata).settings; // values that are not stored are assumed
 }
 
+QString mountingQuestion() {
+    return Live::tr("How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.");
+}
+
 } // namespace
 
 Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& views, Files& files, NoticeBar& notice,
@@ -129,6 +133,9 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     scanner.topic = topic;
     scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);
+    if (scanner.bridge || (!sweep.axisAssumed && !sweep.stepAssumed)) return;
+    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion());
+    notice_.offer(tr("Give them…"), [this] { panel_.askSweep(); });
 }
 
 void Live::useSweep() {
@@ -136,6 +143,7 @@ void Live::useSweep() {
     const std::optional<int> gone = scanner_.useSweep(sweep);
     if (!gone) return;
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
+    if (notice_.text() == mountingQuestion() && !sweep.axisAssumed && !sweep.stepAssumed) notice_.hide();
     QStringList remarks;
     if (*gone > 0) remarks << tr("The first %1 lines of this sweep are too old to be moved to their new places.").arg(*gone);
     if (scanner_.recording())
@@ -166,7 +174,7 @@ void Live::showHealth() {
                                                 : HealthStrip::Picture::Follows);
     views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note =
-        held ? tr("Held: %1. Press Hold again to follow the scanner.").arg(shownName(exactText(shown->detection->scan->name), 60))
+        held ? tr("Held: %1. Press Follow to go on with the scanner.").arg(shownName(exactText(shown->detection->scan->name), 60))
              : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
 }

@@ -20,6 +20,7 @@
 #include "ui/window/theme.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QLayout>
 #include <QLocale>
 #include <QMenu>
@@ -134,7 +135,13 @@ void CabMode::set(bool on) {
     window_.viewer().viewCube.setForGloves(on);
     for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
     window_.viewer().views.cloud().setForGloves(on);
-    window_.viewer().live.panel().setVisible(!on || window_.viewer().live.scanner().connected());
+    LivePanel& live = window_.viewer().live.panel();
+    live.setVisible(window_.viewer().live.scanner().connected() || (!on && !live.strip().shown().badge.empty()));
+    if (on) {
+        for (QDialog* each : window_.findChildren<QDialog*>()) {
+            if (!each->isModal()) each->hide(); // it would cover the cloud, and gloves cannot move it
+        }
+    }
     showCorner();
     if (on) {
         useTheme(application, true); // last: large widgets that are hidden must not enlarge the window

@@ -82,6 +82,12 @@ QToolBar* badgeBar(QWidget& badge) {
     return bar;
 }
 
+/// "mine.csv": two files of one name differ by their endings.
+QString titleOf(const Scan& scan) {
+    const std::string file = std::filesystem::path(scan.path).filename().string();
+    return shownName(exactText(file.starts_with(scan.name + '.') ? file : scan.name));
+}
+
 } // namespace
 
 MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(parent), viewer_(preferences), rail_(new DockRail) {
@@ -277,8 +283,7 @@ void MainWindow::connectEngine() {
 void MainWindow::showTitle() {
     if (!viewer_.engine.picture()) return;
     const QString arriving = viewer_.engine.replacing() ? tr("Opening another scan · still shown: ") : QString();
-    setWindowTitle(arriving + shownName(exactText(viewer_.engine.picture()->detection->scan->name)) + viewer_.files.placeInSeries() +
-                   " - EdgeScan");
+    setWindowTitle(arriving + titleOf(*viewer_.engine.picture()->detection->scan) + viewer_.files.placeInSeries() + " - EdgeScan");
 }
 
 void MainWindow::showWarnings() { viewer_.warnings.showWarnings(warningsOf(*viewer_.engine.picture())); }

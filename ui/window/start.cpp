@@ -24,6 +24,7 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kAskAgainMs = 1000;
 constexpr int kSettleMs = 400; // time until docks have their positions
 
 /// Keeps the page over everything between tool bar and status bar. The notice bar stays visible, and the scanner panel closes the page.
@@ -77,6 +78,16 @@ private:
     bool gone_ = false;
 };
 
+/// A program that was killed may hold its session for some seconds more: the page asks again while it offers none.
+void showSession(MainWindow& w, StartPage& page) {
+    const QString path = w.sessions().toGoOn();
+    page.showSession(path);
+    if (path.isEmpty())
+        QTimer::singleShot(kAskAgainMs, &page, [&w, &page] {
+            if (page.isVisible()) showSession(w, page);
+        });
+}
+
 } // namespace
 
 StartPage* showStart(MainWindow& w, Preferences& preferences) {
@@ -113,7 +124,7 @@ StartPage* showStart(MainWindow& w, Preferences& preferences) {
     QObject::connect(page, &StartPage::keysRequested, &w, [&w] { showShortcuts(&w, w.actions()); });
     QObject::connect(&w.viewer().engine, &Engine::pictureReady, page, &QWidget::hide);
     page->showRecent(preferences.recentFiles());
-    page->showSession(w.sessions().toGoOn());
+    showSession(w, *page);
     offerTour(w, preferences);
     page->show();
     page->setFocus();

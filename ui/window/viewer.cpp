@@ -20,6 +20,7 @@
 #include "ui/views/cloud/scale_plate.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
+#include "ui/window/scanner_changes.h"
 #include "ui/window/tool_bar.h"
 
 namespace edgescan::ui {
@@ -41,6 +42,7 @@ Viewer::Viewer(Preferences& ofPerson)
       confidence(engine, views, targets, confidenceLegend, preferences), markedEdges(engine, views, targets, undo, notice),
       look(engine, views, scalePlate, rangeWindow, preferences), savedViews(views, notice),
       report(engine, files, rocks, targets, comparing, notice, preferences), audit(preferences.dataFolder(), engine, views, undo, notice) {
+    followScanner(*this);
     followPictures();
 }
 

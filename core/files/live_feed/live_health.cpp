@@ -111,6 +111,16 @@ void tellRecording(LiveHealth& health, const RecordingState& recording) {
     health.recording += ", " + lag;
 }
 
+/// What the newest telegram said is not known of the present.
+void tellAge(LiveHealth& health, double ageSeconds) {
+    const auto tell = [&](std::string& words) {
+        if (!words.empty()) words += ", " + ageText(ageSeconds) + " ago";
+    };
+    tell(health.contamination);
+    tell(health.deviceState);
+    if (health.recorded != Condition::Failure) tell(health.recording);
+}
+
 } // namespace
 
 LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const scanner::SweepProgress* shown) {
@@ -142,6 +152,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     else
         health.pose = std::isnan(placement->ageSeconds) ? "pose of unknown age" : "pose " + ageText(placement->ageSeconds) + " old";
     if (status.recording) tellRecording(health, *status.recording);
+    if (health.stale() && age) tellAge(health, *age);
     return health;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/utc_time.h"
 #include "core/scan/grid/acquisition.h"
+#include "core/scan/grid/assumed_mounting.h"
 
 #include <algorithm>
 #include <iterator>
@@ -67,7 +68,7 @@ std::string assumedText(const SweepSettings& settings, AngleSource source) {
                       "--line-step");
     }
     if (what.empty()) return {};
-    return "How a motor turned the scanner was not said. ASSUMED: " + what + ". Give " + flags + " where that is wrong.";
+    return kMountingAssumed + what + ". Give " + flags + " where that is wrong.";
 }
 
 } // namespace

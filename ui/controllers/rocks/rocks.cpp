@@ -1,6 +1,7 @@
 // Shows rocks in all views.
 #include "ui/controllers/rocks/rocks.h"
 
+#include "core/scan/grid/assumed_mounting.h"
 #include "ui/base/notice_bar.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/panels/rocks/rock_card.h"
@@ -172,6 +173,7 @@ QString Rocks::remark() const {
     if (on_ && engine_.picture() && !picture_) words << tr("being computed …");
     if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
+    if (picture_ && mountingAssumed(*picture_->detection->scan)) words << tr("▲ mounting assumed");
     return words.join(" · ");
 }
 
@@ -198,10 +200,10 @@ void Rocks::showFaces() {
     views_.put(std::move(overlay));
 }
 
-/// The rock of the pinned cell loses its outline with the pin.
+/// The outline of the pinned cell's rock goes with the pin.
 void Rocks::followPin(std::optional<std::size_t> cell) {
     const auto was = std::exchange(pinned_, cell);
-    if (!cell && was && selected_ == std::vector{*was}) select({});
+    if (was && selected_ == std::vector{*was}) select(cell ? std::vector{*cell} : std::vector<std::size_t>());
 }
 
 void Rocks::select(std::vector<std::size_t> cells) {

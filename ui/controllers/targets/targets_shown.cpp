@@ -1,4 +1,5 @@
 // Shows the targets in panel and views.
+#include "core/scan/grid/assumed_mounting.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/targets/targets.h"
@@ -85,7 +86,8 @@ CellMarks Targets::marks() const {
         marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown, target.clicked});
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
-        const bool warned = now != nullptr && (now->behindM > 0.0 || isDoubtful(*known_.picture->detection->scan, measure));
+        const bool warned = now != nullptr && (mountingAssumed(*known_.picture->detection->scan) || now->behindM > 0.0 ||
+                                               isDoubtful(*known_.picture->detection->scan, measure));
         marks.measures.push_back({{measure.cells.begin(), measure.cells.end()},
                                   inspect::linksOf(measure.kind),
                                   (warned ? "▲ " : "") + (now != nullptr ? shownText(inspect::measureText(*now)) : QString("–")),
@@ -116,6 +118,8 @@ void Targets::show() {
         if (!measure.clicked.empty()) basis += (basis.isEmpty() ? "" : "; ") + movedText(measure);
         if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
             basis += (basis.isEmpty() ? "" : "; ") + tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
+        if (now != nullptr && mountingAssumed(*known_.picture->detection->scan))
+            basis += (basis.isEmpty() ? "" : "; ") + tr("▲ mounting assumed");
         lines.push_back({tr(inspect::traitsOf(measure.kind).label) + "  " + value + (basis.isEmpty() ? QString() : "\n" + basis), basis});
     }
     panel_.showMeasures(lines);

@@ -46,12 +46,14 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
         if (label->text() != words) label->setText(words);
         label->setVisible(!text.empty());
     };
-    const auto badge = [](StateBadge* each, StateBadge::Sign sign, const std::string& text) {
-        each->showState(sign, coreWords(text));
+    // Green is only for what is so now.
+    const bool present = health.liveness == files::Liveness::Live;
+    const auto badge = [present](StateBadge* each, StateBadge::Sign sign, const std::string& text) {
+        each->showState(sign == StateBadge::Sign::Good && !present ? StateBadge::Sign::Off : sign, coreWords(text));
         each->setToolTip(coreWords(text)); // a narrow strip cuts its end off
         each->setVisible(!text.empty());
     };
-    // Green is only for data that arrives now. A fault of the scanner has priority.
+    // A fault of the scanner has priority over the picture's relation to it.
     const bool notFollowing = health.liveness == files::Liveness::Live && picture != Picture::Follows;
     badge(badge_, notFollowing ? StateBadge::Sign::Waiting : signOf(health.liveness),
           !notFollowing              ? health.badge

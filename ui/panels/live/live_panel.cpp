@@ -5,6 +5,7 @@
 #include "ui/base/flow_layout.h"
 #include "ui/base/icons.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
 #include "ui/panels/live/sweep_form.h"
 #include "ui/panels/live/topic_menu.h"
 
@@ -42,9 +43,7 @@ LivePanel::LivePanel(QWidget* parent)
       sweepButton_(new QToolButton), sweep_(new SweepForm), topics_(new TopicMenu),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, unchanged, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
-      follow_(
-          button("live-follow", tr("Hold"), tr("The picture stays as it is while the scanner goes on; off: it grows with the scanner"))),
-      scanner_(new ElidedLabel), strip_(new HealthStrip) {
+      follow_(button("live-follow", tr("Hold"), QString())), scanner_(new ElidedLabel), strip_(new HealthStrip) {
     setObjectName("live-panel");
     host_->setObjectName("live-host");
     host_->setPlaceholderText(tr("scanner, or ws://ROBOT"));
@@ -56,7 +55,6 @@ LivePanel::LivePanel(QWidget* parent)
     port_->setValue(kUsualPort);
     addSweepMenu();
     for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
-    follow_->setIcon(toolIcon("hold"));
     scanner_->setObjectName("live-scanner");
 
     auto* head = new QWidget;
@@ -73,8 +71,8 @@ LivePanel::LivePanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
+    column->addWidget(head); // first: the buttons do not move when the strip gets another row
     column->addLayout(first);
-    column->addWidget(head);
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::textChanged, this, &LivePanel::followAddress);
@@ -88,6 +86,7 @@ LivePanel::LivePanel(QWidget* parent)
     // meaning by then.
     for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
     setConnected(false);
+    setFollowing(true);
 }
 
 void LivePanel::addSweepMenu() {
@@ -136,6 +135,8 @@ void LivePanel::askAddress() {
     host_->selectAll();
 }
 
+void LivePanel::askSweep() { sweepButton_->menu()->popup(mapToGlobal(rect().bottomLeft())); }
+
 void LivePanel::setConnected(bool connected) {
     connected_ = connected;
     // What is hidden would pass the focus on, and the next Space would press another button.
@@ -178,7 +179,19 @@ void LivePanel::setRecording(bool recording) {
     record_->setText(recording ? tr("Stop recording") : tr("Record"));
 }
 
-void LivePanel::setFollowing(bool following) { follow_->setChecked(connected_ && !following); }
+/// The button says what it does next; while the picture is held it looks pressed.
+void LivePanel::setFollowing(bool following) {
+    const bool held = connected_ && !following;
+    follow_->setChecked(held);
+    follow_->setText(held ? tr("Follow") : tr("Hold"));
+    follow_->setIcon(toolIcon(held ? "play" : "hold"));
+    follow_->setToolTip(held ? tr("The picture is held: from now on it grows with the scanner again")
+                             : tr("The picture stays as it is while the scanner goes on"));
+    QPalette colours;
+    if (held) colours.setColor(QPalette::Button, themeInUse().chosen);
+    if (held) colours.setColor(QPalette::ButtonText, Qt::white);
+    follow_->setPalette(colours);
+}
 
 void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture picture) {
     strip_->showHealth(health, picture);

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] scanner::SweepSettings sweep() const;
     /// Puts the text cursor into the host field.
     void askAddress();
+    /// Opens the fields of mounting and steps.
+    void askSweep();
 
     void setConnected(bool connected);
     void setRecording(bool recording);

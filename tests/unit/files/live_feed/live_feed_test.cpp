@@ -87,6 +87,7 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     status.connection.phase = scanner::ConnectionPhase::Live;
     status.secondsSinceLine = 5.0;
     EXPECT_EQ(healthOf(status).end, "");
+    EXPECT_EQ(healthOf(status).contamination, "window clean, 5 s ago"); // nothing is known of the present
     status.secondsSinceLine = 0.0;
     EXPECT_EQ(health.contamination, "window clean");
     EXPECT_EQ(health.pose, "no pose");
