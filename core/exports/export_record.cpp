@@ -200,7 +200,7 @@ std::string exportRecord(ExportContent content, const edges::Detection& detectio
                 warnings.push_back(std::to_string(onFilled) +
                                    " edge cells lie on filled ranges and are not in this file; --with-filled writes them.");
         }
-        if (isOfRocks(content)) record["rocks"] = rocksRecord(*options.rocks);
+        if (options.rocks && isOfRocks(content)) record["rocks"] = rocksRecord(*options.rocks);
     }
     record["program"] = programOfRecords();
     record["warnings"] = warnings;

@@ -49,7 +49,8 @@ struct Expected {
 
 Expected expectedOf(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     const ExportKind& kind = exportKind(content);
-    if (kind.counts == ExportKind::Counts::Rocks) return Expected{options.rocks->rocks.size(), std::nullopt, countedThings(kind)};
+    if (kind.counts == ExportKind::Counts::Rocks)
+        return Expected{options.rocks ? options.rocks->rocks.size() : 0, std::nullopt, countedThings(kind)};
     const bool points = isCloud(content) || (kind.holds == ExportKind::Holds::Scan && files::writtenFormat(path)->write != nullptr);
     if (!points) return Expected{detection.scan->cells(), std::nullopt, countedThings(kind)};
     const PointBounds bounds = pointsToWrite(content, detection, options);
@@ -107,7 +108,7 @@ Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, co
     Eigen::AlignedBox3d box;
     if (expected.bounds && expected.count > 0) box = {expected.bounds->leastM, expected.bounds->mostM};
     const ExportKind& kind = exportKind(content);
-    if (kind.counts != ExportKind::Counts::Rocks) return box;
+    if (kind.counts != ExportKind::Counts::Rocks || !options.rocks) return box;
     const Scan& scan = *detection.scan;
     const FramePoints points(scan, frame);
     const Grid<std::uint32_t> labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);

@@ -59,7 +59,7 @@ std::map<std::uint32_t, SectionVertex> middlesOf(const Section& section) {
     return middles;
 }
 
-std::string dxfSection(const Section& section, const std::string& frame, const std::string& record) {
+std::string dxfSection(const Section& section, bool withRocks, const std::string& frame, const std::string& record) {
     Eigen::AlignedBox3d box;
     const Eigen::AlignedBox2d extent = extentOf(section);
     if (!extent.isEmpty()) {
@@ -69,7 +69,7 @@ std::string dxfSection(const Section& section, const std::string& frame, const s
     files::DxfText drawing(false);
     drawing.comment(kScaleText);
     drawing.comment(frame);
-    drawing.comment(rocks::kRockCaveat);
+    if (withRocks) drawing.comment(rocks::kRockCaveat);
     for (const std::string& line : files::commentLines(record, files::kRecordMark)) drawing.comment(line);
     drawing.begin(box, kLayers);
     for (const inspect::SectionLine& line : section.lines) {
@@ -126,7 +126,7 @@ double barM(double widthM) {
     return power;
 }
 
-Grid<Rgb> picture(const Section& section) {
+Grid<Rgb> picture(const Section& section, bool withRocks) {
     constexpr int kWide = 1600, kMostHigh = 4000, kMargin = 60, kFoot = 60;
     const Eigen::AlignedBox2d extent = extentOf(section);
     const Eigen::Vector2d least = extent.isEmpty() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(extent.min());
@@ -156,8 +156,9 @@ Grid<Rgb> picture(const Section& section) {
     const double bar = barM(size.x());
     const cv::Point from(kMargin, high - kMargin / 2), to(kMargin + static_cast<int>(std::lround(bar * perM)), high - kMargin / 2);
     cv::line(sheet, from, to, words, 3);
-    cv::putText(sheet, shortestText(bar) + " m; rocks blue, edges green; " + rocks::kRockCaveat, from + cv::Point(0, -12),
-                cv::FONT_HERSHEY_SIMPLEX, kText, words, 1);
+    cv::putText(sheet,
+                shortestText(bar) + (withRocks ? std::string(" m; rocks blue, edges green; ") + rocks::kRockCaveat : " m; edges green"),
+                from + cv::Point(0, -12), cv::FONT_HERSHEY_SIMPLEX, kText, words, 1);
     Grid<Rgb> pixels(high, kWide);
     for (int y = 0; y < high; ++y) {
         for (int x = 0; x < kWide; ++x) {
@@ -192,8 +193,8 @@ Result<std::string> sectionBytes(const ExportInput& input) {
     const std::string extension = files::Source::lowerCase(input.path.extension());
     if (auto known = files::checkFrame(scan, input.options.frame, where); !known) return known.error();
     if (extension == ".csv") return csvSection(section, scan, input.options.frame);
-    if (extension == ".png") return containers::pngRgbBytes(picture(section), where);
-    return dxfSection(section, FramePoints(scan, input.options.frame).text(), input.record);
+    if (extension == ".png") return containers::pngRgbBytes(picture(section, labels.has_value()), where);
+    return dxfSection(section, labels.has_value(), FramePoints(scan, input.options.frame).text(), input.record);
 }
 
 Json planeRecord(const inspect::SectionPlane& plane) {

@@ -286,7 +286,7 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
         if (!plane) return plane.error();
         options.section = *plane;
     }
-    if (kind->needs == ExportKind::Needs::Rocks) {
+    if (kind->needs == ExportKind::Needs::Rocks && (kind->content != ExportContent::Section || record->contains("rocks"))) {
         const auto rocks = rocksOf(*record, **detection, v);
         if (!rocks) return rocks.error();
         options.rocks = *rocks;

@@ -335,7 +335,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plano vertical, escala real. Bordes en verde%1.</translation></message>
 <message><source>, rocks in colours</source><translation>, rocas en colores</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sin pose: arriba es el z del escáner</translation></message>
-<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Una sección se exporta con sus rocas: muestre primero las rocas (K) y exporte de nuevo.</translation></message>
+<message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Las rocas aún se están calculando: exporte de nuevo la sección en un momento.</translation></message>
 <message><source>Export Section</source><translation>Exportar la sección</translation></message>
 <message><source>Drawing (*.dxf)</source><translation>Dibujo (*.dxf)</translation></message>
 <message><source>Table (*.csv)</source><translation>Tabla (*.csv)</translation></message>
@@ -1061,6 +1061,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Muestra las advertencias de este escaneo y las marca como vistas. Permanecen en los registros y las capturas de pantalla.</translation></message>
 <message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
+<message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>ningún punto que mostrar: los %1 puntos están ocultos; Medir &gt; Mostrar todo los muestra</translation></message>
 <message><source>no point to show: no cell of this scan has a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
 <message><source>grid %1</source><translation>cuadrícula %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>

@@ -335,7 +335,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plan vertical, échelle vraie. Arêtes en vert%1.</translation></message>
 <message><source>, rocks in colours</source><translation>, blocs en couleurs</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ pas de pose : le haut est le z du scanner</translation></message>
-<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Une coupe s'exporte avec ses blocs : affichez d'abord les blocs (K), puis exportez de nouveau.</translation></message>
+<message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Les blocs sont encore en cours de calcul : exportez de nouveau la coupe dans un instant.</translation></message>
 <message><source>Export Section</source><translation>Exporter la coupe</translation></message>
 <message><source>Drawing (*.dxf)</source><translation>Dessin (*.dxf)</translation></message>
 <message><source>Table (*.csv)</source><translation>Tableau (*.csv)</translation></message>
@@ -1061,6 +1061,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, vu</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Montre les avertissements de ce scan et les marque comme vus. Ils restent dans les comptes rendus et les captures d'écran.</translation></message>
 <message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
+<message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>aucun point à afficher : les %1 points sont tous masqués ; Mesurer &gt; Tout afficher les montre</translation></message>
 <message><source>no point to show: no cell of this scan has a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
 <message><source>grid %1</source><translation>grille %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>

@@ -335,7 +335,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plano vertical, escala real. Arestas a verde%1.</translation></message>
 <message><source>, rocks in colours</source><translation>, rochas a cores</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sem pose: para cima é o z do scanner</translation></message>
-<message><source>A section is exported with its rocks: show the rocks first (K), then export again.</source><translation>Uma secção é exportada com as suas rochas: mostre primeiro as rochas (K) e exporte de novo.</translation></message>
+<message><source>The rocks are still being computed: export the section again in a moment.</source><translation>As rochas ainda estão sendo calculadas: exporte de novo a seção em um momento.</translation></message>
 <message><source>Export Section</source><translation>Exportar a secção</translation></message>
 <message><source>Drawing (*.dxf)</source><translation>Desenho (*.dxf)</translation></message>
 <message><source>Table (*.csv)</source><translation>Tabela (*.csv)</translation></message>
@@ -1061,6 +1061,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Mostra os avisos desta varredura e os marca como vistos. Eles permanecem nos registros e nas capturas de tela.</translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
+<message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>nenhum ponto a mostrar: todos os %1 pontos estão ocultos; Medir &gt; Mostrar tudo os mostra</translation></message>
 <message><source>no point to show: no cell of this scan has a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
 <message><source>grid %1</source><translation>grade %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>

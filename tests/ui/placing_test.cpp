@@ -11,7 +11,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
+#include <QTabWidget>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -90,6 +92,13 @@ private slots:
         PlaceForm on;
         QVERIFY(on.showWith(scan_));
         QVERIFY(on.ready());
+        // Nothing was typed: nothing is wrong.
+        for (const auto* each : on.placing.dialog()->findChildren<QLabel*>(QRegularExpression("^fault-")))
+            QVERIFY2(!each->isVisible(), qPrintable(each->text()));
+        for (const auto* tabs : on.placing.dialog()->findChildren<QTabWidget*>()) QVERIFY(!tabs->tabText(0).contains("✕"));
+        QVERIFY(!on.button("place-keep").isEnabled());
+        QTest::keyClicks(&on.field("talin-northing_m"), "5");
+        QVERIFY(on.fault("talin-easting_m").isVisible());
         on.paste("498765.432, 5150123.456, 287.654");
         QVERIFY(on.fault("talin-heading_deg").isVisible());
         QCOMPARE(on.fault("talin-heading_deg").text(), QString("Heading, clockwise from north is missing."));

@@ -103,6 +103,36 @@ private slots:
         std::filesystem::remove(rocks::rockPresetPath(bell_), none);
     }
 
+    void aRowBringsItsRockIntoSightAndIsolatingTakesIt() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        CloudView& cloud = on.viewer.views.cloud();
+        cloud.flyTo(static_cast<qint64>(picture(on).rock(3)->cell));
+        cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, 4.0));
+        QTableView* table = on.viewer.rockTable.table();
+        const auto inSight = [&](std::uint32_t cell) {
+            const auto at = cloud.pixelOf(cell);
+            return at && QRectF(cloud.rect()).contains(*at);
+        };
+        int moved = 0;
+        for (int row = 0; row < 12; ++row) {
+            const CameraPose before = cloud.camera();
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(row, 0)).center());
+            QVERIFY(cloud.outline() != nullptr);
+            moved += cloud.camera() == before ? 0 : 1;
+            std::size_t outside = 0;
+            for (const std::uint32_t k : *cloud.outline()) outside += cloud.geometryOfCloud()->drawable(k) && !inSight(k) ? 1 : 0;
+            QVERIFY(outside * 8 <= cloud.outline()->size());
+        }
+        QVERIFY(moved > 0);
+        // The rock of the row is what Isolate takes: nothing else was selected.
+        const std::uint32_t label = on.viewer.rockTable.selected().front();
+        QVERIFY(on.viewer.selection.cells().empty());
+        on.viewer.selection.isolateSelected();
+        QVERIFY(!on.viewer.selection.cells().empty() && !on.viewer.selection.hidden().empty());
+        for (const std::uint32_t k : on.viewer.selection.cells()) QCOMPARE(picture(on).labels.cells[k], label);
+    }
+
     void aKeyShowsThemInAllViewsAndTakesThemAway() {
         WindowFixture on;
         QVERIFY(showRocks(on));

@@ -127,9 +127,8 @@ void Sections::showLength(const inspect::SectionVertex& from, const inspect::Sec
 }
 
 void Sections::askExport() {
-    if (!study()) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("A section is exported with its rocks: show the rocks first (K), then export again."));
+    if (rocks_.shown() && !study()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, tr("The rocks are still being computed: export the section again in a moment."));
         return;
     }
     const Scan& scan = *picture_->detection->scan;
@@ -146,10 +145,10 @@ void Sections::askExport() {
 
 void Sections::exportTo(const QString& path) {
     const auto section = card_ != nullptr ? card_->plot().section() : nullptr;
-    if (!section || !study()) return;
+    if (!section) return;
     exports::ExportOptions options;
     options.frame = files::usualFrame(*picture_->detection->scan);
-    options.rocks = study();
+    options.rocks = study(); // null: without rocks, as they are not shown
     options.section = std::make_shared<const inspect::SectionPlane>(section->plane);
     engine_.save(exports::ExportContent::Section, path, options);
 }

@@ -8,6 +8,7 @@
 #include "ui/panels/rocks/rock_table.h"
 #include "ui/panels/rocks/rocks_panel.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/sight.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
 
@@ -44,6 +45,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
         std::vector<std::size_t> cells;
         for (const std::uint32_t label : labels) cells.push_back(picture_->rock(label)->cell);
         select(std::move(cells));
+        if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline());
     });
     connect(&table_, &RockTable::jumpRequested, this, &Rocks::jumpTo);
     connect(&table_, &RockTable::exportRequested, this, &Rocks::askExport);

@@ -9,12 +9,14 @@
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/sight.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
 
 #include <QMenu>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace edgescan::ui {
@@ -41,6 +43,20 @@ std::shared_ptr<const QImage> selectionPicture(const inspect::CellSet& selected,
     paint(selected, static_cast<unsigned>(kSelectedTint * 255));
     paint(rimOf(selected, width), 255U);
     return image;
+}
+
+/// The cells of the selected rocks.
+inspect::CellSet cellsOfRocks(const Rocks& rocks) {
+    inspect::CellSet cells;
+    if (!rocks.picture() || rocks.selected().empty()) return cells;
+    std::set<std::uint32_t> wanted;
+    for (const std::size_t cell : rocks.selected()) wanted.insert(rocks.picture()->labelAt(cell));
+    wanted.erase(0);
+    const auto& labels = rocks.picture()->labels.cells;
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        if (wanted.contains(labels[k])) cells.push_back(static_cast<std::uint32_t>(k));
+    }
+    return cells;
 }
 
 } // namespace
@@ -120,7 +136,11 @@ void Selection::selectRockAt(std::size_t cell) {
     select(std::move(rock));
 }
 
+/// Where no cells are selected, the rocks that are selected count.
 bool Selection::needSelection() {
+    if (state_.selected.empty()) {
+        if (inspect::CellSet rocks = cellsOfRocks(rocks_); !rocks.empty()) select(std::move(rocks));
+    }
     if (!state_.selected.empty()) return true;
     notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
     return false;
@@ -131,8 +151,9 @@ void Selection::hideSelected() {
 }
 
 void Selection::isolateSelected() {
-    if (needSelection())
-        change(stepName("Isolate"), {state_.selected, inspect::allBut(state_.selected, engine_.picture()->detection->scan->cells())});
+    if (!needSelection()) return;
+    change(stepName("Isolate"), {state_.selected, inspect::allBut(state_.selected, engine_.picture()->detection->scan->cells())});
+    bringIntoSight(views_.cloud(), state_.selected);
 }
 
 void Selection::showAll() {
@@ -218,9 +239,9 @@ void Selection::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
     more->addAction(tr("&Rock Here"), this, [this, cell] { selectRockAt(cell); })
         ->setEnabled(rocks_.picture() && rocks_.picture()->labelAt(cell) != 0);
     more->addSeparator();
-    const bool some = !state_.selected.empty();
-    more->addAction(tr("&Hide Selected"), this, &Selection::hideSelected)->setEnabled(some);
-    more->addAction(tr("&Isolate Selected"), this, &Selection::isolateSelected)->setEnabled(some);
+    const bool some = !state_.selected.empty(), somewhere = some || !rocks_.selected().empty();
+    more->addAction(tr("&Hide Selected"), this, &Selection::hideSelected)->setEnabled(somewhere);
+    more->addAction(tr("&Isolate Selected"), this, &Selection::isolateSelected)->setEnabled(somewhere);
     more->addAction(tr("Show &All"), this, &Selection::showAll)->setEnabled(!state_.hidden.empty());
     more->addAction(tr("&Export Selected…"), this, &Selection::exportRequested)->setEnabled(some);
 }

@@ -144,7 +144,9 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
     auto* cell = new QVBoxLayout;
     cell->setSpacing(2);
     const auto told = [this] {
-        if (!showing_) emit changed();
+        if (showing_) return;
+        typed_ = true;
+        emit changed();
     };
     const QString name = QString("%1-%2").arg(field.group, field.key);
     if (field.kind == PlaceField::Kind::Word) {
@@ -178,7 +180,10 @@ void PlaceDialog::showTexts(const std::vector<Row>& rows, const PlaceTexts& text
     emit changed();
 }
 
-void PlaceDialog::showPose(const PlaceTexts& texts) { showTexts(pose_, texts); }
+void PlaceDialog::showPose(const PlaceTexts& texts) {
+    typed_ = std::ranges::any_of(texts, [](const std::string& text) { return !text.empty(); });
+    showTexts(pose_, texts);
+}
 void PlaceDialog::showMounting(const PlaceTexts& texts) { showTexts(mounting_, texts); }
 
 namespace {
@@ -202,9 +207,11 @@ void PlaceDialog::showFaults(const TypedPlace& typed) {
             rows[n].fault->setVisible(!faults[n].empty());
         }
     };
-    show(pose_, typed.poseFaults);
+    const PlaceTexts none(typed.poseFaults.size()); // what was not typed yet is not wrong
+    const PlaceTexts& poseFaults = typed_ ? typed.poseFaults : none;
+    show(pose_, poseFaults);
     show(mounting_, typed.mountFaults);
-    tabs_->setTabText(0, (anyFault(typed.poseFaults) ? "✕ " : "") + tr("Pose"));
+    tabs_->setTabText(0, (anyFault(poseFaults) ? "✕ " : "") + tr("Pose"));
     tabs_->setTabText(1, (anyFault(typed.mountFaults) ? "✕ " : "") + tr("Mounting"));
     if (!typed.isSound()) showState(shownText(typed.fault), false);
 }

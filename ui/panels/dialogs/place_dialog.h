@@ -71,6 +71,7 @@ private:
     QPushButton* remove_;
     std::vector<Row> pose_, mounting_;
     bool showing_ = false; ///< texts that the program sets are not a change
+    bool typed_ = false;   ///< a pose is in the form, whole or in part
 };
 
 } // namespace edgescan::ui

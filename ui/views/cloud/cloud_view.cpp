@@ -2,6 +2,7 @@
 // cloud_view_camera.cpp.
 #include "ui/views/cloud/cloud_view.h"
 
+#include "ui/base/count_text.h"
 #include "ui/views/cloud/cloud_overlay.h"
 #include "ui/views/cloud/cloud_scene.h"
 
@@ -298,6 +299,10 @@ void CloudView::updateOverlay() {
     marks.captionRoom = captionRoom_;
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;
+    } else if (cloud_->validCount == 0 && whole_->validCount > 0) {
+        marks.centreText =
+            tr("no point to show: all %1 points are hidden; Measure > Show All shows them").arg(countText(whole_->validCount));
+        marks.note = note_;
     } else if (cloud_->validCount == 0) {
         marks.centreText = tr("no point to show: no cell of this scan has a valid range");
         marks.note = note_;
