@@ -102,19 +102,19 @@ BorderSide BorderFeatures::side(int line, int beam, std::uint32_t segment) const
         side.neighbours += kAtCorner;
         take(q);
     }
-    const auto beside = [&](std::size_t q, std::size_t crack, std::size_t next, const Grid<float>& jumps, const Grid<float>& folds) {
+    const auto adjacent = [&](std::size_t q, std::size_t crack, std::size_t next, const Grid<float>& jumps, const Grid<float>& folds) {
         if (cells_.solid[q] != segment) return;
         const float jump = jumps[crack], valley = std::max(-folds[crack], -folds[next]);
         side.neighbours += 1.0F - 0.5F * std::clamp(std::max(jump, valley), 0.0F, 1.0F);
         side.jump = std::max(side.jump, std::clamp(jump, -1.0F, 5.0F));
         side.valley = std::max(side.valley, std::clamp(valley, -1.0F, 3.0F));
-        side.beside += 1;
+        side.adjacent += 1;
         take(q);
     };
-    beside(at - beams, k - gridBeams, k, cracks.jumpLines, cracks.foldLines);
-    beside(at - 1, k - 1, k, cracks.jumpBeams, cracks.foldBeams);
-    beside(at + 1, k, k + 1, cracks.jumpBeams, cracks.foldBeams);
-    beside(at + beams, k, k + gridBeams, cracks.jumpLines, cracks.foldLines);
+    adjacent(at - beams, k - gridBeams, k, cracks.jumpLines, cracks.foldLines);
+    adjacent(at - 1, k - 1, k, cracks.jumpBeams, cracks.foldBeams);
+    adjacent(at + 1, k, k + 1, cracks.jumpBeams, cracks.foldBeams);
+    adjacent(at + beams, k, k + gridBeams, cracks.jumpLines, cracks.foldLines);
     side.mean = meanOf(sum, cells);
     return side;
 }
@@ -181,8 +181,8 @@ std::array<float, kBorderFeatures> BorderFeatures::of(int line, int beam, const 
             r,
             own.smoothOff,
             other.smoothOff,
-            own.beside,
-            other.beside,
+            own.adjacent,
+            other.adjacent,
             steps.lineAt(line, beam) / step,
             std::abs(own.off) - std::abs(other.off),
             own.neighbours - other.neighbours,

@@ -12,7 +12,7 @@ struct BorderSide {
     FittedPlane plane;
     float around = 0;     ///< of its cells within two, their number
     float neighbours = 0; ///< of its cells next to the cell, the weights
-    float beside = 0;     ///< of the four neighbours, those in it
+    float adjacent = 0;   ///< of the four neighbours, those in it
     float jump = -1, valley = -1;
     float closest = 60, mean = 0; ///< of the neighbours' ranges from the cell's, standard deviations
     float off = 61;               ///< of the cell's range from the plane, standard deviations; 61 without a plane
