@@ -24,6 +24,8 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPlainTextEdit>
+#include <QProcess>
+#include <QRegularExpression>
 #include <QToolButton>
 
 using namespace edgescan;
@@ -177,6 +179,13 @@ private slots:
         QVERIFY2(pdf.starts_with("%PDF-"), pdf.substr(0, 20).c_str());
         QVERIFY2(pdf.size() > 20'000, "with its pictures");
         QVERIFY(pdf.find("%%EOF") != std::string::npos);
+        QProcess reader; // of poppler-utils, where it is installed
+        reader.start("pdftotext", {"-layout", QString::fromStdString((folder_ / "report.pdf").string()), "-"});
+        if (reader.waitForFinished()) {
+            const QString text = QString::fromUtf8(reader.readAllStandardOutput());
+            for (const char* joined : {R"([0-9] m[0-9])", R"([0-9] mequal)", R"(Pictures\s*\f)"})
+                QVERIFY2(!QRegularExpression(joined).match(text).hasMatch(), qPrintable(text));
+        }
         // What is not a PNG picture is refused, and nothing is written.
         ReportWords wrong = words;
         wrong.logo = QString::fromStdString(bell_);

@@ -18,7 +18,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kMarginMm = 15;
-constexpr int kWide = 660, kHigh = 860; // px of 1/96 inch: room for a picture on a page
+constexpr int kWide = 660, kHigh = 780; // px of 1/96 inch: room for a picture with its heading, legend and caption on a page
 constexpr int kLogoHigh = 90;
 constexpr int kResolution = 300;
 
@@ -65,6 +65,8 @@ QByteArray laidOut(const std::string& html) {
     page.replace("<dl class=\"facts\">", "<table class=\"facts\" cellpadding=\"2\">").replace("</dl>", "</table>");
     page.replace("<div><dt>", "<tr><td class=\"name\">").replace("</dt><dd>", "</td><td>").replace("</dd></div>", "</td></tr>");
     page.replace("\"></i>", "\">&nbsp;&nbsp;&nbsp;</i>&nbsp;");
+    page.replace("</span><span", "</span>&nbsp;&nbsp; <span");
+    page.replace("<h2>Pictures</h2>", "<h2 style=\"page-break-before: always\">Pictures</h2>"); // a heading alone at the foot of a page
     QTextDocument document;
     QFont font("Noto Sans");
     font.setPointSize(9);
