@@ -544,6 +544,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Move %1</source><translation>Mover %1</translation></message>
 <message><source>Remove %1</source><translation>Quitar %1</translation></message>
 <message><source>Remove All</source><translation>Quitar todos</translation></message>
+<message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nombre del objetivo %1, que está en esta roca:</translation></message>
 <message><source>Name %1</source><translation>Nombrar %1</translation></message>
 <message><source>Lock %1</source><translation>Bloquear %1</translation></message>
 <message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>

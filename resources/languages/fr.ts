@@ -544,6 +544,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Move %1</source><translation>Déplacer %1</translation></message>
 <message><source>Remove %1</source><translation>Supprimer %1</translation></message>
 <message><source>Remove All</source><translation>Tout supprimer</translation></message>
+<message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
 <message><source>Name %1</source><translation>Nommer %1</translation></message>
 <message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
 <message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>

@@ -544,6 +544,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Move %1</source><translation>Mover %1</translation></message>
 <message><source>Remove %1</source><translation>Remover %1</translation></message>
 <message><source>Remove All</source><translation>Remover todos</translation></message>
+<message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nome do alvo %1, que está nesta rocha:</translation></message>
 <message><source>Name %1</source><translation>Nomear %1</translation></message>
 <message><source>Lock %1</source><translation>Bloquear %1</translation></message>
 <message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>

@@ -13,6 +13,8 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
+#include <QInputDialog>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -344,6 +346,15 @@ private slots:
             QVERIFY2(words.contains(QString::fromUtf8(each)), qPrintable(words.join(", ")));
         QVERIFY(settled(on));
         QCOMPARE(picture(on).study.rocks.size(), count - 1);
+        Meanwhile name([&] {
+            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) return false;
+            QTest::keyClicks(dialog->findChild<QLineEdit*>(), "Big Bertha");
+            QTest::keyClick(dialog, Qt::Key_Return);
+            return true;
+        });
+        menuAt(table->model()->index(1, 0), "Name…");
+        QCOMPARE(on.viewer.targets.notebook().targets.back().name, std::string("Big Bertha"));
         auto* dock = on.window.findChild<QDockWidget*>("dock-rock-table");
         auto* rocks = on.window.findChild<QDockWidget*>("dock-rocks");
         QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280));

@@ -13,6 +13,7 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -43,7 +44,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
         if (rock == nullptr) return;
         rock->addAction(tr("Na&me…"), this, [this, click] { // the name is that of a target on it
             views_.pinByClick(click);
-            panel_.card().name()->setFocus();
+            if (const inspect::PinnedTarget* target = active()) askName(*target);
         });
         rock->addAction(tr("Meas&ure from Here"), this, [this, click] { emit measureRequested(click.cell); });
     });
@@ -176,6 +177,17 @@ void Targets::removeAll() {
     inspect::Notebook after = notebook_;
     std::erase_if(after.targets, [](const inspect::PinnedTarget& target) { return !target.locked; });
     if (after != notebook_) change(stepName("Remove All"), std::move(after));
+}
+
+// In a dialog of its own: the card may be behind the rock table or folded.
+void Targets::askName(const inspect::PinnedTarget& target) {
+    const int number = target.number;
+    QInputDialog dialog(panel_.window());
+    dialog.setWindowTitle(tr("Name of a rock"));
+    dialog.setLabelText(tr("Name of target %1, which is on this rock:").arg(number));
+    dialog.setTextValue(shownName(exactText(target.name)));
+    if (auto* field = dialog.findChild<QLineEdit*>()) field->setMaxLength(panel_.card().name()->maxLength());
+    if (dialog.exec() == QDialog::Accepted) rename(number, dialog.textValue().simplified());
 }
 
 void Targets::rename(int number, const QString& name) {

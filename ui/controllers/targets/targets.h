@@ -72,6 +72,7 @@ public:
     void remove(int number);
     /// Locked targets stay.
     void removeAll();
+    void askName(const inspect::PinnedTarget& target);
     void rename(int number, const QString& name);
     void lock(int number, bool on);
     void keepMeasure(const inspect::StoredMeasure& measure);
