@@ -1,28 +1,7 @@
 // Compares each cell with its eight neighbours, a line at once.
 #include "core/rocks/segmentation/inner_cells.h"
 
-#include "core/base/simd.h"
-
 namespace edgescan::rocks {
-namespace {
-
-// The segment of each cell of a line. kNoSegment where there is no range, or where one of the 8 neighbours has a range and belongs to
-// another segment or to no segment. `solid`: `step` cells per line.
-EDGESCAN_INLINE void markInner(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
-    const std::uint32_t* const above = solid - step;
-    const std::uint32_t* const below = solid + step;
-    for (std::size_t j = 0; j < beams; ++j) {
-        const std::uint32_t here = solid[j];
-        std::uint32_t others = here == kVoidCell ? 1U : 0U;
-        for (const std::uint32_t there :
-             {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
-            others |= (there != here ? 1U : 0U) & (there != kVoidCell ? 1U : 0U);
-        inner[j] = others != 0 ? kNoSegment : here;
-    }
-}
-
-} // namespace
-
 InnerCells::InnerCells(const InverseRange& inverse, const Grid<std::uint32_t>& segment)
     : lines_(segment.lines), gridBeams_(segment.beams), beams_(static_cast<std::size_t>(segment.beams + 2 * kPlaneReach)) {
     solid.assign(beams_ * static_cast<std::size_t>(lines_ + 2 * kPlaneReach) + kPlaneColumns, kVoidCell);

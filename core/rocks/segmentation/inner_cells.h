@@ -1,6 +1,7 @@
 // Which cells of a segment touch no other segment, with a margin around the grid.
 #pragma once
 
+#include "core/base/simd.h"
 #include "core/rocks/segmentation/planes.h"
 #include "core/rocks/segmentation/segments.h"
 #include "core/scan/grid/inverse_range.h"
@@ -14,6 +15,21 @@ namespace edgescan::rocks {
 
 /// In `solid`: a cell without a range, and the margin.
 inline constexpr std::uint32_t kVoidCell = UINT32_MAX;
+
+/// The segment of each cell of a line. kNoSegment where there is no range, or where one of the 8 neighbours has a range and belongs to
+/// another segment or to no segment. `solid`: `step` cells per line.
+EDGESCAN_INLINE void markInner(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
+    const std::uint32_t* const above = solid - step;
+    const std::uint32_t* const below = solid + step;
+    for (std::size_t j = 0; j < beams; ++j) {
+        const std::uint32_t here = solid[j];
+        std::uint32_t others = here == kVoidCell ? 1U : 0U;
+        for (const std::uint32_t there :
+             {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
+            others |= (there != here ? 1U : 0U) & (there != kVoidCell ? 1U : 0U);
+        inner[j] = others != 0 ? kNoSegment : here;
+    }
+}
 
 /// The segments of a grid with kPlaneReach more cells on each side, and a few more behind them.
 class InnerCells {

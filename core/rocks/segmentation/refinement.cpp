@@ -6,6 +6,7 @@
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/rocks/segmentation/equal_runs.h"
+#include "core/rocks/segmentation/inner_cells.h"
 #include "core/rocks/segmentation/planes.h"
 #include "core/scan/grid/beam_width.h"
 
@@ -21,7 +22,6 @@ namespace edgescan::rocks {
 namespace {
 
 constexpr int kPasses = 4;
-constexpr std::uint32_t kVoid = UINT32_MAX;
 // mostDeviations(): ratio of the beam's growth to the step from beam to beam.
 constexpr double kApart = 1.1;
 constexpr double kOverlapping = 1.5;
@@ -42,25 +42,10 @@ EDGESCAN_INLINE void edgesOf(const float* jump, const float* fold, std::size_t s
     }
 }
 
-// The segment of each cell of a line. kOpen where there is no range, or where one of the 8 neighbours has a range and belongs to another
-// segment or to no segment. `solid`: segments, kVoid without a range, `step` cells per line.
-EDGESCAN_INLINE void innerOfLine(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
-    const std::uint32_t* const above = solid - step;
-    const std::uint32_t* const below = solid + step;
-    for (std::size_t j = 0; j < beams; ++j) {
-        const std::uint32_t here = solid[j];
-        std::uint32_t others = here == kVoid ? 1U : 0U;
-        for (const std::uint32_t there :
-             {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
-            others |= (there != here ? 1U : 0U) & (there != kVoid ? 1U : 0U);
-        inner[j] = others != 0 ? kNoSegment : here;
-    }
-}
-
 // Bits for the inputs of a choice: one for the segments of the neighbours, and one of seven for each segment that was considered.
 constexpr std::uint8_t kNeighbours = 128;
 std::uint8_t markOf(std::uint32_t segment) {
-    return segment == kNoSegment || segment == kVoid ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (segment % 7U));
+    return segment == kNoSegment || segment == kVoidCell ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (segment % 7U));
 }
 
 // A segment that a cell may choose.
@@ -74,9 +59,9 @@ public:
     Refinement(const InverseRange& inverse, const edges::DepthCracks& cracks, const RangeNoise& noise, double most,
                Grid<std::uint32_t>& segment)
         : inverse_(inverse), noise_(noise), most_(most), segment_(segment),
-          inner_(marginBeams_ * static_cast<std::size_t>(segment.lines + 2 * kPlaneReach) + kPlaneColumns), solid_(inner_.size(), kVoid),
-          u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()), looked_(segment.lines, segment.beams),
-          weighed_(segment.lines, segment.beams, kNeighbours) {
+          inner_(marginBeams_ * static_cast<std::size_t>(segment.lines + 2 * kPlaneReach) + kPlaneColumns),
+          solid_(inner_.size(), kVoidCell), u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()),
+          looked_(segment.lines, segment.beams), weighed_(segment.lines, segment.beams, kNeighbours) {
         const auto beams = static_cast<std::size_t>(segment.beams);
         runInBands(segment.lines, threads_, [&](int from, int end) {
             for (int i = from; i < end; ++i) {
@@ -87,15 +72,15 @@ public:
                 if (i + 1 < segment.lines)
                     vectorised<edgesOf>(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
                 for (std::size_t j = 0; j < beams; ++j)
-                    solid_[at + j] = inverse.support[first + j] != Support::Void ? segment[first + j] : kVoid;
+                    solid_[at + j] = inverse.support[first + j] != Support::Void ? segment[first + j] : kVoidCell;
             }
         });
         runInBands(segment.lines, threads_, [&](int from, int end) {
             for (int i = from; i < end; ++i) {
                 const std::size_t at = marginIndex(i, 0);
-                vectorised<innerOfLine>(&solid_[at], marginBeams_, beams, &inner_[at]);
+                vectorised<markInner>(&solid_[at], marginBeams_, beams, &inner_[at]);
                 for (std::size_t j = 0; j < beams; ++j)
-                    looked_.line(i)[j] = (inner_[at + j] == kNoSegment) & (solid_[at + j] != kVoid) ? kNeighbours : 0;
+                    looked_.line(i)[j] = (inner_[at + j] == kNoSegment) & (solid_[at + j] != kVoidCell) ? kNeighbours : 0;
             }
         });
     }
@@ -125,7 +110,7 @@ private:
             const std::uint8_t* const look = looked_.line(i);
             for (int j = nextLooked(look, 0); j < segment_.beams; j = nextLooked(look, j + 1)) {
                 const std::size_t at = marginIndex(i, j);
-                if (inner_[at] != kNoSegment || solid_[at] == kVoid || (look[j] & weighed_.at(i, j)) == 0) continue;
+                if (inner_[at] != kNoSegment || solid_[at] == kVoidCell || (look[j] & weighed_.at(i, j)) == 0) continue;
                 const std::uint32_t chosen = choice(i, j);
                 if (chosen != solid_[at]) moves.push_back({i, j, chosen});
             }
@@ -155,7 +140,7 @@ private:
         for (int i = std::max(line - 1, 0); i <= std::min(line + 1, segment_.lines - 1); ++i) {
             const std::size_t first = marginIndex(i, beam - 1);
             std::array<std::uint32_t, 3> renewed;
-            vectorised<innerOfLine>(&solid_[first], marginBeams_, renewed.size(), renewed.data());
+            vectorised<markInner>(&solid_[first], marginBeams_, renewed.size(), renewed.data());
             for (std::size_t n = 0; n < renewed.size(); ++n) {
                 const int j = beam - 1 + static_cast<int>(n);
                 if (j < 0 || j >= segment_.beams || inner_[first + n] == renewed[n]) continue;
@@ -223,7 +208,7 @@ private:
         const std::array<double, 9> weights = neighbourWeights(at);
         std::size_t count = 0;
         for (std::size_t k = 0; k < segments.size(); ++k) {
-            if (segments[k] == kNoSegment || segments[k] == kVoid) continue;
+            if (segments[k] == kNoSegment || segments[k] == kVoidCell) continue;
             std::size_t n = 0;
             while (n < count && choices[n].segment != segments[k]) ++n;
             if (n == count) choices[count++] = {segments[k], 0.0};
@@ -244,7 +229,7 @@ private:
     // With kPlaneReach more cells on each side, and a few more behind them.
     const std::size_t marginBeams_ = static_cast<std::size_t>(segment_.beams + 2 * kPlaneReach);
     std::vector<std::uint32_t> inner_; // the segment of cells that do not touch another one, otherwise kOpen
-    std::vector<std::uint32_t> solid_; // the segment, or kVoid without a range
+    std::vector<std::uint32_t> solid_; // the segment, or kVoidCell without a range
     std::vector<float> u_;
     std::vector<float> edgeBeams_, edgeLines_; // between each cell and the next one in the direction
     Grid<std::uint8_t> looked_;                // bits of the inputs that changed since the cell's last choice
