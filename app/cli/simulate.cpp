@@ -8,6 +8,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/grid/cartesian.h"
 #include "core/sim/truth/truth_files.h"
+#include "core/sim/wall_kinds.h"
 
 #include <unistd.h>
 
@@ -104,6 +105,7 @@ std::optional<Error> idleFlag(const CLI::App& command, const Simulate& simulate)
                                 {"--rock-size", {"hangup", "pile"}},
                                 {"--rock-lumps", {"hangup", "pile"}},
                                 {"--rock-lump-size", {"hangup", "pile"}},
+                                {"--wall-kind", {"hangup", "pile", "empty"}},
                                 {"--wall-roughness", {"hangup", "pile", "empty", "wall"}},
                                 {"--surface", {"rescan"}},
                                 {"--surface-scale", {"rescan"}},
@@ -132,6 +134,12 @@ std::string sceneHelp() {
     return text;
 }
 
+std::string wallKindHelp() {
+    std::string text = "Wall of the bell:";
+    for (const sim::WallKind& kind : sim::wallKinds()) text += std::string(" ") + kind.name + " (" + kind.help + ")";
+    return text;
+}
+
 /// Adds the flag of a row of simulationNumbers().
 CLI::Option& add(CLI::App& command, const char* group, std::string_view key, sim::SimulationSettings& settings) {
     const sim::SimulationNumber& row = *std::ranges::find(sim::simulationNumbers(), key, &sim::SimulationNumber::key);
@@ -157,6 +165,7 @@ void addSceneFlags(CLI::App& command, Simulate& simulate) {
     add(command, group, "rock-size", s);
     add(command, group, "rock-lumps", s);
     add(command, group, "rock-lump-size", s);
+    command.add_option("--wall-kind", s.wallKind, wallKindHelp())->type_name("NAME")->capture_default_str()->group(group);
     add(command, group, "wall-roughness", s).default_str(""); // the scene decides
     add(command, group, "absorbing-patches", s);
     command.add_option("--surface", simulate.surface, "Cloud of a real surface, seen from above, for the scene rescan")->group(group);

@@ -52,6 +52,8 @@ void setWord(sim::SimulationSettings& s, const std::string& key, const std::stri
     else if (key == "hole-shape")
         s.hole =
             std::array{sim::WallHole::None, sim::WallHole::Round, sim::WallHole::Square}[wordOf(key, text, {"none", "round", "square"})];
+    else if (key == "wall-kind")
+        s.wallKind = text;
     else if (key == "footprint")
         s.footprint = on();
     else if (key == "mixed-pixels")

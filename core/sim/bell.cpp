@@ -20,20 +20,21 @@ constexpr std::uint16_t kDriftEndFace = 6;
 Surface wallFace(std::uint16_t face) { return {.face = face}; }
 
 void addRoof(Scene& scene, Mesh& mesh, const Bell& bell, const Roof& roof) {
-    constexpr int kRings = 24;
-    const std::vector<Eigen::Vector2d> around = compass(120);
+    const int rings = 24 * bell.kind().nodesPerNode;
+    const std::vector<Eigen::Vector2d> around = compass(120 * bell.kind().nodesPerNode);
     const auto place = [&](int ring, int column) {
         const Eigen::Vector2d& d = around[static_cast<std::size_t>(column)];
-        const double t = static_cast<double>(ring) / (kRings - 1);
-        const Eigen::Vector3d rim = bell.wall(d.x(), d.y(), kBellTopM);
+        const double t = static_cast<double>(ring) / (rings - 1);
+        const Eigen::Vector3d rim = bell.wall(d.x(), d.y(), bell.kind().topM);
         const double ragged = 1.0 + 0.35 * valueNoise({2.0 * d.x(), 2.0 * d.y(), 5.0}, 77);
         const Eigen::Vector2d inner = roof.openingM + roof.openingRadiusM * ragged * d;
         Eigen::Vector3d p = rim;
         p.head<2>() += (inner - rim.head<2>()) * t;
         p.z() += 2.2 * t * (2.0 - t) + t * 0.7 * valueNoise({0.5 * p.x(), 0.5 * p.y(), 9.0}, 78);
+        if (ring > 0 && bell.kind().outwardM != nullptr) p.z() += bell.kind().outwardM(p, 79);
         return p;
     };
-    addLattice(scene, mesh, {kRings, static_cast<int>(around.size()), true, place}, wallFace(kRoofFace));
+    addLattice(scene, mesh, {rings, static_cast<int>(around.size()), true, place}, wallFace(kRoofFace));
 }
 
 /// Section of the drift from floor corner to floor corner over the crown: straight sides, round top.
@@ -92,13 +93,7 @@ std::vector<Eigen::Vector2d> compass(int count) {
     return units;
 }
 
-Eigen::Vector2d Bell::halfAxes(double heightM) {
-    const double h = std::max(0.0, heightM - kFloorM);
-    // Steep at the throat, then flaring, then steep again near the top.
-    const double flare = h * h / (h + 2.0);
-    const double spread = flare < 6.0 ? flare : 6.0 + (flare - 6.0) * 0.45;
-    return {3.1 + 0.62 * spread, 2.9 + 0.50 * spread};
-}
+Eigen::Vector2d Bell::halfAxes(double heightM) const { return kind_->halfAxesM(std::max(0.0, heightM - kFloorM)); }
 
 Eigen::Vector3d Bell::wall(double c, double s, double heightM) const {
     const Eigen::Vector2d axes = halfAxes(heightM);
@@ -106,7 +101,13 @@ Eigen::Vector3d Bell::wall(double c, double s, double heightM) const {
     const Eigen::Vector3d place(2.2 * c, 2.2 * s, 0.5 * heightM);
     const double bulge = 1.0 + 0.10 * valueNoise(place, seed_) + 0.035 * valueNoise((2.3 * place).array() + 0.37, seed_ + 1) +
                          0.018 * valueNoise((6.1 * place).array() + 0.71, seed_ + 2);
-    return {axes.x() * c * bulge, axes.y() * s * bulge, heightM};
+    Eigen::Vector3d point(axes.x() * c * bulge, axes.y() * s * bulge, heightM);
+    if (kind_->outwardM != nullptr) point.head<2>() += kind_->outwardM(point, seed_ + 3) * point.head<2>().normalized();
+    return point;
+}
+
+double Bell::onGround(double x, double y, double heightM) const {
+    return kind_->groundM == nullptr ? heightM : heightM + kind_->groundM({x, y, 0.0}, seed_ + 3);
 }
 
 double Bell::share(const Eigen::Vector3d& placeM) const {
@@ -119,14 +120,15 @@ double Bell::share(const Eigen::Vector3d& placeM) const {
 }
 
 void addBell(Scene& scene, const Bell& bell, const Roof& roof) {
-    constexpr int kRows = 160;
-    const std::vector<Eigen::Vector2d> around = compass(288);
+    const WallKind& kind = bell.kind();
+    const int rows = 160 * kind.nodesPerNode;
+    const std::vector<Eigen::Vector2d> around = compass(288 * kind.nodesPerNode);
     Mesh mesh;
     const auto place = [&](int row, int column) {
         const Eigen::Vector2d& d = around[static_cast<std::size_t>(column)];
-        return bell.wall(d.x(), d.y(), kFloorM + (kBellTopM - kFloorM) * row / (kRows - 1));
+        return bell.wall(d.x(), d.y(), kFloorM + (kind.topM - kFloorM) * row / (rows - 1));
     };
-    addLattice(scene, mesh, {kRows, static_cast<int>(around.size()), true, place}, wallFace(kBellFace));
+    addLattice(scene, mesh, {rows, static_cast<int>(around.size()), true, place}, wallFace(kBellFace));
     const auto floor = [&](int ring, int column) {
         Eigen::Vector3d p = place(0, column);
         p.head<2>() *= ring / 8.0;
@@ -136,6 +138,7 @@ void addBell(Scene& scene, const Bell& bell, const Roof& roof) {
     if (roof.present) addRoof(scene, mesh, bell, roof);
     scene.voids.push_back(std::move(mesh));
     addDrift(scene);
+    if (kind.attach != nullptr) kind.attach(scene, bell);
 }
 
 double muckHeight(const Bell& bell, double x, double y, std::uint64_t seed) {
@@ -149,17 +152,17 @@ double muckHeight(const Bell& bell, double x, double y, std::uint64_t seed) {
 }
 
 void addMuck(Scene& scene, const Bell& bell, std::uint64_t seed) {
-    addGround(scene, [&](double x, double y) { return muckHeight(bell, x, y, seed); });
+    addGround(scene, bell, [&](double x, double y) { return muckHeight(bell, x, y, seed); });
 }
 
-void addGround(Scene& scene, const std::function<double(double x, double y)>& heightM) {
-    constexpr int kRings = 80;
-    const std::vector<Eigen::Vector2d> around = compass(180);
+void addGround(Scene& scene, const Bell& bell, const std::function<double(double x, double y)>& heightM) {
+    const int rings = 80 * bell.kind().nodesPerNode;
+    const std::vector<Eigen::Vector2d> around = compass(180 * bell.kind().nodesPerNode);
     const auto place = [&](int ring, int column) {
-        const Eigen::Vector2d d = around[static_cast<std::size_t>(column)] * (0.3 + 7.7 * ring / (kRings - 1));
-        return Eigen::Vector3d(d.x(), d.y(), heightM(d.x(), d.y()));
+        const Eigen::Vector2d d = around[static_cast<std::size_t>(column)] * (0.3 + 7.7 * ring / (rings - 1));
+        return Eigen::Vector3d(d.x(), d.y(), bell.onGround(d.x(), d.y(), heightM(d.x(), d.y())));
     };
-    addLattice(scene, scene.solids, {kRings, static_cast<int>(around.size()), true, place}, wallFace(kMuckFace));
+    addLattice(scene, scene.solids, {rings, static_cast<int>(around.size()), true, place}, wallFace(kMuckFace));
 }
 
 } // namespace edgescan::sim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sim/scene.h"
+#include "core/sim/wall_kinds.h"
 
 #include <Eigen/Core>
 
@@ -12,12 +13,11 @@
 namespace edgescan::sim {
 
 inline constexpr double kFloorM = -1.5; ///< floor of the drift, relative to the scanner
-inline constexpr double kBellTopM = 16.0;
 
 /// Elliptic cross-section that widens upward, with slow undulations that depend on seed and place.
 class Bell {
 public:
-    explicit Bell(std::uint64_t seed) : seed_(seed) {}
+    explicit Bell(std::uint64_t seed, const WallKind& kind = wallKinds().front()) : seed_(seed), kind_(&kind) {}
 
     /// The point of the wall at a height, in the horizontal unit direction (c, s); metres.
     [[nodiscard]] Eigen::Vector3d wall(double c, double s, double heightM) const;
@@ -26,10 +26,15 @@ public:
     [[nodiscard]] double share(const Eigen::Vector3d& placeM) const;
 
     /// Half-axes at a height without the undulation, metres.
-    [[nodiscard]] static Eigen::Vector2d halfAxes(double heightM);
+    [[nodiscard]] Eigen::Vector2d halfAxes(double heightM) const;
+
+    [[nodiscard]] const WallKind& kind() const { return *kind_; }
+    /// Height of loose ground that would be at `heightM` without the lumps of this kind, metres.
+    [[nodiscard]] double onGround(double x, double y, double heightM) const;
 
 private:
     std::uint64_t seed_;
+    const WallKind* kind_;
 };
 
 /// The roof of the bell.
@@ -46,7 +51,7 @@ void addBell(Scene& scene, const Bell& bell, const Roof& roof);
 void addMuck(Scene& scene, const Bell& bell, std::uint64_t seed);
 
 /// Adds loose ground with a height given over the horizontal plane, up to 8 m around the scanner.
-void addGround(Scene& scene, const std::function<double(double x, double y)>& heightM);
+void addGround(Scene& scene, const Bell& bell, const std::function<double(double x, double y)>& heightM);
 
 /// Height of the muck's surface, metres.
 [[nodiscard]] double muckHeight(const Bell& bell, double x, double y, std::uint64_t seed);

@@ -39,7 +39,7 @@ void settle(Ball& ball, const Vault& vault, double hang) {
     const double distance = off.norm();
     if (distance < clear && distance > 1e-6) ball.centre.head<2>() += off * (0.5 * (clear - distance) / distance);
     const double share = vault.bell.share(ball.centre);
-    const double axis = Bell::halfAxes(ball.centre.z()).minCoeff();
+    const double axis = vault.bell.halfAxes(ball.centre.z()).minCoeff();
     const double limit = 1.0 - 0.65 * ball.radius / axis; // wedged into the rough wall instead of leaning on it
     if (share > limit) ball.centre.head<2>() *= limit / share;
 }
@@ -127,9 +127,9 @@ void addRubble(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t
 
 } // namespace
 
-Scene hangupScene(std::uint64_t seed, const Rocks& rocks, bool afterBlast) {
+Scene hangupScene(std::uint64_t seed, const Rocks& rocks, const WallKind& wall, bool afterBlast) {
     RandomSequence dice(seed, Purpose::Bell);
-    const Bell bell(mixed(seed));
+    const Bell bell(mixed(seed), wall);
     const double side = dice.uniform() < 0.5 ? -1.0 : 1.0;
     const Vault vault{bell,
                       {side * dice.uniform(1.3, 2.2), dice.uniform(-1.6, 0.4)},

@@ -28,7 +28,7 @@ void settle(Ball& ball, const Bell& bell, std::uint64_t seed) {
     const double clear = kClearM + ball.radius;
     if (distance < clear && distance > 1e-6) ball.centre *= clear / distance;
     const double share = bell.share(ball.centre);
-    const double limit = 1.0 - 0.65 * ball.radius / Bell::halfAxes(ball.centre.z()).minCoeff();
+    const double limit = 1.0 - 0.65 * ball.radius / bell.halfAxes(ball.centre.z()).minCoeff();
     if (share > limit) ball.centre.head<2>() *= limit / share;
 }
 
@@ -53,11 +53,11 @@ void addPile(Scene& scene, const Bell& bell, const Rocks& rocks, std::uint64_t s
 
 } // namespace
 
-Scene pileScene(std::uint64_t seed, const Rocks& rocks) {
-    const Bell bell(mixed(seed));
+Scene pileScene(std::uint64_t seed, const Rocks& rocks, const WallKind& wall) {
+    const Bell bell(mixed(seed), wall);
     Scene scene;
     addBell(scene, bell, {.present = false});
-    addGround(scene, [&](double x, double y) { return slopeHeight(x, y, seed); });
+    addGround(scene, bell, [&](double x, double y) { return slopeHeight(x, y, seed); });
     addPile(scene, bell, rocks, seed);
     // The boom leans towards the slope: the middle beam points along -y, 16 degrees up.
     Eigen::Matrix3f lean;
@@ -65,10 +65,10 @@ Scene pileScene(std::uint64_t seed, const Rocks& rocks) {
     return rotated(scaled(std::move(scene), static_cast<float>(kLarger)), lean);
 }
 
-Scene emptyScene(std::uint64_t seed) {
-    const Bell bell(mixed(seed));
+Scene emptyScene(std::uint64_t seed, const WallKind& wall) {
+    const Bell bell(mixed(seed), wall);
     Scene scene;
-    addBell(scene, bell, {});
+    addBell(scene, bell, {.openingRadiusM = wall.archFits ? 1.2 : 0.0});
     addMuck(scene, bell, mixed(seed));
     return scene;
 }

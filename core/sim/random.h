@@ -31,7 +31,8 @@ enum class Purpose : std::uint64_t {
     Status,
     Holes,
     Repeats,
-    Blast
+    Blast,
+    Walls
 };
 
 constexpr std::uint64_t hashOf(std::uint64_t seed, Purpose purpose, std::uint64_t index) {

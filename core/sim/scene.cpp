@@ -37,16 +37,20 @@ Eigen::Vector3f normalAt(const Scene& scene, const Surface& surface, const Eigen
 }
 
 void addLattice(Scene& scene, Mesh& mesh, const Lattice& lattice, const Surface& look) {
+    std::vector<Eigen::Vector3d> nodes;
+    nodes.reserve(static_cast<std::size_t>(lattice.rows) * static_cast<std::size_t>(lattice.columns));
+    for (int i = 0; i < lattice.rows; ++i) {
+        for (int j = 0; j < lattice.columns; ++j) nodes.push_back(lattice.point(i, j));
+    }
+    const auto node = [&](int i, int j) -> const Eigen::Vector3d& {
+        return nodes[static_cast<std::size_t>(i) * static_cast<std::size_t>(lattice.columns) + static_cast<std::size_t>(j)];
+    };
     const int cells = lattice.closed ? lattice.columns : lattice.columns - 1;
     for (int i = 0; i + 1 < lattice.rows; ++i) {
         for (int j = 0; j < cells; ++j) {
             const int next = (j + 1) % lattice.columns;
-            const Eigen::Vector3d a = lattice.point(i, j);
-            const Eigen::Vector3d b = lattice.point(i, next);
-            const Eigen::Vector3d c = lattice.point(i + 1, next);
-            const Eigen::Vector3d d = lattice.point(i + 1, j);
-            addTriangle(scene, mesh, {a, b, c}, look);
-            addTriangle(scene, mesh, {a, c, d}, look);
+            addTriangle(scene, mesh, {node(i, j), node(i, next), node(i + 1, next)}, look);
+            addTriangle(scene, mesh, {node(i, j), node(i + 1, next), node(i + 1, j)}, look);
         }
     }
 }

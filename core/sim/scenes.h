@@ -3,6 +3,7 @@
 
 #include "core/sim/scene.h"
 #include "core/sim/simulate.h"
+#include "core/sim/wall_kinds.h"
 
 namespace edgescan::sim {
 
@@ -16,13 +17,13 @@ struct Rocks {
 /// "Simulator"). On the muck there are a fifth as many rocks as in the arch. `afterBlast`: the arch is broken out at the keystone nearest
 /// to the middle, a part of it is on the muck, and rocks around the hole slid down. All other rocks are unmoved, and each rock has the same
 /// number and shape as before.
-[[nodiscard]] Scene hangupScene(std::uint64_t seed, const Rocks& rocks, bool afterBlast = false);
+[[nodiscard]] Scene hangupScene(std::uint64_t seed, const Rocks& rocks, const WallKind& wall, bool afterBlast = false);
 
 /// A muck slope of rocks against one wall, the scanner tilted towards it, the bell open above.
-[[nodiscard]] Scene pileScene(std::uint64_t seed, const Rocks& rocks);
+[[nodiscard]] Scene pileScene(std::uint64_t seed, const Rocks& rocks, const WallKind& wall);
 
 /// The bell after the blast: walls, drift, muck, a raise at the top.
-[[nodiscard]] Scene emptyScene(std::uint64_t seed);
+[[nodiscard]] Scene emptyScene(std::uint64_t seed, const WallKind& wall);
 
 /// A wall at right angles to the middle beam with open holes in it. On each side it extends three times its distance.
 struct WallShape {

@@ -58,6 +58,7 @@ Json settingsJson(const SimulationSettings& s) {
               {"rock_size", s.rockSize},
               {"rock_lumps_mm", s.rockLumpsMm},
               {"rock_lump_m", s.rockLumpM},
+              {"wall_kind", s.wallKind},
               {"wall_roughness_mm", wallRoughnessMmOf(s)},
               {"absorbing_patches", s.absorbingPatches},
               {"distance_m", s.distanceM},

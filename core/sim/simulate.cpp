@@ -10,6 +10,7 @@
 #include "core/sim/noise.h"
 #include "core/sim/random.h"
 #include "core/sim/scenes.h"
+#include "core/sim/wall_kinds.h"
 
 #include <algorithm>
 #include <atomic>
@@ -120,6 +121,15 @@ std::optional<Error> refusal(const SimulationSettings& s) {
                      "leave the truth or the errors of the assembly out"};
     if (s.afterBlast && s.scene != "hangup")
         return Error{"there is nothing to blast in the scene \"" + s.scene + "\"", "simulate", "use the scene hangup"};
+    const WallKind* wall = wallKindNamed(s.wallKind);
+    if (wall == nullptr) {
+        std::string names;
+        for (const WallKind& kind : wallKinds()) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+        return Error{"there is no kind of wall \"" + s.wallKind + "\"", "simulate", "use one of " + names};
+    }
+    if (!wall->archFits && s.scene == "hangup")
+        return Error{"there is no room for an arch of rocks in a " + s.wallKind, "simulate",
+                     "use the scene empty or pile, or another kind of wall"};
     constexpr double kMostCells = 1e8;
     if (1.0 * s.lines * s.beams > kMostCells)
         return Error{"lines x beams is more than 100 million cells", "simulate", "use fewer lines or beams"};
@@ -128,9 +138,10 @@ std::optional<Error> refusal(const SimulationSettings& s) {
 
 Result<Scene> sceneOf(const SimulationSettings& settings) {
     const Rocks rocks{settings.rocks, settings.rockSize, settings.rockRounding};
-    if (settings.scene == "hangup") return hangupScene(settings.seed, rocks, settings.afterBlast);
-    if (settings.scene == "pile") return pileScene(settings.seed, rocks);
-    if (settings.scene == "empty") return emptyScene(settings.seed);
+    const WallKind& wall = *wallKindNamed(settings.wallKind);
+    if (settings.scene == "hangup") return hangupScene(settings.seed, rocks, wall, settings.afterBlast);
+    if (settings.scene == "pile") return pileScene(settings.seed, rocks, wall);
+    if (settings.scene == "empty") return emptyScene(settings.seed, wall);
     if (settings.scene == "wall") return wallScene({settings.distanceM, settings.hole, settings.holes, settings.holeM}, settings.seed);
     if (settings.scene == "staircase") return staircaseScene(settings.distanceM);
     if (settings.scene == "rescan") {

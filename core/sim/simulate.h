@@ -48,6 +48,7 @@ struct SimulationSettings {
     double rockSize = 1.0;        ///< factor on the size of every rock; their number is unchanged
     double rockLumpsMm = 0.0;     ///< standard deviation of smooth lumps of the rocks, in addition to their roughness
     double rockLumpM = 0.35;      ///< lattice of the lumps; the distance between lumps is two to three times as long
+    std::string wallKind = "plain";        ///< of the bell: one of wallKinds()
     std::optional<double> wallRoughnessMm; ///< the same for the walls; default: 30 for those of the bell, 0 for the scene "wall"
     int absorbingPatches = 6;              ///< number of round spots without a return
     double distanceM = 6.0;                ///< distance of the wall, or of the staircase's middle tread

@@ -179,7 +179,8 @@ TEST_F(Cli, SimulateRefusesFlagsThatChangeNothingInItsScene) {
     for (const char* flags :
          {"--surface a.ply", "--scene wall --surface-scale 2", "--scene hangup --distance 3", "--scene staircase --hole-size 1",
           "--scene empty --rock-count 5", "--scene staircase --wall-roughness 5", "--scene rescan --hole-count 2",
-          "--scene wall --hole-shape none --hole-count 2", "--scene wall --rock-rounding 0.1"}) {
+          "--scene wall --hole-shape none --hole-count 2", "--scene wall --rock-rounding 0.1", "--scene wall --wall-kind rough",
+          "--wall-kind granite", "--wall-kind tunnel"}) {
         const auto run = runCli(simulate + flags);
         EXPECT_EQ(run.code, 2) << flags;
         EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
@@ -187,7 +188,7 @@ TEST_F(Cli, SimulateRefusesFlagsThatChangeNothingInItsScene) {
     }
     for (const char* flags :
          {"--rock-count 5", "--scene wall --hole-count 3", "--scene wall --hole-shape square --hole-size 1 --wall-roughness 10",
-          "--scene staircase --distance 2 --range-step 2"})
+          "--scene staircase --distance 2 --range-step 2", "--scene empty --wall-kind tunnel"})
         EXPECT_EQ(runCli(simulate + flags).code, 0) << flags;
 }
 

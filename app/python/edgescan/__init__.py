@@ -216,20 +216,21 @@ def connect(address: str, *, record: Path = "", expected_lines: int = 0, axis: O
 @_keywords(("Numbers, as the flags of the command line:", _NUMBERS))
 def simulate(*, seed: int = 1, scene: str = "hangup", axis: Literal["spin", "sweep"] = "sweep",
              profile: Literal["high", "standard"] = "high", hole_shape: Optional[Literal["none", "round", "square"]] = None,
-             surface: Optional[Scan] = None, footprint: bool = True, mixed_pixels: bool = True, echo_loss: bool = True,
-             after_blast: bool = False, truth: bool = False, **numbers) -> Simulation:
+             wall_kind: str = "plain", surface: Optional[Scan] = None, footprint: bool = True, mixed_pixels: bool = True,
+             echo_loss: bool = True, after_blast: bool = False, truth: bool = False, **numbers) -> Simulation:
     """A synthetic draw-bell sweep of an LMS511: a Simulation with scan and, where asked for, truth. Same seed, same bytes.
 
     scene: hangup, pile, empty, wall, staircase or rescan. axis: mounting of the stepper, 'sweep' or 'spin'. profile: beam divergence 'high'
-    (resolution, 4.6 mrad) or 'standard' (11 mrad). hole_shape: 'none', 'round' or 'square' holes in the wall. surface: Scan of a surface
-    seen from above, for the scene rescan. footprint, mixed_pixels, echo_loss: False switches that part of the measurement off. after_blast:
-    the hang-up with some rocks gone and others fallen.
+    (resolution, 4.6 mrad) or 'standard' (11 mrad). hole_shape: 'none', 'round' or 'square' holes in the wall. wall_kind: that of the
+    bell: plain, rough, blocky, bulging, brows, bolted, muck, chimney or tunnel. surface: Scan of a surface seen from above, for the scene
+    rescan. footprint, mixed_pixels, echo_loss: False switches that part of the measurement off. after_blast: the hang-up with some rocks
+    gone and others fallen.
 
     >>> edgescan.simulate(seed=3, lines=90, beams=96).scan.range_mm.shape
     (90, 96)
     """
-    words = {"scene": scene, "axis": axis, "profile": profile, **_switches(footprint=footprint, mixed_pixels=mixed_pixels, echo_loss=echo_loss,
-                                                                          after_blast=after_blast, truth=truth)}
+    words = {"scene": scene, "axis": axis, "profile": profile, "wall-kind": wall_kind,
+             **_switches(footprint=footprint, mixed_pixels=mixed_pixels, echo_loss=echo_loss, after_blast=after_blast, truth=truth)}
     if hole_shape is not None:
         words["hole-shape"] = hole_shape
     if not 0 <= seed < 2**64:
