@@ -23,7 +23,7 @@ struct Emulate {
     std::string json = "-";
     bool loop = false;
     bool remission = false;
-    bool bridge = false;
+    bool bridge = false, cloud = false;
     std::string dialect = "both";
     double seconds = 0.0;
     scanner::EmulatedScannerSettings settings;
@@ -56,7 +56,7 @@ Result<Emulated> start(const Emulate& emulate) {
     scanner::EmulatedScannerSettings settings = emulate.settings;
     settings.atEnd = emulate.loop ? scanner::AtEnd::Again : scanner::AtEnd::Stop;
     if (emulate.bridge) {
-        auto sweep = scanner::bridgeSweepOf(*scan);
+        auto sweep = emulate.cloud ? scanner::bridgeCloudOf(*scan) : scanner::bridgeSweepOf(*scan);
         if (!sweep) return sweep.error();
         auto bridge = scanner::serveBridge(std::move(*sweep), settings);
         if (!bridge) return bridge.error();
@@ -103,8 +103,11 @@ void addEmulate(CLI::App& app, int& code) {
         "Emulates an LMS511 or a robot's bridge that sends a scan's lines over TCP; prints host and port as JSON, runs until Ctrl+C");
     command.add_option("SCAN", emulate->file, "Scan to send")->required();
     addJsonFlag(command, emulate->json, "Host, port and the flags of record that give this scan again").capture_default_str();
-    command.add_flag("--bridge", emulate->bridge,
-                     "Emulate the Foxglove bridge of a robot with ROS 2 that turns a laser, instead of a scanner");
+    CLI::Option* bridge = command.add_flag("--bridge", emulate->bridge,
+                                           "Emulate the Foxglove bridge of a robot with ROS 2 that turns a laser, instead of a scanner");
+    command
+        .add_flag("--cloud", emulate->cloud, "The robot's scanner sends the whole scan in each message (PointCloud2); --rate counts them")
+        ->needs(bridge);
     addNumber(command, "--port", s.port, {0, 65535}, "TCP port; 0 = any that is free");
     command.add_option("--address", s.address, "Address to listen on")->type_name("HOST")->capture_default_str();
     addNumber(command, "--rate", s.linesPerSecond, {0, 1e6}, "Lines per second; 0 = as fast as the client reads");

@@ -202,7 +202,10 @@ void addRecord(CLI::App& app, int& code) {
         ->group(group);
     addMountingFlags(command, mounting, group);
     const char* bridge = "Robot's bridge";
-    command.add_option("--topic", record->topic, "Topic of scan lines; without it the first one by name")->type_name("NAME")->group(bridge);
+    command
+        .add_option("--topic", record->topic, "Topic of scan lines or of clouds; without it the first one of lines by name, else of clouds")
+        ->type_name("NAME")
+        ->group(bridge);
     command.add_option("--joint", record->joint, "Joint that turns the laser; without it transforms, then the joint that turns furthest")
         ->type_name("NAME")
         ->group(bridge);

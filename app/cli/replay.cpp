@@ -56,7 +56,7 @@ int run(const ReplayWanted& wanted) {
         if (!wanted.quiet) json.add(document("replay-line", lineReport(played)));
         waitForNextLine(played, wanted.speed);
     });
-    if (scan && scan->format != "recording" && !scan->format.starts_with("ROS "))
+    if (scan && scan->format != "recording" && !scan->format.starts_with("ROS ") && scan->format != "PointCloud2")
         scan = Error{"this file is not a recording", wanted.file, "open it with detect"};
     if (!scan) {
         printError(scan.error());

@@ -825,6 +825,8 @@ mantenga \ para verla</translation></message>
 <message><source>Topics…</source><translation>Tópicos…</translation></message>
 <message><source>What the robot offers, and which laser the scan comes from</source><translation>Lo que ofrece el robot, y de qué láser viene el escaneo</translation></message>
 <message><source>The robot has not offered a topic yet.</source><translation>El robot aún no ha ofrecido ningún tópico.</translation></message>
+<message><source>clouds of %1 points</source><translation>nubes de %1 puntos</translation></message>
+<message><source>clouds of a scanner</source><translation>nubes de un escáner</translation></message>
 <message><source>lines of %1 beams</source><translation>líneas de %1 haces</translation></message>
 <message><source>lines of a laser</source><translation>líneas de un láser</translation></message>
 <message><source>Angle of each line</source><translation>Ángulo de cada línea</translation></message>

@@ -825,6 +825,8 @@ tenez \ pour la voir</translation></message>
 <message><source>Topics…</source><translation>Topics…</translation></message>
 <message><source>What the robot offers, and which laser the scan comes from</source><translation>Ce que le robot propose, et de quel laser vient le scan</translation></message>
 <message><source>The robot has not offered a topic yet.</source><translation>Le robot n'a encore proposé aucun topic.</translation></message>
+<message><source>clouds of %1 points</source><translation>nuages de %1 points</translation></message>
+<message><source>clouds of a scanner</source><translation>nuages d'un scanner</translation></message>
 <message><source>lines of %1 beams</source><translation>lignes de %1 faisceaux</translation></message>
 <message><source>lines of a laser</source><translation>lignes d'un laser</translation></message>
 <message><source>Angle of each line</source><translation>Angle de chaque ligne</translation></message>

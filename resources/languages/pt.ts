@@ -825,6 +825,8 @@ segure \ para vê-la</translation></message>
 <message><source>Topics…</source><translation>Tópicos…</translation></message>
 <message><source>What the robot offers, and which laser the scan comes from</source><translation>O que o robô oferece, e de que laser vem a varredura</translation></message>
 <message><source>The robot has not offered a topic yet.</source><translation>O robô ainda não ofereceu nenhum tópico.</translation></message>
+<message><source>clouds of %1 points</source><translation>nuvens de %1 pontos</translation></message>
+<message><source>clouds of a scanner</source><translation>nuvens de um scanner</translation></message>
 <message><source>lines of %1 beams</source><translation>linhas de %1 feixes</translation></message>
 <message><source>lines of a laser</source><translation>linhas de um laser</translation></message>
 <message><source>Angle of each line</source><translation>Ângulo de cada linha</translation></message>

@@ -117,6 +117,28 @@ TEST_F(Live, ABridgeThatIsRecordedAndReplayedHasTheEdgesOfTheFile) {
 }
 
 // A recording with the flags that `serve` prints; the mirror has the same angle as the motor.
+TEST_F(Live, CloudsOfABridgeThatAreRecordedHaveTheEdgesOfTheFile) {
+    const std::string recording = (folder / "clouds.mcap").string();
+    {
+        const Served served(scan + " --bridge --cloud --loop --rate 20");
+        const auto record = runCli("record ws://" + served.address() + " -o " + recording + " --lines 3 --seconds 120");
+        ASSERT_EQ(record.code, 0) << record.err;
+        const json summary = json::parse(record.out);
+        EXPECT_EQ(summary["lines"], 3);
+        EXPECT_EQ(summary["sweep"], "90/90 lines");
+        EXPECT_EQ(summary["disk"]["messages"], 3);
+        EXPECT_EQ(summary["mounting"]["assumed"], json::array());
+        EXPECT_EQ(summary["telegrams"]["accounted_for"], true);
+    }
+    const std::string expected = hashOf(scan);
+    EXPECT_EQ(hashOf(recording), expected);
+    EXPECT_EQ(hashOf(recording + " --scan 2"), expected);
+    const auto replay = runCli("replay " + recording);
+    ASSERT_EQ(replay.code, 0) << replay.err;
+    EXPECT_EQ(json::parse(replay.out)["result"]["edge_mask_sha256"], expected);
+    EXPECT_EQ(runCli("emulate " + scan + " --cloud").code, 2) << "without --bridge";
+}
+
 TEST_F(Live, TheFlagsThatServeGivesMakeTheFileAgain) {
     const std::string bell = (folder / "draw-bell.json").string();
     const std::string recording = (folder / "draw-bell.mcap").string();

@@ -14,10 +14,6 @@ namespace {
 
 using scanner::BridgeChannelPtr;
 
-bool givesAngles(const std::string& type) {
-    return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage" || type == "sensor_msgs/JointState";
-}
-
 /// The name of a laser that a motor turns often says so; which one turns is known only when its lines come.
 bool namesATurn(const std::string& topic) {
     constexpr std::array<std::string_view, 6> kWords{"tilt", "nod", "spin", "turn", "rotat", "sweep"};
@@ -36,27 +32,33 @@ std::string namesOf(const std::vector<BridgeChannelPtr>& channels) {
 
 } // namespace
 
+bool isCloud(const scanner::BridgeChannel& channel) { return givenBy(containers::rosTypeName(channel.type)) == TopicGives::Clouds; }
+
 Result<scanner::BridgeChoice> chooseTopics(const std::vector<BridgeChannelPtr>& offered, const std::string& topic,
                                            const std::string& where) {
     scanner::BridgeChoice choice;
-    std::vector<BridgeChannelPtr> lasers;
+    std::vector<BridgeChannelPtr> lasers, clouds;
     for (const BridgeChannelPtr& channel : offered) {
         const std::string type = containers::rosTypeName(channel->type);
         const bool readable = channel->encoding == "cdr" || channel->encoding == "ros1";
         if (readable && givenBy(type) == TopicGives::Lines) lasers.push_back(channel);
+        if (readable && givenBy(type) == TopicGives::Clouds) clouds.push_back(channel);
         if (readable && givesAngles(type)) choice.channels.push_back(channel);
     }
+    const auto byName = [](const BridgeChannelPtr& channel) { return std::pair(!namesATurn(channel->topic), channel->topic); };
+    std::ranges::stable_sort(lasers, {}, byName);
+    std::ranges::stable_sort(clouds, {}, byName);
+    lasers.insert(lasers.end(), clouds.begin(), clouds.end());
     if (lasers.empty())
-        return Error{"the bridge offers no topic of a laser (sensor_msgs/LaserScan)" +
+        return Error{"the bridge offers no topic of a laser (sensor_msgs/LaserScan or PointCloud2)" +
                          (offered.empty() ? std::string() : ": " + namesOf(offered)),
                      where, "check that the laser's driver runs"};
-    std::ranges::stable_sort(lasers, {},
-                             [](const BridgeChannelPtr& channel) { return std::pair(!namesATurn(channel->topic), channel->topic); });
     const auto taken =
         topic.empty() ? lasers.begin() : std::ranges::find(lasers, topic, [](const auto& channel) { return channel->topic; });
     if (taken == lasers.end())
         return Error{"the bridge offers no topic of a laser called \"" + topic + "\"", where, "choose one of " + namesOf(lasers)};
     choice.lines = *taken;
+    if (isCloud(**taken)) choice.channels.clear(); // its points need no angles
     choice.channels.push_back(*taken);
     lasers.erase(taken);
     if (topic.empty() && !lasers.empty())

@@ -9,8 +9,12 @@
 
 namespace edgescan::files {
 
+/// Each message is a whole cloud.
+[[nodiscard]] bool isCloud(const scanner::BridgeChannel& channel);
+
 /// The laser `topic`, or without a name one whose name says that it is turned, else the first one by name, and the topics of transforms and
-/// joints that give the angles of its lines; nothing else. Error: there is no laser, or `topic` is not one; the hint lists those there are.
+/// joints that give the angles of its lines; nothing else. Where there is no topic of lines, one of clouds, alone. Error: there is no
+/// laser, or `topic` is not one; the hint lists those there are.
 Result<scanner::BridgeChoice> chooseTopics(const std::vector<scanner::BridgeChannelPtr>& offered, const std::string& topic,
                                            const std::string& where);
 

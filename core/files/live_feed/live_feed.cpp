@@ -18,6 +18,15 @@ std::optional<containers::RosTopic> topicOf(const scanner::BridgeChannel& channe
     return containers::rosTopic(channel.topic, channel.encoding, channel.type, channel.definitionEncoding, channel.definition);
 }
 
+/// A cloud has its angles: nothing of its mounting is assumed.
+scanner::SweepSettings settingsOf(const Scan* cloud) {
+    scanner::SweepSettings settings;
+    settings.degPerLine.reset();
+    const auto* polar = cloud != nullptr ? std::get_if<PolarGeometry>(&cloud->geometry) : nullptr;
+    if (polar != nullptr) settings.axis = polar->axis;
+    return settings;
+}
+
 } // namespace
 
 LiveFeed::LiveFeed(scanner::ConnectionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
@@ -35,7 +44,10 @@ std::unique_ptr<scanner::LiveConnection> LiveFeed::connect(scanner::ConnectionSe
             const std::lock_guard lock(mutex_);
             offered_ = offered;
             if (!choice) return choice;
-            if (linesTopic_.empty()) linesTopic_ = choice->lines->topic;
+            if (linesTopic_.empty()) {
+                linesTopic_ = choice->lines->topic;
+                if (isCloud(*choice->lines)) cloud_ = std::make_unique<LiveCloud>(changed_);
+            }
             return choice;
         };
         events.received = [this](const auto& channel, const auto& data, const auto& time) { received(channel, data, time); };
@@ -89,7 +101,7 @@ void LiveFeed::take(const RecordingMessagePtr& message, const scanner::HostTime&
         const int before = feed_.assembler().sweepNumber();
         lines = takeLines();
         // At a reversal some of the new sweep came before; they are few, and the recording is cut into the same sweeps.
-        if (feed_.assembler().sweepNumber() != before) sweepFirst_ = message;
+        if (feed_.assembler().sweepNumber() != before || (cloud_ && lines > 0)) sweepFirst_ = message;
         lines_ += lines;
         for (int line = 0; line < lines; ++line) lineNs_.push_back(time.monotonicNs);
         while (lineNs_.size() > kLinesOfRate) lineNs_.pop_front();
@@ -111,22 +123,27 @@ void LiveFeed::received(const scanner::BridgeChannelPtr& channel, const scanner:
         if (heard.messages++ == 0) heard = {1, time.monotonicNs, 0, message};
         heard.lastNs = time.monotonicNs;
         if (channel->topic.ends_with("tf_static") && standing_.size() < kMostStanding) standing_.push_back(message);
-        return takeBridge(*message);
+        return takeBridge(message);
     });
 }
 
-int LiveFeed::takeBridge(const RecordingMessage& message) {
-    const auto topic = topicOf(*message.channel);
-    return topic ? laser_.take(*topic, message.payload, feed_.assembler()) : 0;
+int LiveFeed::takeBridge(const RecordingMessagePtr& message) {
+    const auto topic = topicOf(*message->channel);
+    if (!topic) return 0;
+    if (!cloud_) return laser_.take(*topic, message->payload, feed_.assembler());
+    if (topic->name != linesTopic_) return 0;
+    cloud_->take(*topic, message);
+    return 1;
 }
 
 std::shared_ptr<const Scan> LiveFeed::snapshot() {
     const std::lock_guard lock(mutex_);
-    return feed_.assembler().snapshot();
+    return cloud_ ? cloud_->newest().scan : feed_.assembler().snapshot();
 }
 
 scanner::SweepState LiveFeed::sweep() {
     const std::lock_guard lock(mutex_);
+    if (cloud_) return cloud_->newest();
     return {feed_.assembler().snapshot(), feed_.assembler().progress()};
 }
 
@@ -136,17 +153,22 @@ LiveStatus LiveFeed::status() const {
     const std::lock_guard lock(mutex_);
     status.connection = state_;
     status.scanner = identity_;
-    status.sweep = feed_.assembler().progress();
+    status.sweep = cloud_ ? cloud_->progress() : feed_.assembler().progress();
     status.settings = feed_.assembler().settings();
     status.lines = lines_;
     status.linesAfter = linesAfter_;
-    status.undecodable = feed_.undecodable() + laser_.leftOut();
+    status.undecodable = feed_.undecodable() + laser_.leftOut() + (cloud_ ? cloud_->unusable() : 0);
     status.sweep.duplicates += laser_.repeated();
+    if (cloud_) status.settings = settingsOf(cloud_->newest().scan.get());
     if (const std::string wait = laser_.waitsFor(); !wait.empty() && lines_ == 0 && status.connection.phase == kLive) {
         const Error unknown{"lines come, but their angle is not known: " + wait, linesTopic_,
                             "give the joint that turns the laser (--joint), or the step from line to line (--line-step)"};
         status.connection.sentence = unknown.sentence();
         status.connection.problem = unknown;
+    }
+    if (cloud_ && !cloud_->newest().scan && status.connection.phase == kLive) {
+        status.connection.problem = cloud_->whyUnusable();
+        if (status.connection.problem) status.connection.sentence = status.connection.problem->sentence();
     }
     if (!lineNs_.empty()) {
         status.secondsSinceLine = static_cast<double>(scanner::hostNow().monotonicNs - lineNs_.back()) * 1e-9;
@@ -226,9 +248,10 @@ std::optional<int> LiveFeed::useSweep(const scanner::SweepSettings& sweep) {
         gone = feed_.assembler().progress().received;
         feed_ = scanner::SweepFeed(sweep);
         laser_ = LiveLaser(sweep, joint_);
+        if (cloud_) return 0; // its points have their places
         for (const RecordingMessagePtr& message : messagesOfSweep()) {
             if (message->topic == RecordingTopic::Bridge)
-                takeBridge(*message);
+                takeBridge(message);
             else
                 feedMessage(feed_, {message->topic, message->hostNs, message->hostNs, message->payload});
         }
@@ -268,6 +291,7 @@ Result<Done> LiveFeed::keepRecent(const std::filesystem::path& path) const {
 
 void LiveFeed::stop() {
     connection_->stop();
+    if (cloud_) cloud_->finish(); // without the lock: a cloud takes its time, and no other thread makes another one any more
     const std::lock_guard lock(mutex_);
     feed_.assembler().finish();
 }

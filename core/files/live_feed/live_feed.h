@@ -1,6 +1,8 @@
 // A scanner from its socket to a growing scan, recorded before anything is parsed: the live end of the one path for file, replay and live.
+// A scanner of whole clouds makes a scan of each message.
 #pragma once
 
+#include "core/files/live_feed/live_cloud.h"
 #include "core/files/recording/replay.h"
 #include "core/files/recording/writer.h"
 #include "core/files/ros/bag_listing.h"
@@ -25,7 +27,7 @@ struct LiveStatus {
     scanner::ConnectionStatistics statistics;
     scanner::SweepProgress sweep;
     scanner::SweepSettings settings;         ///< that lines are placed with, with what a bridge's transforms gave
-    std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps
+    std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps; of clouds: messages
     std::int64_t linesAfter = 0;             ///< scan telegrams that came after the last line that is taken
     std::int64_t undecodable = 0;            ///< scan telegrams that could not be decoded
     std::optional<double> secondsSinceLine;  ///< empty before the first
@@ -37,7 +39,7 @@ struct LiveStatus {
 struct OfferedTopic {
     ListedTopic topic;
     bool subscribed = false;
-    bool lines = false; ///< the one that the lines come from
+    bool lines = false; ///< the one that the lines or clouds come from
 };
 
 struct LiveLimits {
@@ -48,8 +50,8 @@ struct LiveLimits {
 /// From any thread. Destroying it stops scanner and recording.
 class LiveFeed {
 public:
-    /// `changed` is called on the scanner's thread after every line and change of state; it must return at once and must not call back
-    /// into the feed.
+    /// `changed` is called after every line, cloud and change of state, on the scanner's thread or, with clouds, on one of the pool; it
+    /// must return at once and must not call back into the feed.
     LiveFeed(scanner::ConnectionSettings scanner, const scanner::SweepSettings& sweep, std::function<void()> changed,
              const LiveLimits& limits = {});
     ~LiveFeed();
@@ -91,7 +93,7 @@ private:
     void received(const scanner::BridgeChannelPtr& channel, const scanner::BridgeData& data, const scanner::HostTime& time);
     template <class TakeLines>
     void take(const RecordingMessagePtr& message, const scanner::HostTime& time, const TakeLines& takeLines);
-    int takeBridge(const RecordingMessage& message); // with the lock
+    int takeBridge(const RecordingMessagePtr& message); // with the lock
     [[nodiscard]] bool comesAfterTheLast(bool isLine);
     void record(RecordingMessagePtr message);
     [[nodiscard]] std::vector<RecordingMessagePtr> messagesOfSweep() const; // with the lock
@@ -108,6 +110,7 @@ private:
     LiveLaser laser_;                           // of a bridge
     std::vector<RecordingMessagePtr> standing_; // of a bridge: fixed transforms, which come only once
     std::string linesTopic_;                    // of a bridge
+    std::unique_ptr<LiveCloud> cloud_;          // of a bridge, if that topic gives clouds
     struct Heard {
         std::int64_t messages = 0, firstNs = 0, lastNs = 0;
         RecordingMessagePtr first;

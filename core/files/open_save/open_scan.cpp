@@ -18,6 +18,16 @@
 #include <stdexcept>
 
 namespace edgescan::files {
+
+/// Each step is in the file named.
+Result<Scan> scanOfReading(Reading reading, const Source& source, bool placesItself) {
+    auto scan = placeOnGrid(std::move(reading), source); // place_on_grid.h
+    if (!scan) return scan;
+    if (auto done = applyOptions(*scan, source, placesItself); !done) return done.error();  // apply_options.h
+    if (auto done = checkMeasured(*scan, source.path.string()); !done) return done.error(); // check_measured.h
+    return scan;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,15 +37,6 @@ std::future<std::string> sha256OnThread(std::span<const std::byte> bytes) {
     constexpr std::size_t kLarge = std::size_t{4} << 20U;
     const auto ifAsked = std::launch::deferred;
     return std::async(bytes.size() >= kLarge ? std::launch::async | ifAsked : ifAsked, sha256Hex, bytes);
-}
-
-/// The steps behind the reader, in their order; each is in the file named.
-Result<Scan> scanOfReading(Reading reading, const Source& source, bool placesItself) {
-    auto scan = placeOnGrid(std::move(reading), source); // place_on_grid.h
-    if (!scan) return scan;
-    if (auto done = applyOptions(*scan, source, placesItself); !done) return done.error();  // apply_options.h
-    if (auto done = checkMeasured(*scan, source.path.string()); !done) return done.error(); // check_measured.h
-    return scan;
 }
 
 /// The steps from plain bytes on.

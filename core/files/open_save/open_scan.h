@@ -16,6 +16,9 @@ struct PlayedLine;
 
 namespace edgescan::files {
 
+struct Reading;
+struct Source;
+
 /// The file as a scan of lines x beams cells; "-" is standard input, and the folder of a ROS 2 bag is its file. A pipe is read to its end,
 /// and gzip is unpacked by content. `played`: called after every line of a recording. Error: one sentence; a file is never loaded in part.
 Result<Scan> openScan(const std::filesystem::path& path, const ReadingOptions& options = {},
@@ -28,6 +31,10 @@ Result<Scan> openAsAsked(const std::filesystem::path& path, const ReadingOptions
 /// As openScan(), from bytes in memory; `extension` (".pcd") is the hint that a file's name would be. No file is touched: a raw grid is its
 /// description, a NUL byte and its counts.
 Result<Scan> readScanBytes(std::span<const std::byte> bytes, const std::string& extension, const ReadingOptions& options = {});
+
+/// The steps behind a reader: place on a grid, apply options, check. `placesItself`: Format::placesItself. For what comes from elsewhere
+/// than a file.
+Result<Scan> scanOfReading(Reading reading, const Source& source, bool placesItself);
 
 /// The name of a scan of this file: "wall" for wall.pcd and wall.pcd.gz, "stdin" for "-".
 [[nodiscard]] std::string scanName(const std::filesystem::path& path);

@@ -4,12 +4,26 @@
 #include "core/base/inputs.h"
 #include "core/base/utc_time.h"
 
+#include <algorithm>
+
 namespace edgescan::files {
 Result<std::shared_ptr<const Recording>> Recording::open(const std::filesystem::path& path) {
     const auto read = readInput(path);
     if (!read) return read.error();
     const auto* first = reinterpret_cast<const std::uint8_t*>(read->data());
-    return fromBytes(Bytes(first, first + read->size()), path.string());
+    auto recording = std::make_shared<Recording>();
+    const auto taken = recording->take(Bytes(first, first + read->size()), path.string());
+    std::vector<RecordedMessage>& messages = recording->messages_;
+    if (messages.empty()) {
+        recording->robot_ = containers::rosBagOf(recording->content_, path.string());
+        for (const containers::RosBagMessage& message : recording->robot_.messages) {
+            const std::int64_t ns = std::clamp(message.logNs, std::int64_t{0}, kLatestNs);
+            messages.push_back({RecordingTopic::Bridge, ns, ns, message.bytes, message.topic});
+        }
+        std::ranges::stable_sort(messages, {}, &RecordedMessage::logNs); // some bags are by topic
+    }
+    if (!taken && messages.empty()) return taken.error();
+    return std::shared_ptr<const Recording>(std::move(recording));
 }
 
 Result<std::shared_ptr<const Recording>> Recording::fromBytes(Bytes bytes, const std::string& where) {

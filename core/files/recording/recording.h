@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/containers/mcap/reader.h"
+#include "core/containers/ros/bag.h"
 #include "core/files/recording/layout.h"
 
 #include <filesystem>
@@ -16,18 +17,21 @@ struct RecordedMessage {
     std::int64_t logNs = 0;     ///< when it was received, ns since 1970 UTC
     std::int64_t publishNs = 0; ///< a line's own time
     ByteView payload;
+    std::uint32_t robotTopic = 0; ///< of Bridge: index in Recording::robot().topics
 };
 
 /// Never changed; messages point into the bytes it holds.
 class Recording {
 public:
-    /// Error: cannot be read, is not MCAP, or holds nothing of "sweep/1".
+    /// Of a robot, too. Error: cannot be read, is not MCAP, or holds nothing of "sweep/1" and of a robot; from bytes without the robot's.
     static Result<std::shared_ptr<const Recording>> open(const std::filesystem::path& path);
     static Result<std::shared_ptr<const Recording>> fromBytes(Bytes bytes, const std::string& where);
 
     [[nodiscard]] const std::vector<RecordedMessage>& messages() const { return messages_; }
     /// The record "sweep".
     [[nodiscard]] const scanner::SweepMetadata& metadata() const { return metadata_; }
+    /// What a robot's bridge sent, or the file is its bag, and no scanner of SICK: its messages are those of the recording.
+    [[nodiscard]] const containers::RosBag& robot() const { return robot_; }
     /// Everything else that the file says of itself.
     [[nodiscard]] const containers::McapContent& content() const { return content_; }
     /// The file was closed properly and nothing in it is damaged.
@@ -46,6 +50,7 @@ private:
 
     Bytes bytes_;
     containers::McapContent content_;
+    containers::RosBag robot_;
     scanner::SweepMetadata metadata_;
     std::vector<RecordedMessage> messages_;
     std::vector<std::string> warnings_;

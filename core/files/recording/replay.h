@@ -1,8 +1,9 @@
-// A recording played through the same path as live: frames, telegrams, sweep assembly; at any speed, line by line.
+// A recording played through the same path as live: frames or messages of a robot, telegrams, sweep assembly; at any speed, line by line.
 #pragma once
 
 #include "core/files/point_tables/source.h"
 #include "core/files/recording/recording.h"
+#include "core/files/ros/live_laser.h"
 #include "core/scanner/sick_lms/sweep_feed.h"
 
 #include <functional>
@@ -15,11 +16,11 @@ bool feedMessage(scanner::SweepFeed& feed, const RecordedMessage& message);
 /// A value: a place in a recording and the sweep as it was then. Lines are counted over the whole recording, from 0.
 class Replay {
 public:
-    /// `options` say what of the mounting the recording only assumes.
+    /// `options` say what of the mounting the recording only assumes, and which laser of a robot is played.
     explicit Replay(std::shared_ptr<const Recording> recording, const ReadingOptions& options = {});
 
     [[nodiscard]] const Recording& recording() const { return *recording_; }
-    /// Lines, that is scan telegrams, in the recording.
+    /// Lines, that is scan telegrams or messages of the laser, in the recording.
     [[nodiscard]] int lines() const { return static_cast<int>(lineAt_.size()); }
     /// Lines played so far.
     [[nodiscard]] int position() const { return position_; }
@@ -40,12 +41,17 @@ public:
 
 private:
     void playOne();
+    void findLaser(const ReadingOptions& options);
+    [[nodiscard]] bool isLine(const RecordedMessage& message) const;
 
     std::shared_ptr<const Recording> recording_;
     scanner::SweepSettings settings_;
     std::vector<std::string> warnings_;
     std::vector<std::size_t> lineAt_; // message of each line
     scanner::SweepFeed feed_;
+    std::optional<std::uint32_t> laserTopic_; // of a robot
+    std::string joint_;
+    std::optional<LiveLaser> laser_;
     std::size_t next_ = 0; // message
     int position_ = 0;
 };

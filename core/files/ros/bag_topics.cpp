@@ -29,6 +29,10 @@ TopicGives givenBy(const std::string& type) {
     return type == "sensor_msgs/PointCloud2" ? TopicGives::Clouds : TopicGives::Nothing;
 }
 
+bool givesAngles(const std::string& type) {
+    return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage" || type == "sensor_msgs/JointState";
+}
+
 std::vector<BagTopic> bagTopics(const containers::RosBag& bag) {
     struct Span {
         std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = std::numeric_limits<std::int64_t>::min();

@@ -14,6 +14,8 @@ namespace edgescan::files {
 enum class TopicGives : std::uint8_t { Nothing, Lines, Clouds };
 
 [[nodiscard]] TopicGives givenBy(const std::string& type);
+/// Transforms and joints.
+[[nodiscard]] bool givesAngles(const std::string& type);
 
 struct BagTopic {
     std::uint32_t topic = 0; ///< index in RosBag::topics

@@ -28,7 +28,8 @@ namespace websocket = beast::websocket;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
-constexpr std::size_t kMostQueued = 4096; ///< messages queued for a client that does not read; beyond this, messages are lost
+/// Messages queued for a client that does not read; beyond this, messages are lost.
+constexpr std::size_t kMostQueued = 4096, kMostCloudsQueued = 16;
 constexpr std::size_t kMostConnected = 8, kLongestRequest = std::size_t{1} << 20U;
 constexpr double kUsualPeriodS = 0.04;
 
@@ -59,10 +60,12 @@ struct EmulatedBridge::Server : std::enable_shared_from_this<EmulatedBridge::Ser
     void send(BridgeTopic topic, std::int64_t ns, const Bytes& message);
     void tick();
     void wait();
-    bool sendLine();
+    [[nodiscard]] Bytes nextMessage(std::int64_t ns, double periodS);
+    bool sendMessage();
     [[nodiscard]] std::size_t row() const;
     [[nodiscard]] bool happens(int every) const { return every > 0 && (number + 1) % static_cast<std::uint64_t>(every) == 0; }
     [[nodiscard]] bool eagerAndFull() const;
+    [[nodiscard]] std::size_t mostQueued() const { return sweep.cloud ? kMostCloudsQueued : kMostQueued; }
     template <class Change>
     void count(Change change) {
         const std::lock_guard lock(mutex);
@@ -71,7 +74,7 @@ struct EmulatedBridge::Server : std::enable_shared_from_this<EmulatedBridge::Ser
 
     const BridgeSweep sweep;
     const EmulatedScannerSettings settings;
-    const std::vector<BridgeChannel> topics = bridgeTopics();
+    const std::vector<BridgeChannel> topics = bridgeTopics(sweep);
     asio::io_context context{1};
     tcp::acceptor acceptor{context};
     asio::steady_timer timer{context};
@@ -172,7 +175,7 @@ void EmulatedBridge::Server::answer(const ClientPointer& client) {
 }
 
 void EmulatedBridge::Server::post(const ClientPointer& client, bool text, Bytes bytes) {
-    if (!client->open || client->queue.size() >= kMostQueued) return;
+    if (!client->open || client->queue.size() >= mostQueued()) return;
     client->queue.emplace_back(text, std::move(bytes));
     if (client->queue.size() == 1) write(client);
 }
@@ -202,34 +205,40 @@ void EmulatedBridge::Server::send(BridgeTopic topic, std::int64_t ns, const Byte
 }
 
 std::size_t EmulatedBridge::Server::row() const {
-    const std::uint64_t lines = sweep.lines.size();
+    const std::uint64_t lines = sweep.messages();
     const std::uint64_t at = number % lines;
     const bool back = settings.atEnd == AtEnd::Reverse && number / lines % 2 == 1;
     return static_cast<std::size_t>(back ? lines - 1 - at : at);
 }
 
-/// A line with the angles at its time and behind it. False: the last one was sent.
-bool EmulatedBridge::Server::sendLine() {
-    if (settings.atEnd == AtEnd::Stop && number >= sweep.lines.size()) return false;
+/// The message that is due at `ns`; before a line goes its angle.
+Bytes EmulatedBridge::Server::nextMessage(std::int64_t ns, double periodS) {
+    if (sweep.cloud) return cloudMessage(*sweep.cloud, ns);
+    const BridgeLine& line = sweep.lines[row()];
+    send(BridgeTopic::Transforms, ns, transformMessage(sweep, line.lineDeg, ns));
+    return lineMessage(sweep, line, ns, periodS);
+}
+
+/// A line or a cloud, with faults. False: the last one was sent.
+bool EmulatedBridge::Server::sendMessage() {
+    if (settings.atEnd == AtEnd::Stop && number >= sweep.messages()) return false;
     const ScannerFaults& faults = settings.faults;
     const double periodS = settings.linesPerSecond > 0 ? 1 / settings.linesPerSecond : kUsualPeriodS;
     const auto ns = startNs + static_cast<std::int64_t>(std::llround((static_cast<double>(number) * periodS + pausedS) * 1e9));
-    const BridgeLine& line = sweep.lines[row()];
-    const Bytes message = lineMessage(sweep, line, ns, periodS);
-    send(BridgeTopic::Transforms, ns, transformMessage(sweep, line.lineDeg, ns));
+    const Bytes message = nextMessage(ns, periodS);
     if (happens(faults.garbageEvery)) {
         const std::string_view garbage = "}{ this is not JSON";
         for (const ClientPointer& client : std::list<ClientPointer>(clients)) post(client, true, Bytes(garbage.begin(), garbage.end()));
     }
     const Bytes cut(message.begin(), message.begin() + static_cast<std::ptrdiff_t>(message.size() / 2));
-    if (!happens(faults.loseEvery)) send(BridgeTopic::Lines, ns, happens(faults.corruptEvery) ? cut : message);
-    if (happens(faults.duplicateEvery)) send(BridgeTopic::Lines, ns, message);
+    if (!happens(faults.loseEvery)) send(BridgeTopic::Measured, ns, happens(faults.corruptEvery) ? cut : message);
+    if (happens(faults.duplicateEvery)) send(BridgeTopic::Measured, ns, message);
     if (happens(faults.dropEvery)) {
         for (const ClientPointer& client : std::list<ClientPointer>(clients)) close(client);
     }
     if (happens(faults.stallEvery)) pausedS += faults.stallS;
     ++number;
-    const bool last = settings.atEnd == AtEnd::Stop && number == sweep.lines.size();
+    const bool last = settings.atEnd == AtEnd::Stop && number == sweep.messages();
     count([&](auto& s) {
         ++s.lines;
         s.finished = last;
@@ -239,13 +248,13 @@ bool EmulatedBridge::Server::sendLine() {
 
 bool EmulatedBridge::Server::eagerAndFull() const {
     return settings.linesPerSecond <= 0 &&
-           std::ranges::any_of(clients, [](const ClientPointer& client) { return client->queue.size() > kMostQueued / 2; });
+           std::ranges::any_of(clients, [&](const ClientPointer& client) { return client->queue.size() > mostQueued() / 2; });
 }
 
 void EmulatedBridge::Server::tick() {
-    const auto lines = static_cast<std::uint32_t>(BridgeTopic::Lines);
-    const bool wanted = std::ranges::any_of(clients, [&](const ClientPointer& client) { return client->subscriptions.contains(lines); });
-    if (wanted && !eagerAndFull() && !settings.faults.mute && !sendLine()) return;
+    const auto measured = static_cast<std::uint32_t>(BridgeTopic::Measured);
+    const bool wanted = std::ranges::any_of(clients, [&](const ClientPointer& client) { return client->subscriptions.contains(measured); });
+    if (wanted && !eagerAndFull() && !settings.faults.mute && !sendMessage()) return;
     wait();
 }
 
@@ -279,7 +288,7 @@ void EmulatedBridge::dropConnections() {
 }
 
 Result<std::unique_ptr<EmulatedBridge>> serveBridge(BridgeSweep sweep, const EmulatedScannerSettings& settings) {
-    if (sweep.lines.empty()) return Error{"there are no lines to send", {}, "choose another scan"};
+    if (sweep.messages() == 0) return Error{"there are no lines to send", {}, "choose another scan"};
     auto server = std::make_shared<EmulatedBridge::Server>(std::move(sweep), settings);
     if (const auto listening = server->listen(); !listening) return listening.error();
     server->thread = std::thread([raw = server.get()] { raw->context.run(); });

@@ -1,5 +1,5 @@
-// An emulated Foxglove bridge of a robot whose laser is turned. It answers subscriptions, notes everything else that it is asked, and
-// produces faults on request.
+// An emulated Foxglove bridge of a robot whose laser is turned, or whose scanner sends whole clouds. It answers subscriptions, notes
+// everything else that it is asked, and produces faults on request.
 #pragma once
 
 #include "core/scanner/emulator/bridge_sweep.h"
@@ -13,7 +13,7 @@
 namespace edgescan::scanner {
 
 struct EmulatedBridgeStatistics {
-    std::uint64_t lines = 0; ///< sent or lost on purpose
+    std::uint64_t lines = 0; ///< or clouds: sent or lost on purpose
     std::uint64_t clients = 0;
     std::set<std::string> subscribed;           ///< topics
     std::map<std::string, std::uint64_t> asked; ///< by "op" what clients sent; "binary" for messages that are not text

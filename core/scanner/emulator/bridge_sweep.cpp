@@ -3,6 +3,7 @@
 
 #include "core/base/angles.h"
 #include "core/containers/ros/bag.h"
+#include "core/scan/grid/cartesian.h"
 
 #include <bit>
 #include <cmath>
@@ -17,10 +18,10 @@ public:
     template <class T>
     CdrBytes& put(T value) {
         while ((bytes_.size() - kHead) % sizeof(T) != 0) bytes_.push_back(0);
-        using Whole = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+        using Whole = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::conditional_t<sizeof(T) == 1, std::uint8_t, std::uint32_t>>;
         static_assert(sizeof(T) == sizeof(Whole));
         const auto whole = std::bit_cast<Whole>(value);
-        for (std::size_t n = 0; n < sizeof(T); ++n) bytes_.push_back(static_cast<std::uint8_t>(whole >> (8 * n)));
+        for (std::size_t n = 0; n < sizeof(T); ++n) bytes_.push_back(static_cast<std::uint8_t>(std::uint64_t{whole} >> (8 * n)));
         return *this;
     }
     CdrBytes& text(std::string_view text) {
@@ -73,17 +74,46 @@ Result<BridgeSweep> bridgeSweepOf(const Scan& scan) {
     return sweep;
 }
 
-std::vector<BridgeChannel> bridgeTopics() {
+BridgeSweep bridgeCloudOf(const Scan& scan) {
+    BridgeCloud cloud{static_cast<std::uint32_t>(scan.lines()), static_cast<std::uint32_t>(scan.beams()), {}};
+    const CartesianTables points(scan);
+    cloud.xyzM.reserve(3 * scan.cells());
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
+        const Eigen::Vector3f point = points.point(k).cast<float>();
+        cloud.xyzM.insert(cloud.xyzM.end(), point.begin(), point.end());
+    }
+    BridgeSweep sweep;
+    sweep.cloud = std::move(cloud);
+    return sweep;
+}
+
+std::vector<BridgeChannel> bridgeTopics(const BridgeSweep& sweep) {
     const auto channel = [](BridgeTopic topic, const char* name, const char* package, const char* type) {
         const std::string definition(containers::commonRosDefinition(std::string(package) + "/" + type));
         return BridgeChannel{static_cast<std::uint32_t>(topic), name, "cdr", std::string(package) + "/msg/" + type, definition, "ros2msg"};
     };
-    std::vector<BridgeChannel> topics{channel(BridgeTopic::Lines, "/scan", "sensor_msgs", "LaserScan"),
+    std::vector<BridgeChannel> topics{sweep.cloud ? channel(BridgeTopic::Measured, "/points", "sensor_msgs", "PointCloud2")
+                                                  : channel(BridgeTopic::Measured, "/scan", "sensor_msgs", "LaserScan"),
                                       channel(BridgeTopic::Transforms, "/tf", "tf2_msgs", "TFMessage"),
                                       channel(BridgeTopic::Fixed, "/tf_static", "tf2_msgs", "TFMessage"),
                                       channel(BridgeTopic::Other, "/rosout", "rcl_interfaces", "Log")};
     topics.back().definition = "string msg\n";
     return topics;
+}
+
+Bytes cloudMessage(const BridgeCloud& cloud, std::int64_t ns) {
+    constexpr std::uint32_t kFloat = sizeof(float), kPoint = 3 * kFloat;
+    constexpr std::uint8_t kFloat32 = 7; // PointField.datatype
+    CdrBytes bytes;
+    bytes.header(ns, "laser").put(cloud.lines).put(cloud.beams).put(std::uint32_t{3});
+    std::uint32_t offset = 0;
+    for (const char* name : {"x", "y", "z"}) {
+        bytes.text(name).put(offset).put(kFloat32).put(std::uint32_t{1});
+        offset += kFloat;
+    }
+    bytes.put(std::uint8_t{0}).put(kPoint).put(kPoint * cloud.beams).put(static_cast<std::uint32_t>(kFloat * cloud.xyzM.size()));
+    for (const float number : cloud.xyzM) bytes.put(number);
+    return bytes.put(std::uint8_t{0}).take();
 }
 
 Bytes lineMessage(const BridgeSweep& sweep, const BridgeLine& line, std::int64_t ns, double periodS) {

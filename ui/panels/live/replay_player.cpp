@@ -86,6 +86,7 @@ RecordingContents ReplayPlayer::survey(files::Replay& replay) {
         const scanner::SweepProgress now = replay.progress();
         if (now.lines == 0 && now.number == number) continue;
         if (now.number != number) {
+            if (contents.sweeps.empty()) contents.first = replay.position();
             number = now.number;
             contents.sweeps.push_back({replay.position() - std::max(now.lines, 1), 0});
             if (starts_.size() < kMostStarts) {

@@ -24,6 +24,7 @@ struct RecordedSweep {
 struct RecordingContents {
     std::vector<std::int64_t> lineNs; ///< reception time of each line, ns since 1970 UTC
     std::vector<RecordedSweep> sweeps;
+    int first = 1; ///< the first position with a scan; before it the angles of a robot's laser are not known
 };
 
 /// The state of the recording at one position.

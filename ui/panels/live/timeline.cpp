@@ -24,7 +24,6 @@ namespace {
 
 constexpr int kTickMs = 40;
 constexpr int kLeastLabel = 120; // px
-constexpr int kFirst = 1;        // position: before it there is no line to show
 constexpr double kNsPerMs = 1e6;
 constexpr double kLongestPauseNs = 2e9; // longest pause while playing, in recorded time: longer gaps are skipped
 constexpr std::array<double, 9> kSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 100.0};
@@ -146,7 +145,7 @@ void Timeline::take(const RecordingContents& contents) {
     home_ = position_ = longest + 1 == contents_.sweeps.end() ? lines() : (longest + 1)->firstLine;
     {
         const QSignalBlocker quiet(slider_);
-        slider_->setRange(kFirst, lines());
+        slider_->setRange(contents_.first, lines());
         slider_->setPageStep(std::max(1, lines() / 20));
         slider_->setValue(position_);
     }
@@ -183,7 +182,7 @@ void Timeline::setClock() {
 void Timeline::play(bool on) {
     if (on == playing() || (on && !active())) return;
     if (on) {
-        if (position_ >= lines()) goTo(kFirst);
+        if (position_ >= lines()) goTo(contents_.first);
         setClock();
         sinceTick_.start();
         ticking_.start();
@@ -207,7 +206,7 @@ void Timeline::tick() {
 }
 
 void Timeline::goTo(int line) {
-    const int wanted = std::clamp(line, kFirst, std::max(kFirst, lines()));
+    const int wanted = std::clamp(line, contents_.first, std::max(contents_.first, lines()));
     if (!active() || wanted == position_) return;
     position_ = wanted;
     {

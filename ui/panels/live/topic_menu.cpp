@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kMostRows = 30;
 
+bool isCloud(const files::OfferedTopic& topic) { return topic.topic.type == "sensor_msgs/PointCloud2"; }
+
 QString counted(const files::OfferedTopic& topic, const QString& gives) {
     if (!topic.subscribed) return gives;
     const QString hertz = topic.topic.hertz > 0 ? shownText(significantText(topic.topic.hertz, 3)) : QString("?");
@@ -42,8 +44,11 @@ void TopicMenu::showTopics(const std::vector<files::OfferedTopic>& topics, const
 void TopicMenu::addScans(const std::vector<files::OfferedTopic>& topics, const std::string& joint) {
     auto* group = new QActionGroup(menu_);
     for (const files::OfferedTopic& topic : topics) {
-        if (!topic.topic.isScan || topic.topic.type == "sensor_msgs/PointCloud2" || menu_->actions().size() >= kMostRows) continue;
-        const QString gives = topic.topic.size > 0 ? tr("lines of %1 beams").arg(topic.topic.size) : tr("lines of a laser");
+        if (!topic.topic.isScan || menu_->actions().size() >= kMostRows) continue;
+        const std::size_t size = topic.topic.size;
+        const QString gives = isCloud(topic) ? size > 0 ? tr("clouds of %1 points").arg(size) : tr("clouds of a scanner")
+                              : size > 0 ? tr("lines of %1 beams").arg(size)
+                                             : tr("lines of a laser");
         QAction* row = menu_->addAction(shownText(topic.topic.name) + ": " + counted(topic, gives));
         row->setCheckable(true);
         row->setChecked(topic.lines);
@@ -54,7 +59,7 @@ void TopicMenu::addScans(const std::vector<files::OfferedTopic>& topics, const s
 
 void TopicMenu::addAngles(const std::vector<files::OfferedTopic>& topics, const std::string& joint) {
     const auto taken = std::ranges::find_if(topics, &files::OfferedTopic::lines);
-    if (taken == topics.end()) return;
+    if (taken == topics.end() || isCloud(*taken)) return;
     menu_->addSection(tr("Angle of each line"));
     auto* group = new QActionGroup(menu_);
     const auto add = [&](const QString& words, const std::string& of) {
@@ -76,7 +81,7 @@ void TopicMenu::addOthers(const std::vector<files::OfferedTopic>& topics) {
     menu_->addSeparator();
     int unused = 0;
     for (const files::OfferedTopic& topic : topics) {
-        if (topic.topic.isScan && topic.topic.type != "sensor_msgs/PointCloud2") continue;
+        if (topic.topic.isScan) continue;
         if (topic.subscribed && !topic.topic.gives.empty())
             menu_->addAction(shownText(topic.topic.name) + ": " + counted(topic, shownText(topic.topic.gives)))->setEnabled(false);
         else

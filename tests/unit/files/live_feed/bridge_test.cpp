@@ -120,6 +120,17 @@ TEST(Bridge, GrowsLikeTheScanThatIsSent) {
         expectSame(*opened, scan);
         expectSameAngles(*opened, scan);
         EXPECT_EQ(opened->format, "ROS 2 bag (MCAP)");
+        // It is played line by line, too.
+        const auto recording = Recording::open(folder / "robot.mcap");
+        ASSERT_TRUE(recording) << recording.error().sentence();
+        Replay replay(*recording);
+        ASSERT_EQ(replay.lines(), kBridgeLines);
+        for (const int line : {kBridgeLines, 40, kBridgeLines}) {
+            replay.seek(line);
+            ASSERT_TRUE(replay.snapshot()) << line;
+            expectSame(*replay.snapshot(), scan, line);
+        }
+        expectSameAngles(*replay.snapshot(), scan);
     }
 }
 

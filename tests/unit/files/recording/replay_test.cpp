@@ -6,6 +6,9 @@
 #include "core/sim/simulate.h"
 #include "tests/support/live_lines.h"
 #include "tests/support/point_lists.h"
+#include "tests/support/ros_sweeps.h"
+#include "tests/support/run_program.h"
+#include "tests/support/scans.h"
 #include "tests/support/shared_folder.h"
 
 #include <gtest/gtest.h>
@@ -209,6 +212,29 @@ TEST(Replay, HostileTelegramsNeverCrash) {
         for (const double angle : std::get<PolarGeometry>(scan->geometry).lineDeg) EXPECT_TRUE(std::isfinite(angle));
     }
     EXPECT_GT(opened, 0);
+}
+
+TEST(Replay, TheBagOfATurnedLaserIsPlayedInTheOrderOfTime) {
+    Scan scan = boxesScan(60, 80, 3, 0.05);
+    auto& polar = std::get<PolarGeometry>(scan.geometry);
+    polar.axis = Axis::Sweep;
+    for (int i = 0; i < 60; ++i) polar.lineDeg[static_cast<std::size_t>(i)] = -20 + 0.5 * i;
+    for (const AngleFrom from : {AngleFrom::Transform, AngleFrom::Joint}) {
+        const TemporaryFolder folder;
+        const Bytes bytes = mcapOf(rosMessagesOf(scan, {.from = from, .wire = Wire::CdrLittle}));
+        writeText(folder / "bag.mcap", std::string(bytes.begin(), bytes.end()));
+        const auto recording = Recording::open(folder / "bag.mcap");
+        ASSERT_TRUE(recording) << recording.error().sentence();
+        Replay replay(*recording);
+        ASSERT_EQ(replay.lines(), 60);
+        replay.seek(replay.lines());
+        ASSERT_TRUE(replay.snapshot());
+        EXPECT_EQ(replay.snapshot()->lines(), 60);
+        EXPECT_EQ(replay.snapshot()->rangeMm, scan.rangeMm);
+        replay.seek(58); // a joint is believed after two seconds without a transform
+        ASSERT_TRUE(replay.snapshot());
+        EXPECT_EQ(replay.snapshot()->lines(), 58);
+    }
 }
 
 TEST(Replay, TheLongestOfSeveralSweepsIsOpened) {
