@@ -12,5 +12,6 @@ void addRepeatability(CLI::App& app, int& code);
 void addEvaluate(CLI::App& app, int& code);
 void addClicks(CLI::App& app, int& code);
 void addLearnBorders(CLI::App& app, int& code);
+void addLearnConfidence(CLI::App& app, int& code);
 
 } // namespace edgescan::cli

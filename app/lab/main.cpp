@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     cli::addEvaluate(app, code);
     cli::addClicks(app, code);
     cli::addLearnBorders(app, code);
+    cli::addLearnConfidence(app, code);
     cli::addPages(
         app,
         {"edgescan-lab",
@@ -37,6 +38,7 @@ int main(int argc, char** argv) {
            {"edgescan-lab repeatability BELL.json AGAIN.json --poses-3dtk A.pose B.pose --only edgescan+ --json REPEATED.json"},
            {}},
           {"clicks", "Lengths", {"edgescan-lab clicks --scene hangup --seeds 1 --clicks 50 --lines 120 --beams 160"}, {}},
-          {"learn-borders", "Weights", {"edgescan-lab learn-borders -o border_weights.inc --rounds 1 --lines 60 --beams 80"}, {}}}});
+          {"learn-borders", "Weights", {"edgescan-lab learn-borders -o border_weights.inc --rounds 1 --lines 60 --beams 80"}, {}},
+          {"learn-confidence", "Weights", {"edgescan-lab learn-confidence -o confidence_weights.inc --lines 60 --beams 80"}, {}}}});
     return cli::exitCodeOf([&] { return cli::parsed(app, argc, argv).value_or(code); });
 }

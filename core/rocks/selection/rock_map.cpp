@@ -1,9 +1,8 @@
 // Finds the regions at one level and decides which of them are rocks.
 #include "core/rocks/selection/rock_map.h"
 
-#include "core/base/portable_math.h"
-
 #include "core/rocks/selection/bulge.h"
+#include "core/rocks/selection/confidence.h"
 #include "core/rocks/selection/region_of_interest.h"
 
 #include <Eigen/Eigenvalues>
@@ -21,7 +20,7 @@ constexpr std::uint32_t kFewestValleys = 5;
 constexpr std::uint32_t kFewestJumps = 3;
 constexpr double kOneWay = 0.8; // least share of the jumps with the same nearer side
 
-// Weights of R, the log odds "rock", and of p, the confidence (docs/method/rocks.md, "Step 7", "Confidence").
+// Weights of R, the log odds "rock" (docs/method/rocks.md, "Step 7").
 constexpr double kPerBulge = 22.0;
 constexpr double kPerNear = 8.4;
 constexpr double kPerMetreTooLong = 1.1;
@@ -32,11 +31,6 @@ constexpr double kFlat = 0.05; // one in 300 rocks is as flat as this
 constexpr double kPerFlat = 200.0;
 constexpr double kScoreOffset = -37.0;
 constexpr double kMostZ = 6.0;
-constexpr double kSureOffset = 1.82;
-constexpr double kPerEvidence = 0.48;
-constexpr double kPerScore = 0.39;
-constexpr double kLeastScore = -6.0;
-constexpr double kMostScore = 12.0;
 constexpr double kDeviations = 4.0; // a size is this many standard deviations
 
 // From the spread of the points about their mean.
@@ -95,11 +89,16 @@ void judge(Region& region, const RockSettings& settings) {
                    kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) + kPerEdges * region.edgeShare +
                    kPerDepth * region.depthRatio - kPerFlat * std::max(0.0, kFlat - region.depthRatio) + kPerFill * region.boxShare +
                    kScoreOffset;
-    region.confidence =
-        1.0 /
-        (1.0 + portable::exp(kSureOffset - kPerEvidence * region.evidence - kPerScore * std::clamp(region.score, kLeastScore, kMostScore)));
     const double awayM = (region.sums.sumM / static_cast<double>(region.sums.cells)).norm();
     region.kind = region.score > 0 && awayM < settings.farthestM ? RegionKind::Rock : RegionKind::NotRock;
+}
+
+// From what the scan shows: neither a region of interest nor a decision by hand changes it.
+void setConfidence(RegionMap& map) {
+    const std::vector<ConfidenceInputs> inputs = confidenceInputs(map);
+    for (std::size_t n = 1; n < map.regions.size(); ++n) {
+        if (map.regions[n].kind != RegionKind::Fines) map.regions[n].confidence = confidenceOf(inputs[n], confidenceWeights());
+    }
 }
 
 // Rocks first, then the largest first; renumbers the map's regions.
@@ -171,6 +170,7 @@ RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const Roc
         map.regions[n].bulge = bulges[n];
         judge(map.regions[n], settings);
     }
+    setConfidence(map);
     markOutsideRegion(segments, map);
     for (const RockCall& call : called) {
         Region& region = map.regions[map.regionOfSegment[call.segment]];

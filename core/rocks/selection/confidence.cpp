@@ -1,0 +1,68 @@
+// One region at a time cannot be judged: on a wall without rocks most of what looks like a rock is none. So the other regions count, too.
+#include "core/rocks/selection/confidence.h"
+
+#include "core/base/portable_math.h"
+
+#include <algorithm>
+
+namespace edgescan::rocks {
+namespace {
+
+constexpr double kLeastScore = -6.0;
+constexpr double kMostScore = 12.0;
+
+// By its own E and R alone, fitted on scans that are full of rocks.
+constexpr double kOwnOffset = -1.82;
+constexpr double kOwnPerEvidence = 0.48;
+constexpr double kOwnPerScore = 0.39;
+
+double chance(double logOdds) { return 1.0 / (1.0 + portable::exp(-logOdds)); }
+
+double clippedScore(const Region& region) { return std::clamp(region.score, kLeastScore, kMostScore); }
+
+/// Log odds of the mean over all rocks, within 0 and 4; 0 without rocks.
+double ofAllRocks(const RegionMap& map) {
+    constexpr double kMostChance = 0.982; // log odds of 4
+    double sum = 0.0;
+    double rocks = 0.0;
+    for (const Region& region : map.regions) {
+        if (region.kind != RegionKind::Rock) continue;
+        sum += chance(kOwnOffset + kOwnPerEvidence * region.evidence + kOwnPerScore * clippedScore(region));
+        rocks += 1.0;
+    }
+    if (rocks == 0.0) return 0.0;
+    const double mean = std::clamp(sum / rocks, 0.5, kMostChance);
+    return portable::log(mean / (1.0 - mean));
+}
+
+} // namespace
+
+std::vector<ConfidenceInputs> confidenceInputs(const RegionMap& map) {
+    const double all = ofAllRocks(map);
+    std::vector<double> around(map.regions.size());
+    for (const RegionBorder& border : map.borders) {
+        around[border.a] += border.cracks * clippedScore(map.regions[border.b]);
+        around[border.b] += border.cracks * clippedScore(map.regions[border.a]);
+    }
+    std::vector<ConfidenceInputs> inputs(map.regions.size());
+    for (std::size_t n = 1; n < map.regions.size(); ++n) {
+        const Region& region = map.regions[n];
+        inputs[n] = {region.evidence, clippedScore(region), all, around[n] / std::max(1.0, static_cast<double>(region.outlineCracks))};
+    }
+    return inputs;
+}
+
+const ConfidenceWeights& confidenceWeights() {
+    static constexpr ConfidenceWeights kWeights{
+#include "core/rocks/selection/confidence_weights.inc"
+    };
+    return kWeights;
+}
+
+double confidenceOf(const ConfidenceInputs& inputs, const ConfidenceWeights& weights) {
+    double sum = weights[0];
+    for (std::size_t n = 0; n < inputs.size(); ++n) sum += weights[n + 1] * inputs[n];
+    return chance(sum);
+}
+
+} // namespace edgescan::rocks
