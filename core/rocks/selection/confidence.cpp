@@ -1,4 +1,4 @@
-// One region at a time cannot be judged: on a wall without rocks most of what looks like a rock is none. So the other regions count, too.
+// A region alone says too little: on a wall without rocks, what looks like a rock is background. So the other regions count, too.
 #include "core/rocks/selection/confidence.h"
 
 #include "core/base/portable_math.h"
