@@ -148,9 +148,10 @@ private slots:
         QVERIFY(QImage(path("shot.png")).width() > 100);
     }
 
-    // With the dialog, whether the extension was typed or not: the file has it once, and opens as a session.
+    // With the dialog, whether the extension was typed or not: the file has it once, and opens as a session. A name that ends in .json is
+    // used as it was typed.
     void aSessionHasItsEndingAndOpensAgain() {
-        for (const char* typed : {"day", "night.edgescan-session.json"}) {
+        for (const char* typed : {"day", "night.edgescan-session.json", "s1.json"}) {
             const QString file = path(QString(typed).contains('.') ? typed : "day.edgescan-session.json");
             {
                 WindowFixture on;

@@ -168,6 +168,40 @@ private slots:
         QCOMPARE(QString::fromStdString(left->state.scan.path.string()), QString::fromStdString(boxes_));
     }
 
+    // Dropped, by File > Open and by --session alike; a damaged one is refused as what it is.
+    void aSessionIsRecognisedByItsContentWhateverItsNameIs() {
+        const QString file = inFolder("notes of monday.txt");
+        {
+            WindowFixture on;
+            QVERIFY(on.showWith(boxes_));
+            on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
+            on.window.sessions().saveAs(file);
+            QVERIFY(atRest(on));
+            QTRY_VERIFY(QFile::exists(file));
+        }
+        QVERIFY(inspect::isSession(file.toStdString()));
+        QVERIFY(!inspect::isSession(boxes_));
+        const std::vector<std::function<void(WindowFixture&)>> ways{
+            [&](WindowFixture& on) { drop(on.window, file); },
+            [&](WindowFixture& on) { emit on.viewer.files.chosen({file}); },
+            [&](WindowFixture& on) { on.window.sessions().openSession(file); },
+        };
+        for (const auto& open : ways) {
+            WindowFixture on;
+            QVERIFY(on.show());
+            open(on);
+            QVERIFY(eventually([&] { return on.window.sessions().path() == file; }));
+            QCOMPARE(int(on.viewer.targets.notebook().targets.size()), 1);
+        }
+        const std::string whole = std::string(textOf(*readWholeFile(file.toStdString())));
+        QVERIFY(bool(writeWholeFile(file.toStdString(), whole.substr(0, whole.size() / 2))));
+        WindowFixture on;
+        QVERIFY(on.show());
+        drop(on.window, file);
+        QTRY_VERIFY(on.viewer.notice.kind() == NoticeBar::Kind::Error);
+        QVERIFY2(on.viewer.notice.text().contains("JSON"), qPrintable(on.viewer.notice.text()));
+    }
+
     void aSessionChangesNoHabitAndComesBackFromACab() {
         const QString file = inFolder("habits.edgescan-session.json");
         const auto named = [](WindowFixture& on, const char* name) {

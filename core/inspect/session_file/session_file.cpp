@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kSessionFormat = "edgescan-session/1";
+constexpr const char* kAnySessionFormat = "\"edgescan-session/"; // also of a later EdgeScan
 constexpr JsonBounds kSessionJson{std::size_t{32} << 20U, 10, 100'000};
 constexpr std::size_t kMostSwitches = 100;
 constexpr std::size_t kLongestLayout = std::size_t{1} << 16U; // bytes
@@ -249,6 +250,16 @@ Result<ReadSession> readSession(const fs::path& path) {
     const auto bytes = readWholeFile(path, kSessionJson.bytes);
     if (!bytes) return bytes.error();
     return sessionFromText(textOf(*bytes), fs::absolute(path).parent_path(), path.string());
+}
+
+bool isSession(const fs::path& path) {
+    std::error_code problem;
+    if (!fs::is_regular_file(path, problem) || fs::file_size(path, problem) > kSessionJson.bytes || problem) return false;
+    const auto bytes = readWholeFile(path, kSessionJson.bytes);
+    if (!bytes) return false;
+    const std::string_view text = textOf(*bytes);
+    const auto first = text.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && text[first] == '{' && text.find(kAnySessionFormat) != std::string_view::npos;
 }
 
 } // namespace edgescan::inspect

@@ -25,5 +25,7 @@ struct ReadSession {
 Result<ReadSession> sessionFromText(std::string_view text, const std::filesystem::path& folder, const std::string& where);
 /// The same from a file.
 Result<ReadSession> readSession(const std::filesystem::path& path);
+/// Whether the file is JSON that names the format of sessions, whatever its own name is; the rest of it may be damaged.
+[[nodiscard]] bool isSession(const std::filesystem::path& path);
 
 } // namespace edgescan::inspect

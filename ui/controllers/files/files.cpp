@@ -89,7 +89,9 @@ QString Files::filters() {
     return tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + tr("All files (*)");
 }
 
-void Files::ask() { open(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), preferences_.folder("scans"), filters())); }
+void Files::ask() {
+    emit chosen(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), preferences_.folder("scans"), filters()));
+}
 
 void Files::reload() {
     if (!path_.isEmpty()) engine_.open(path_, options_);

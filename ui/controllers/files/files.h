@@ -24,6 +24,7 @@ public:
     /// Opens the first file; step() opens the others.
     void open(const QStringList& paths, const ReadingOptions& options = {});
     void openDemo(bool afterBlast = false);
+    /// Asks which files to open: chosen().
     void ask();
     void reload();
     void step(int files);
@@ -56,6 +57,8 @@ public:
 
 signals:
     void straightened(bool on);
+    /// In the dialog; empty: none.
+    void chosen(const QStringList& paths);
 
 private:
     /// False: another file is on the screen meanwhile.

@@ -17,7 +17,9 @@ constexpr std::uint64_t kLargestPicture = std::uint64_t{256} << 20U;
 
 } // namespace
 
-bool isSessionName(const QString& path) { return path.endsWith(inspect::kSessionEnding, Qt::CaseInsensitive); }
+bool isSessionFile(const QString& path) {
+    return path.endsWith(inspect::kSessionEnding, Qt::CaseInsensitive) || inspect::isSession(exactBytes(path));
+}
 
 QImage withSession(QImage picture, const std::string& text) {
     if (!text.empty() && text.size() <= kMostCarried)
@@ -34,7 +36,7 @@ std::string sessionIn(const QString& picture) {
 }
 
 std::optional<Result<inspect::ReadSession>> sessionOf(const QString& path) {
-    if (isSessionName(path)) return inspect::readSession(exactBytes(path));
+    if (isSessionFile(path)) return inspect::readSession(exactBytes(path));
     const std::string text = sessionIn(path);
     if (text.empty()) return std::nullopt;
     return inspect::sessionFromText(text, exactBytes(QFileInfo(absolutePath(path)).path()), exactBytes(path));

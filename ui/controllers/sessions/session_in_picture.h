@@ -10,8 +10,9 @@
 
 namespace edgescan::ui {
 
-/// True if the name has the extension of sessions.
-[[nodiscard]] bool isSessionName(const QString& path);
+/// True for a session file: by its content whatever its name is, or by its extension, since a damaged one is refused as a session. For any
+/// thread.
+[[nodiscard]] bool isSessionFile(const QString& path);
 /// The picture with the session text embedded.
 [[nodiscard]] QImage withSession(QImage picture, const std::string& text);
 /// The session text in a picture; empty: none. For any thread.

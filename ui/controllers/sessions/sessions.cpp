@@ -26,7 +26,8 @@ namespace {
 
 constexpr int kSaveSoonMs = 400; // maximum loss when the program is killed
 
-QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(inspect::kSessionEnding); }
+// A name that ends in .json stays as it was typed; one without an ending gets the first one.
+QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(QString(inspect::kSessionEnding) + " *.json"); }
 
 std::filesystem::path folderOf(const QString& path) { return exactBytes(QFileInfo(absolutePath(path)).path()); }
 
@@ -52,6 +53,7 @@ Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, 
     changesOf(undo_, &QUndoStack::indexChanged)(*this, change);
     changesOf(live_.scanner(), &ScannerLink::recordingChanged, &ScannerLink::written)(*this, change);
     connect(&engine_, &Engine::streamChanged, this, &Sessions::followStream);
+    connect(&files_, &Files::chosen, this, [this](const QStringList& paths) { open(paths); });
     connect(&engine_, &Engine::failed, this, [this](const QString& sentence) {
         if (wanted_ && !engine_.opening()) askForPlace(sentence);
     });
@@ -201,17 +203,18 @@ void Sessions::openSession(const QString& path) { open({path}); }
 void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
     if (paths.isEmpty()) return;
     const QString first = paths.front();
-    if (!isSessionName(first) && !first.endsWith(".png", Qt::CaseInsensitive)) return files_.open(paths, options);
+    if (std::error_code problem; !std::filesystem::is_regular_file(exactBytes(first), problem)) return files_.open(paths, options);
     reading_ = true;
     inBackground(
         this,
         [this, paths, options, first, number = ++readings_]() -> std::function<void()> {
             auto read = sessionOf(first);
-            if (read && *read) { // those that exist
+            const QString own = isSessionFile(first) ? first : QString(); // a picture is not written to
+            if (read && *read) {                                          // those that exist
                 std::error_code none;
                 std::erase_if((*read)->places, [&](const std::filesystem::path& place) { return !std::filesystem::exists(place, none); });
             }
-            return [this, paths, options, first, number, read = std::move(read)] {
+            return [this, paths, options, own, number, read = std::move(read)] {
                 if (number != readings_) return;
                 reading_ = false;
                 if (!read)
@@ -219,7 +222,7 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
                 else if (!*read)
                     refuse(NoticeBar::Kind::Error, exactText(read->error().sentence()));
                 else
-                    restore(**read, isSessionName(first) ? first : QString());
+                    restore(**read, own);
             };
         },
         [this](const QString& what) {
