@@ -224,7 +224,7 @@ TEST(CliReport, ShowsRocksInPicturesTableAndCurve) {
               1 + std::min<std::size_t>(25, rocks["rocks"].size()));
     double longest = 0;
     for (const json& rock : rocks["rocks"]) longest = std::max(longest, rock["visible_long_m"].get<double>());
-    const std::string name = "data-name=\"a visible [m]\">";
+    const std::string name = "data-name=\"visible length a [m]\">";
     EXPECT_NEAR(std::stod(text.substr(text.find(name) + name.size())), longest, 0.006);
     EXPECT_EQ(countOf(text, "<svg id=\"sizes\""), 1U);
     EXPECT_NE(text.find("over 0.60 m"), std::string::npos);

@@ -18,6 +18,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
@@ -312,6 +313,28 @@ private slots:
         QTest::mouseDClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
         QVERIFY(!(on.viewer.views.cloud().camera() == before));
         QCOMPARE(on.viewer.views.marked(), std::optional<std::size_t>(on.viewer.rocks.selected().back()));
+    }
+
+    // At every width: a head, with its arrow where the table is sorted, and each number have their whole width; else the table scrolls.
+    void theTableCutsNoHeadAndNoNumber() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QTableView* table = on.viewer.rockTable.table();
+        const QAbstractItemView& content = *table;
+        for (const QSize size : {QSize(1280, 800), QSize(1700, 1000), QSize(1920, 1040)}) {
+            QTRY_VERIFY((on.window.resize(size), on.window.width() == size.width()));
+            for (int n = 0; n < 5; ++n) QApplication::processEvents();
+            const QHeaderView* heads = table->horizontalHeader();
+            int whole = 0;
+            for (int n = 0; n < heads->count(); ++n) {
+                whole += heads->sectionSize(n);
+                QVERIFY2(heads->sectionSize(n) >= std::max(heads->sectionSizeHint(n), content.sizeHintForColumn(n)),
+                         qPrintable(table->model()->headerData(n, Qt::Horizontal).toString()));
+                const QString help = table->model()->headerData(n, Qt::Horizontal, Qt::ToolTipRole).toString();
+                QVERIFY2(help.contains('\n'), qPrintable(help)); // its name and what it is
+            }
+            QVERIFY(whole <= table->viewport()->width() || table->horizontalScrollBar()->maximum() > 0);
+        }
     }
 
     // The menu of a rock is the same in the table; in a narrow window the table is a tab at the panel of rocks.

@@ -205,8 +205,8 @@ std::string countsOf(const rocks::Study& study, const rocks::SizeCurve& curve) {
     if (!study.edits.empty()) html += "; " + std::to_string(study.edits.size()) + " changes were made by hand";
     html += ". Level " + shortestText(study.settings.level) + " of -4 (fine) to 4 (coarse).</p>\n";
     if (curve.rocks() == 0) return html;
-    html += "<p>Visible b: P20 " + twoDecimals(curve.p20M) + " m, P50 " + twoDecimals(curve.p50M) + " m, P80 " + twoDecimals(curve.p80M) +
-            " m, largest " + twoDecimals(curve.topM) + " m";
+    html += "<p>Visible width b: P20 " + twoDecimals(curve.p20M) + " m, P50 " + twoDecimals(curve.p50M) + " m, P80 " +
+            twoDecimals(curve.p80M) + " m (20, 50 and 80 % of the rocks are not wider), largest " + twoDecimals(curve.topM) + " m";
     if (curve.oversizeM > 0)
         html += "; " + fixedText(100 * curve.oversizeShare, 0) + " % over the site's " + twoDecimals(curve.oversizeM) + " m";
     return html + " (" + htmlText(rocks::kSizeCurveCaveat) + ").</p>\n";

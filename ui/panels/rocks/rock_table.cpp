@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelectionModel>
@@ -43,25 +44,27 @@ RockTable::RockTable(QWidget* parent)
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
     QHeaderView* heads = table_->horizontalHeader();
-    heads->setSectionResizeMode(QHeaderView::Stretch);
-    heads->setDefaultAlignment(Qt::AlignCenter | static_cast<Qt::Alignment>(Qt::TextWordWrap)); // a unit may be below its word
+    heads->setDefaultAlignment(Qt::AlignCenter);
     heads->setMinimumHeight(2 * heads->fontMetrics().height() + 6);
     heads->setMinimumSectionSize(40);
+    table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    table_->viewport()->installEventFilter(this);
 
     smallest_->setRange(0.0, 10.0);
     smallest_->setSingleStep(0.1);
     smallest_->setDecimals(2);
     smallest_->setSuffix(tr(" m"));
-    smallest_->setToolTip(tr("Rocks with a smaller visible width b are left out of the table, not of the pictures"));
-    sureOnly_->setToolTip(tr("Rocks with p below 0.85, which are hatched, are left out of the table"));
+    const QString smallestHelp = tr("Rocks with a smaller visible width b are left out of the table, not of the pictures");
+    auto* least = new QLabel(tr("b at least"));
+    for (QWidget* each : std::initializer_list<QWidget*>{least, smallest_}) each->setToolTip(smallestHelp);
+    sureOnly_->setToolTip(tr("Rocks with a confidence p below 0.85, which are hatched, are left out of the table"));
 
     count_->setWordWrap(true);
     count_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* tools = new FlowLayout;
     tools->setContentsMargins(8, 2, 8, 2);
     tools->setSpacing(8);
-    tools->addWidget(new QLabel(tr("b at least")));
-    for (QWidget* each : std::initializer_list<QWidget*>{smallest_, sureOnly_, export_}) tools->addWidget(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{least, smallest_, sureOnly_, export_}) tools->addWidget(each);
     bar_->setContentsMargins(8, 2, 0, 0);
     bar_->setSpacing(0);
     bar_->addWidget(count_, 1);
@@ -95,14 +98,30 @@ RockTable::RockTable(QWidget* parent)
     showCount();
 }
 
-/// In a narrow panel the parts are one below the other, the columns have the width of their content, and in a low one the rows come first.
+bool RockTable::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == table_->viewport() && event->type() == QEvent::Resize) fitColumns();
+    return QWidget::eventFilter(watched, event);
+}
+
+/// Each column shows its whole head and content, and has its part of the width that is left. A table with less room scrolls.
+void RockTable::fitColumns() {
+    QHeaderView* heads = table_->horizontalHeader();
+    const QAbstractItemView& content = *table_;
+    std::vector<int> widths;
+    for (int n = 0; n < heads->count(); ++n) widths.push_back(std::max(heads->sectionSizeHint(n), content.sizeHintForColumn(n)));
+    int left = table_->viewport()->width();
+    for (const int width : widths) left -= width;
+    for (int n = 0; n < heads->count(); ++n)
+        heads->resizeSection(n, widths[static_cast<std::size_t>(n)] + std::max(0, left) / heads->count());
+}
+
+/// In a narrow panel the parts are one below the other, and in a low one the rows come first.
 void RockTable::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool wide = width() >= kWide;
     bar_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     sides_->setOrientation(wide ? Qt::Horizontal : Qt::Vertical);
     curve_->setVisible(wide || height() >= kHigh);
-    table_->horizontalHeader()->setSectionResizeMode(wide ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
 }
 
 std::uint32_t RockTable::labelOf(const QModelIndex& index) const {
@@ -114,6 +133,7 @@ void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QS
     remark_ = remark;
     if (picture != model_->picture()) {
         model_->show(picture);
+        fitColumns();
         curve_->show(picture ? edgescan::rocks::sizeCurve(picture->study.rocks, picture->study.settings.oversizeM) : rocks::SizeCurve{});
         markOnCurve({});
     }

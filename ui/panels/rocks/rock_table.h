@@ -52,9 +52,11 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     [[nodiscard]] std::uint32_t labelOf(const QModelIndex& index) const;
+    void fitColumns();
     void showCount();
     void emitChosen();
     void markOnCurve(const std::vector<std::uint32_t>& labels);

@@ -61,11 +61,19 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     return {};
 }
 
+/// Broken in two at the blank next to its middle, so that a column is no wider than its longest word needs.
+QString RockTableModel::inTwoLines(const QString& head) {
+    const auto middle = head.size() / 2;
+    const auto before = head.lastIndexOf(' ', middle), after = head.indexOf(' ', middle);
+    const auto at = before < 0 || (after >= 0 && after - middle < middle - before) ? after : before;
+    return at < 0 ? head : QString(head).replace(at, 1, '\n');
+}
+
 QVariant RockTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) return {};
     const rocks::RockColumn& column = columns()[static_cast<std::size_t>(section)];
-    if (role == Qt::DisplayRole) return QObject::tr(column.title);
-    if (role == Qt::ToolTipRole) return QObject::tr(column.help);
+    if (role == Qt::DisplayRole) return inTwoLines(QObject::tr(column.title));
+    if (role == Qt::ToolTipRole) return QObject::tr(column.title) + "\n" + QObject::tr(column.help);
     return {};
 }
 

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] static QString inTwoLines(const QString& head);
+
     std::shared_ptr<const RockPicture> picture_;
 };
 

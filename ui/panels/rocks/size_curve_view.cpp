@@ -36,8 +36,8 @@ double tickM(double rightM) {
 QString sizeCurveText(const rocks::SizeCurve& curve) {
     if (curve.rocks() == 0) return {};
     const QString over = oversizeText(curve);
-    return SizeCurveView::tr("Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, "
-                             "by 40 % and more.")
+    return SizeCurveView::tr("Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. "
+                             "Hidden parts make this finer than the pile is, by 40 % and more.")
         .arg(metresText(curve.p20M), metresText(curve.p50M), metresText(curve.p80M), metresText(curve.topM),
              over.isEmpty() ? over : "; " + over);
 }
@@ -100,7 +100,8 @@ void SizeCurveView::paintEvent(QPaintEvent*) {
         return;
     }
     painter.drawText(QRect(4, 0, width() - 8, 3 * kText), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-                     tr("Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more."));
+                     tr("Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile "
+                        "is, by 40 % and more."));
     drawAxes(painter);
     drawOversize(painter);
     drawCurve(painter);

@@ -9,7 +9,8 @@
 
 namespace edgescan::ui {
 
-/// "Visible b by count: P20 0.31, P50 0.52, P80 0.98, largest 2.01 m; ▲ 12 % over 1.50 m. Hidden parts ..."; empty without rocks.
+/// "Visible width b by count: P20 0.31, P50 0.52, P80 0.98 (...), largest 2.01 m; ▲ 12 % over 1.50 m. Hidden parts ..."; empty without
+/// rocks.
 [[nodiscard]] QString sizeCurveText(const rocks::SizeCurve& curve);
 
 /// GUI thread only.
