@@ -5,6 +5,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/controllers/paper_pages.h"
 #include "ui/controllers/report_pdf.h"
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/dialogs/export_dialog.h"
@@ -16,6 +17,7 @@
 #include "ui/window/theme.h"
 #include "ui/window/tool_bar.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -26,6 +28,8 @@
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextDocument>
 #include <QToolButton>
 
 using namespace edgescan;
@@ -192,6 +196,29 @@ private slots:
         on.viewer.report.writeTo(QString::fromStdString((folder_ / "wrong.html").string()), wrong);
         QVERIFY2(on.viewer.notice.text().contains("not a PNG picture"), qPrintable(on.viewer.notice.text()));
         QVERIFY(!std::filesystem::exists(folder_ / "wrong.html"));
+    }
+
+    void paperSplitsNeitherShortParagraphsNorRowsAndLeavesNoHeadingAlone() {
+        const QString three = "<p>" + QString("one two three four five six seven eight nine ten ").repeated(6) + "</p>";
+        const QString row = "<tr><td>" + QString("first second third ").repeated(4) + "</td><td>more</td></tr>";
+        for (int before = 0; before < 30; ++before) { // wherever the end of the page is
+            QTextDocument document;
+            document.setHtml(QString("<p>line</p>").repeated(before) + three.repeated(4) + "<h2>Heading</h2>" + three + "<table>" +
+                             row.repeated(12) + "</table>" + three + "<table>" + row.repeated(70) + "</table>");
+            document.setPageSize({400, 600});
+            QVERIFY(document.pageCount() > 3);
+            keepTogether(document);
+            int longTable = 0;
+            for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+                QVERIFY2(!isSplit(block), qPrintable(QString("%1 lines before: %2").arg(before).arg(block.text())));
+                const auto pageOfBlock = [&](const QTextBlock& of) {
+                    return pageOf(document, document.documentLayout()->blockBoundingRect(of).bottom() - 2);
+                };
+                if (block.text() == "Heading") QCOMPARE(pageOfBlock(block), pageOfBlock(block.next()));
+                longTable += block.text() == "more" ? 1 : 0;
+            }
+            QCOMPARE(longTable, 82);
+        }
     }
 
     // Both images side by side and large, the cloud in the rest; the choice and an exchange are stored.

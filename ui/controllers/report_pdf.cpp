@@ -1,12 +1,17 @@
 // Lays the page of a report out on paper.
 #include "ui/controllers/report_pdf.h"
 
+#include "ui/controllers/paper_pages.h"
+
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QFont>
 #include <QImage>
 #include <QPageSize>
+#include <QPainter>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <QTextFrame>
 #include <QThread>
 #include <QUrl>
 
@@ -20,6 +25,7 @@ namespace {
 constexpr int kMarginMm = 15;
 constexpr int kWide = 660, kHigh = 780; // px of 1/96 inch: room for a picture with its heading, legend and caption on a page
 constexpr int kLogoHigh = 90;
+constexpr int kInnerMargin = 24; // px of 1/96 inch: the page number is in it
 constexpr int kResolution = 300;
 
 /// Removes each part from `begin` to `end`, both included.
@@ -54,6 +60,32 @@ QString withResources(const QString& html, QTextDocument& document) {
     return made + html.mid(from);
 }
 
+/// As QTextDocument::print(), which lays the pages out itself and splits what belongs together.
+void print(QTextDocument& document, QPdfWriter& writer) {
+    QPainter painter(&writer);
+    QAbstractTextDocumentLayout& layout = *document.documentLayout();
+    layout.setPaintDevice(&writer);
+    QTextFrameFormat edge = document.rootFrame()->frameFormat();
+    edge.setMargin(kInnerMargin);
+    document.rootFrame()->setFrameFormat(edge);
+    const QSizeF page(writer.width(), writer.height());
+    document.setPageSize(page);
+    keepTogether(document);
+    painter.setFont(QFont(document.defaultFont(), &writer));
+    for (int n = 0; n < document.pageCount(); ++n) {
+        if (n > 0) writer.newPage();
+        painter.drawText(QRectF(QPointF(), page), Qt::AlignRight | Qt::AlignBottom, QString::number(n + 1));
+        painter.save();
+        painter.translate(0, -n * page.height());
+        QAbstractTextDocumentLayout::PaintContext context;
+        context.clip = QRectF(QPointF(0, n * page.height()), page);
+        context.palette.setColor(QPalette::Text, Qt::black);
+        painter.setClipRect(context.clip);
+        layout.draw(&painter, context);
+        painter.restore();
+    }
+}
+
 QByteArray laidOut(const std::string& html) {
     QString page = QString::fromStdString(html);
     cut(page, "<script", "</script>");
@@ -85,7 +117,7 @@ QByteArray laidOut(const std::string& html) {
         writer.setResolution(kResolution);
         writer.setCreator("EdgeScan");
         writer.setTitle(document.metaInformation(QTextDocument::DocumentTitle));
-        document.print(&writer);
+        print(document, writer);
     }
     return bytes;
 }
