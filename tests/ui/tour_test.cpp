@@ -13,6 +13,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 
 using namespace edgescan;
@@ -89,6 +90,37 @@ private slots:
         QVERIFY(!on.tour.isVisible());
         on.window.cab().set(false);
         QVERIFY(on.tour.isVisible());
+    }
+
+    void theFirstStepIsDoneWhenAScanIsOpenWhicheverWay() {
+        FirstStart on(ini_);
+        QVERIFY(on.begin());
+        QCOMPARE(on.tour.step(), 0);
+        on.click("start-demo"); // of the start page, not of the tour
+        QVERIFY(eventually([&] { return on.tour.step() == 1; }));
+        on.tour.showStep(3);
+        QVERIFY(on.open(edgescan::test::sourceFolder() + "/tests/data/thesis/steps.json"));
+        QCOMPARE(on.tour.step(), 3);
+        on.tour.end();
+        for (QAction* action : on.window.findChildren<QAction*>()) {
+            if (action->text() == "&Tour") action->trigger();
+        }
+        QCOMPARE(on.tour.step(), 1);
+    }
+
+    // The strip is as wide as the views: beside it the head of a dock, whose content the page covers, would be left.
+    void nothingOfADockIsLeftBesideIt() {
+        FirstStart on(ini_);
+        on.window.resize(1280, 800);
+        QVERIFY(on.begin());
+        QVERIFY(on.tour.isVisible());
+        for (int n = 0; n < 5; ++n) QApplication::processEvents();
+        for (const auto* dock : on.window.findChildren<QDockWidget*>()) {
+            if (!dock->isVisible()) continue;
+            const QPoint head = dock->mapTo(&on.window, QPoint(dock->width() / 2, 8));
+            const QWidget* there = on.window.childAt(head);
+            QVERIFY2(there != nullptr && there != dock && !dock->isAncestorOf(there), qPrintable(dock->objectName()));
+        }
     }
 
     void itCoversNothing_data() {

@@ -46,11 +46,17 @@ void addTour(MainWindow& window, QBoxLayout& column) {
     column.addWidget(tour);
     QObject::connect(&window.cab(), &CabMode::changed, tour, [tour](bool cab) { tour->setVisible(tour->running() && !cab); });
     QObject::connect(tour, &Tour::ended, &window, [&window] { window.viewer().preferences.keep(kTourEnded, true); });
+    // Whichever way the scan was opened, the first step is done.
+    QObject::connect(&window.viewer().engine, &Engine::pictureReady, tour, [tour] {
+        if (tour->running() && tour->step() == 0) tour->showStep(1);
+    });
     QObject::connect(tour, &Tour::tryRequested, &window, [&window](int step) { tryStep(window, step); });
 }
 
 void startTour(MainWindow& window) {
-    if (!window.cab().on()) tourOf(window)->start();
+    if (window.cab().on()) return;
+    tourOf(window)->start();
+    if (window.viewer().engine.picture()) tourOf(window)->showStep(1);
 }
 
 bool endTour(MainWindow& window) {

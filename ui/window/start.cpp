@@ -30,7 +30,9 @@ constexpr int kSettleMs = 400; // time until docks have their positions
 /// Keeps the page over everything between tool bar and status bar. The notice bar stays visible, and the scanner panel closes the page.
 class OverViews : public QObject {
 public:
-    OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page), tour_(window.findChild<Tour*>("tour")) {
+    OverViews(MainWindow& window, StartPage& page)
+        : QObject(&page), window_(window), page_(page), tour_(window.findChild<Tour*>("tour")), beside_(*new QWidget(&window)) {
+        beside_.setAutoFillBackground(true);
         for (QObject* watched :
              {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.viewer().notice),
               static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.viewer().statusLine),
@@ -51,6 +53,7 @@ public:
         // An OpenGL picture under other widgets leaves the line next to it black.
         if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show))
             window_.viewer().views.cloud().setVisible(type == QEvent::Hide);
+        if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show)) beside_.setVisible(type == QEvent::Show);
         if (gone_ || !page_.isVisible()) return false;
         if (watched == &window_.viewer().live.panel() && type == QEvent::Show)
             page_.hide();
@@ -68,12 +71,17 @@ private:
         }
         page_.setGeometry(0, top, window_.width(), std::max(0, window_.viewer().statusLine.mapTo(&window_, QPoint(0, 0)).y() - top));
         page_.raise();
+        // The strips above the page are as wide as the views: beside them are the heads of docks whose content the page covers.
+        const int side = centre.mapTo(&window_, QPoint(centre.width(), 0)).x(), head = centre.mapTo(&window_, QPoint(0, 0)).y();
+        beside_.setGeometry(side, head, std::max(0, window_.width() - side), std::max(0, top - head));
+        beside_.raise();
         settle_.start();
     }
 
     MainWindow& window_;
     StartPage& page_;
     QWidget* tour_;
+    QWidget& beside_;
     QTimer settle_; // then everything is painted again: a dock separator that moved under the page is black until then
     bool gone_ = false;
 };
