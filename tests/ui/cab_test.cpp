@@ -28,6 +28,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
 
@@ -126,6 +127,37 @@ private slots:
             QVERIFY(seen >= 10);
             const auto* number = side->findChild<QLabel*>("cab-size");
             QVERIFY2(number->font().pixelSize() >= 22, qPrintable(QString::number(number->font().pixelSize())));
+        }
+    }
+
+    // A target has all its rows in sight on the screen of a cab, with and without a rock.
+    void noRowOfATargetIsCutOnALowScreen() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {1024, 768});
+        auto* side = on.window.findChild<NumbersSide*>();
+        TargetNumbers numbers{"Target 1",
+                              "1 of 1",
+                              "5.566 m",
+                              "± 0.018",
+                              "Rock, visible",
+                              "–",
+                              "touch Rocks to measure it",
+                              {{"X", "2.642"}, {"Y", "2.880"}, {"Z", "3.964"}},
+                              "▲ no pose: no E N RL",
+                              {{"Resolves", "55 mm"}, {"Surface", "57° ± 1 off the beam"}}};
+        for (const bool rock : {false, true}) {
+            if (rock) {
+                numbers.rock = "Rock 12, visible";
+                numbers.size = "1.29 × 0.88 m";
+                numbers.sizeRemark = "± 0.05 m · candidate - geometry only, one viewpoint";
+            }
+            side->showNumbers(numbers);
+            for (int n = 0; n < 5; ++n) QApplication::processEvents();
+            const auto* room = side->findChild<QScrollArea*>();
+            QVERIFY2(room->widget()->height() <= room->viewport()->height(),
+                     qPrintable(QString("%1 px in %2").arg(room->widget()->height()).arg(room->viewport()->height())));
         }
     }
 

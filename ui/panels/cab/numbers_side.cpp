@@ -18,6 +18,12 @@
 #include <initializer_list>
 
 namespace edgescan::ui {
+namespace {
+
+constexpr int kNumberPx = 42, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17, kLeastNotePx = 15;
+constexpr int kLowPx = 720; // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
+
+} // namespace
 
 /// One line. It never requests more width than it is given. The font shrinks down to `leastPx`; text that still does not fit is in the tool
 /// tip.
@@ -26,6 +32,7 @@ public:
     FittedLabel(int mostPx, int leastPx, QWidget* parent = nullptr);
 
     void showText(const QString& text);
+    void setMost(int px);
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
@@ -39,16 +46,22 @@ private:
 
 FittedLabel::FittedLabel(int mostPx, int leastPx, QWidget* parent) : QLabel(parent), mostPx_(mostPx), leastPx_(leastPx) {
     setTextFormat(Qt::PlainText);
-    QFont letters = font();
-    letters.setPixelSize(mostPx);
-    letters.setBold(true);
-    setFont(letters);
-    setMinimumHeight(QFontMetrics(letters).height()); // the widgets below do not move
+    setMost(mostPx);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
 }
 
 void FittedLabel::showText(const QString& text) {
     setText(text);
+    fit();
+}
+
+void FittedLabel::setMost(int px) {
+    mostPx_ = px;
+    QFont letters = font();
+    letters.setPixelSize(px);
+    letters.setBold(true);
+    setFont(letters);
+    setMinimumHeight(QFontMetrics(letters).height()); // the widgets below do not move
     fit();
 }
 
@@ -72,8 +85,6 @@ void FittedLabel::fit() {
 }
 
 namespace {
-
-constexpr int kNumberPx = 42, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17;
 
 QLabel* label(const char* name, int px, bool bold) {
     auto* made = new QLabel;
@@ -161,7 +172,12 @@ QWidget* NumbersSide::makeNumbers() {
     auto* name = label("cab-distance-name", kNotePx, false);
     distanceName_ = name;
     name->setText(tr("Distance"));
-    for (QLabel* each : std::initializer_list<QLabel*>{name, distance_, tolerance_, rock_, size_, sizeRemark_}) column->addWidget(each);
+    auto* above = new QHBoxLayout; // the uncertainty beside the name: a low screen has no line for it
+    above->addWidget(name);
+    above->addStretch(1);
+    above->addWidget(tolerance_);
+    column->addLayout(above);
+    for (QLabel* each : std::initializer_list<QLabel*>{distance_, rock_, size_, sizeRemark_}) column->addWidget(each);
     column->addSpacing(8);
     column->addLayout(coordinates_);
     column->addWidget(pose_);
@@ -197,12 +213,31 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);
     size_->showText(numbers.size);
+    size_->setVisible(some && numbers.size != QStringLiteral("–")); // the remark says why there is none
     sizeRemark_->setText(numbers.sizeRemark);
     sizeRemark_->setVisible(!numbers.sizeRemark.isEmpty());
     pose_->setText(numbers.pose);
     pose_->setVisible(!numbers.pose.isEmpty());
     fillRows(*coordinates_, coordinateLabels_, numbers.coordinates, true);
     fillRows(*rows_, rowLabels_, numbers.rows, false);
+    fitHeight();
+}
+
+void NumbersSide::fitHeight() {
+    const bool low = height() < kLowPx;
+    for (const auto& [name, value] : coordinateLabels_) static_cast<FittedLabel*>(value)->setMost(low ? kTextPx : kCoordinatePx);
+    for (const auto& [name, value] : rowLabels_) {
+        for (QLabel* each : {name, value}) {
+            QFont letters = each->font();
+            letters.setPixelSize(low ? kLeastNotePx : kNotePx);
+            each->setFont(letters);
+        }
+    }
+}
+
+void NumbersSide::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitHeight();
 }
 
 void NumbersSide::fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLabel*>>& labels,

@@ -58,7 +58,11 @@ signals:
     void stepped(const QString& key, int steps);
     void stepEnded();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitHeight();
     QWidget* makeNumbers();
     QWidget* makeSettings();
     void fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLabel*>>& labels, const std::vector<std::pair<QString, QString>>& rows,

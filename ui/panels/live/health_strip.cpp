@@ -59,6 +59,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
           !notFollowing              ? health.badge
           : picture == Picture::Held ? tr("HELD").toStdString()
                                      : tr("CONNECTED, another picture is shown").toStdString());
+    if (brief_ && !notFollowing && health.badge == "LIVE") badge_->hide(); // the badge at the head says LIVE
     showText(lines_, health.lines);
     bar_->showRows(health.row, health.rows, health.lostRows);
     showText(lost_, health.lost);

@@ -58,12 +58,12 @@ LivePanel::LivePanel(QWidget* parent)
     scanner_->setObjectName("live-scanner");
 
     auto* head = new QWidget;
-    auto* row = new FlowLayout(head);
+    auto* row = buttons_ = new FlowLayout(head);
     row->setContentsMargins(6, 0, 6, 2);
     row->setSpacing(kBetween);
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, topics_, record_, keep_, scanner_})
         row->addWidget(each);
-    auto* first = new QHBoxLayout;
+    auto* first = stripRow_ = new QHBoxLayout;
     first->setContentsMargins(6, 2, 0, 0);
     first->setSpacing(kBetween);
     first->addWidget(follow_, 0, Qt::AlignTop);
@@ -161,6 +161,10 @@ void LivePanel::forgetScanner() {
 void LivePanel::setBrief(bool on) {
     brief_ = on;
     strip_->setBrief(on);
+    if (on) // large buttons: all of them in one row, so that the strip has the whole width
+        buttons_->addWidget(follow_);
+    else
+        stripRow_->insertWidget(0, follow_, 0, Qt::AlignTop);
     showFields();
 }
 

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -14,6 +15,7 @@ class QToolButton;
 
 namespace edgescan::ui {
 
+class FlowLayout;
 class SweepForm;
 class TopicMenu;
 
@@ -76,6 +78,8 @@ private:
     QPushButton* follow_;
     QLabel* scanner_;
     HealthStrip* strip_;
+    FlowLayout* buttons_ = nullptr;
+    QHBoxLayout* stripRow_ = nullptr;
     bool connected_ = false, brief_ = false, bridge_ = false;
 };
 
