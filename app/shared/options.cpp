@@ -98,7 +98,7 @@ void addWriteFlags(CLI::App& command, WriteFlags& flags) {
     const char* group = "Writing";
     command
         .add_option("--frame", flags.frame,
-                    "Coordinates of clouds: mine (Easting, Northing, Elevation), local (metres from an origin in the header), scanner, "
+                    "Coordinates of clouds: mine (Easting, Northing, RL), local (metres from an origin in the header), scanner, "
                     "or auto: mine if the scan has a place, else scanner")
         ->check(CLI::IsMember({"auto", "scanner", "local", "mine"}))
         ->group(group);

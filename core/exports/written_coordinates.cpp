@@ -20,7 +20,7 @@ double stepOfFloatsM(const Eigen::AlignedBox3d& box) {
 }
 
 std::string originText(const Eigen::Vector3d& enhM) {
-    return "E " + shortestText(enhM.x()) + ", N " + shortestText(enhM.y()) + ", elevation " + shortestText(enhM.z());
+    return "E " + shortestText(enhM.x()) + ", N " + shortestText(enhM.y()) + ", RL " + shortestText(enhM.z());
 }
 
 std::string extentText(const Eigen::AlignedBox3d& box, const std::array<const char*, 3>& names) {

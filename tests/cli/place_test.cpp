@@ -155,9 +155,9 @@ TEST_F(CliPlace, TheLastLineOfEveryExportNamesWhatNeedsTheLocalFrame) {
         << ply.err;
     EXPECT_NE(lastLine(ply.err).find("For MeshLab, "), std::string::npos) << ply.err;
     const auto pcd = runCli("convert " + placed() + " " + path("w.pcd"));
-    EXPECT_NE(lastLine(pcd.err).find(".pcd: 4-byte metres from E 620700, N 6200100, elevation 280."), std::string::npos) << pcd.err;
+    EXPECT_NE(lastLine(pcd.err).find(".pcd: 4-byte metres from E 620700, N 6200100, RL 280."), std::string::npos) << pcd.err;
     const auto local = runCli("convert " + placed() + " " + path("w.obj") + " --frame local");
-    EXPECT_NE(lastLine(local.err).find("Local metres from E 620700, N 6200100, elevation 280 in the mine grid: east "), std::string::npos)
+    EXPECT_NE(lastLine(local.err).find("Local metres from E 620700, N 6200100, RL 280 in the mine grid: east "), std::string::npos)
         << local.err;
     EXPECT_EQ(local.err.find("MeshLab"), std::string::npos) << local.err;
     const auto detect = runCli("detect " + placed() + " -o " + path("all"));

@@ -25,7 +25,7 @@ TargetRow placeRow(const inspect::CellTarget& target) {
 
 TargetRow mineRow(const inspect::CellTarget& target) {
     return {QObject::tr("E, N, RL"), target.probe.mineM ? triple(*target.probe.mineM) : noPose(),
-            QObject::tr("Easting, Northing and elevation in the mine grid, in metres")};
+            QObject::tr("Easting, Northing and RL (height) in the mine grid, in metres")};
 }
 
 TargetRow rockRow(const TargetSurroundings& around) {

@@ -149,7 +149,7 @@ QString ScalePlate::scaleTitle() const {
     case ColourBy::Range:
         return tr("Range [m]");
     case ColourBy::Height:
-        return colours_.mine ? tr("Elevation [m]") : tr("Height above the scanner [m]");
+        return colours_.mine ? tr("RL [m]") : tr("Height above the scanner [m]");
     case ColourBy::Line:
         return tr("Line");
     case ColourBy::Intensity:
