@@ -420,7 +420,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
 <message><source>RECORDED</source><translation>GRABADO</translation></message>
 <message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
-<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>FILE</source><translation>ARCHIVO</translation></message>
 <message><source>no time</source><translation>sin hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEN ANTERIOR</translation></message>
@@ -670,7 +670,7 @@ mantenga \ para verla</translation></message>
 <message><source>What</source><translation>Contenido</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas mina: Este, Norte, Cota</translation></message>
+<message><source>Mine grid: Easting, Northing, RL</source><translation>Coordenadas de la mina: E, N, RL</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Sin coordenadas mina: %1. Escaneo &gt; Pose y montaje acepta una pose y una calibración.</translation></message>
@@ -743,6 +743,47 @@ mantenga \ para verla</translation></message>
 <message><source>Line angles [°]</source><translation>Ángulos de las líneas [°]</translation></message>
 <message><source>Intensity</source><translation>Intensidad</translation></message>
 <message><source>Measured</source><translation>Mediciones</translation></message>
+<message><source>Maker</source><translation>Fabricante</translation></message>
+<message><source>Model</source><translation>Modelo</translation></message>
+<message><source>Serial number</source><translation>Número de serie</translation></message>
+<message><source>Firmware</source><translation>Firmware</translation></message>
+<message><source>Begin (UTC)</source><translation>Inicio (UTC)</translation></message>
+<message><source>End (UTC)</source><translation>Fin (UTC)</translation></message>
+<message><source>Clock</source><translation>Reloj</translation></message>
+<message><source>Window of the scanner</source><translation>Ventana del escáner</translation></message>
+<message><source>Echo filter</source><translation>Filtro de ecos</translation></message>
+<message><source>Lines of the sweep</source><translation>Líneas del barrido</translation></message>
+<message><source>first</source><translation>primera</translation></message>
+<message><source>last</source><translation>última</translation></message>
+<message><source>number</source><translation>número</translation></message>
+<message><source>step</source><translation>paso</translation></message>
+<message><source>uneven</source><translation>desigual</translation></message>
+<message><source>Direction of the stepper</source><translation>Sentido del motor</translation></message>
+<message><source>Points behind others</source><translation>Puntos detrás de otros</translation></message>
+<message><source>Points of the list</source><translation>Puntos de la lista</translation></message>
+<message><source>in the file</source><translation>en el archivo</translation></message>
+<message><source>without a cell</source><translation>sin celda</translation></message>
+<message><source>Scanner at [m]</source><translation>Escáner en [m]</translation></message>
+<message><source>Origin E, N, RL [m]</source><translation>Origen E, N, RL [m]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
+<message><source>Grid</source><translation>Cuadrícula</translation></message>
+<message><source>Source</source><translation>Origen</translation></message>
+<message><source>Robot</source><translation>Robot</translation></message>
+<message><source>Begin of the scan</source><translation>Inicio del escaneo</translation></message>
+<message><source>End of the scan</source><translation>Fin del escaneo</translation></message>
+<message><source>Time of the pose</source><translation>Hora de la pose</translation></message>
+<message><source>Age of the pose [s]</source><translation>Edad de la pose [s]</translation></message>
+<message><source>Out of spec</source><translation>Fuera de tolerancias</translation></message>
+<message><source>Poses</source><translation>Poses</translation></message>
+<message><source>Boom</source><translation>Pluma</translation></message>
+<message><source>Pivot [m]</source><translation>Pivote [m]</translation></message>
+<message><source>Head [m]</source><translation>Cabeza [m]</translation></message>
+<message><source>mine grid</source><translation>coordenadas mina</translation></message>
+<message><source>scanner</source><translation>escáner</translation></message>
+<message><source>beam x line angles</source><translation>ángulos de haces x líneas</translation></message>
+<message><source>organised points</source><translation>puntos organizados</translation></message>
+<message><source>spin</source><translation>spin</translation></message>
+<message><source>sweep</source><translation>sweep</translation></message>
 <message><source>yes</source><translation>sí</translation></message>
 <message><source>no</source><translation>no</translation></message>
 <message><source>and %1 more</source><translation>y %1 más</translation></message>
@@ -818,7 +859,7 @@ mantenga \ para verla</translation></message>
 <message><source>Encoder counts per degree</source><translation>Cuentas del encoder por grado</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Shift diez</translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · línea %2/%3</translation></message>
+<message><source>RECORDED %1 · line %2/%3</source><translation>GRABADO %1 · línea %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1; mensajes: %2, por segundo: %3</translation></message>
@@ -877,8 +918,8 @@ mantenga \ para verla</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con p menor que 0.85, que están achuradas, se omiten en la tabla</translation></message>
 <message><source>b at least</source><translation>b al menos</translation></message>
+<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con confianza p inferior a 0.85, que están rayadas, se omiten en la tabla</translation></message>
 <message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 achuradas (p &lt; 0.85)</translation></message>
@@ -888,11 +929,11 @@ mantenga \ para verla</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad: P20 %1, P50 %2, P80 %3, el mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
+<message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: P20 %1, P50 %2, P80 %3 (20, 50, 80 % de las rocas no son más anchas), la mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % de las rocas tienen un ancho visible de %2 m como máximo</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible por cantidad. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
+<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: 50 % de las rocas no son más anchas que P50. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
@@ -942,8 +983,8 @@ mantenga \ para verla</translation></message>
 <message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Metros en el sistema del escaneo</translation></message>
-<message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
-<message><source>Easting, Northing and elevation in the mine grid, in metres</source><translation>Este, Norte y Cota en coordenadas mina, metros</translation></message>
+<message><source>E, N, RL</source><translation>E, N, RL</translation></message>
+<message><source>Easting, Northing and RL (height) in the mine grid, in metres</source><translation>Este, norte y RL (altura) en coordenadas de la mina, en metros</translation></message>
 <message><source>Rock, visible</source><translation>Roca, visible</translation></message>
 <message><source>none here</source><translation>ninguna aquí</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
@@ -1044,7 +1085,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sin pose, las coordenadas se cuentan desde el escáner, no desde la cuadrícula de la mina.</translation></message>
-<message><source>mine grid</source><translation>coordenadas mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
@@ -1070,7 +1110,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>grid %1</source><translation>cuadrícula %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distancia [m]</translation></message>
-<message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
+<message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
 <message><source>Front</source><translation>Frente</translation></message>
@@ -1115,7 +1155,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Fold</source><translation>Plegar</translation></message>
-<message><source>Source</source><translation>Origen</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
@@ -1292,6 +1331,23 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
 </translation></message>
+<message><source>Network capture</source><translation>Captura de red</translation></message>
+<message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
+<message><source>Drawing with edge lines</source><translation>Dibujo con las líneas de los bordes</translation></message>
+<message><source>Range picture</source><translation>Imagen de distancias</translation></message>
+<message><source>LAS point cloud</source><translation>Nube de puntos LAS</translation></message>
+<message><source>numpy array</source><translation>Matriz numpy</translation></message>
+<message><source>numpy archive</source><translation>Archivo numpy</translation></message>
+<message><source>Wavefront OBJ</source><translation>OBJ de Wavefront</translation></message>
+<message><source>Point Cloud Library</source><translation>Point Cloud Library (PCL)</translation></message>
+<message><source>Polygon file</source><translation>Archivo de polígonos</translation></message>
+<message><source>Point list</source><translation>Lista de puntos</translation></message>
+<message><source>Point table</source><translation>Tabla de puntos</translation></message>
+<message><source>3DTK scan</source><translation>Escaneo 3DTK</translation></message>
+<message><source>Range or point table</source><translation>Tabla de distancias o de puntos</translation></message>
+<message><source>Raw grid</source><translation>Cuadrícula sin procesar</translation></message>
+<message><source>Recording</source><translation>Grabación</translation></message>
+<message><source>Surpac strings</source><translation>Líneas de Surpac</translation></message>
 <message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Cómo se encuentran los bordes: saltos y pliegues de la superficie, partes de estos, o Canny en niveles de gris como en la tesis, o uno de los otros detectores que la tesis compara.</translation></message>
 <message><source>Edge strength</source><translation>Fuerza del borde</translation></message>
@@ -1419,7 +1475,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
-<message><source>Elevation RL [m]</source><translation>Cota RL [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Rumbo, desde el norte en sentido horario [grados]</translation></message>
 <message><source>North of the heading</source><translation>Norte del rumbo</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinación: cabeceo, morro arriba [grados]</translation></message>
@@ -1449,7 +1504,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Step from line to line [degrees]</source><translation>Paso de línea a línea [grados]</translation></message>
 <message><source>Beam at the time stamp of a line [degrees]</source><translation>Haz en la marca de tiempo de una línea [grados]</translation></message>
 <message><source>Grid convergence [degrees]</source><translation>Convergencia de la cuadrícula [grados]</translation></message>
-<message><source>Scale of the grid</source><translation>Escala de la cuadrícula</translation></message>
 <message><source>Largest change of tilt during a sweep [degrees]</source><translation>Mayor cambio de inclinación durante un barrido [grados]</translation></message>
 <message><source>Largest age of a pose [s]</source><translation>Mayor antigüedad de una pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ y CSV con todas las columnas, y la cuadrícula y el registro en líneas de comentario: los SIG y las planillas de cálculo pueden rechazarlos</translation></message>
@@ -1476,10 +1530,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envolventes convexas de los puntos visibles</translation></message>
 <message><source>Rock</source><translation>Roca</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
-<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Mayor extensión visible transversal a la línea de visión</translation></message>
-<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Menor extensión visible transversal a la línea de visión</translation></message>
+<message><source>visible length a [m]</source><translation>largo visible a [m]</translation></message>
+<message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Mayor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
+<message><source>visible width b [m]</source><translation>ancho visible b [m]</translation></message>
+<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Menor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
+<message><source>± of a and b [m]</source><translation>± de a y b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a y b: espaciado de los puntos y ancho del haz, dos veces</translation></message>
 <message><source>distance [m]</source><translation>distancia [m]</translation></message>
 <message><source>From the scanner: median of its ranges</source><translation>Desde el escáner: mediana de sus distancias</translation></message>
@@ -1493,13 +1548,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura libre bajo su punto visible más bajo: al menos esta; lo que no devolvió nada nunca está libre</translation></message>
 <message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
 <message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Mayor ángulo en ella entre dos rocas que toca; ↓: cuelga por debajo de la línea que las une</translation></message>
-<message><source>p</source><translation>p</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Probabilidad de que su contorno sea correcto; ▲ y achurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - solo geometría, un solo punto de vista</translation></message>
 <message><source>Unit</source><translation>Unidad</translation></message>
 <message><source>Line angles</source><translation>Ángulos de las líneas</translation></message>
 <message><source>Order of the lines</source><translation>Orden de las líneas</translation></message>
-<message><source>Grid</source><translation>Cuadrícula</translation></message>
 <message><source>straightened</source><translation>enderezados</translation></message>
 <message><source>where their angles say</source><translation>donde dicen sus ángulos</translation></message>
 <message><source>as they were recorded</source><translation>tal como se grabaron</translation></message>
@@ -1534,6 +1587,69 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>barrido %1 del tópico, contado desde 0; el tópico contiene %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>barrido %1, contado desde 0</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
+<message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
+<message><source>convex fold</source><translation>pliegue convexo</translation></message>
+<message><source>concave fold</source><translation>pliegue cóncavo</translation></message>
+<message><source>edge</source><translation>borde</translation></message>
+<message><source>the threshold %1</source><translation>el umbral %1</translation></message>
+<message><source>the lower threshold %1</source><translation>el umbral inferior %1</translation></message>
+<message><source>the upper threshold %1</source><translation>el umbral superior %1</translation></message>
+<message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1, a su lado, es más fuerte (%2), y un borde tiene una celda de ancho</translation></message>
+<message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1, a su lado, es igual de fuerte (%2), y un borde tiene una celda de ancho</translation></message>
+<message><source>the step of %1 mm belongs to %2, which is the nearer cell</source><translation>el escalón de %1 mm pertenece a %2, que es la celda más cercana</translation></message>
+<message><source>%1 is below %2</source><translation>%1 está por debajo de %2</translation></message>
+<message><source>%1 does not exceed %2</source><translation>%1 no supera %2</translation></message>
+<message><source>%1, and %2 next to it is stronger</source><translation>%1, y %2, a su lado, es más fuerte</translation></message>
+<message><source>%1 is above %2, but no chain of such cells leads to one above %3</source><translation>%1 está por encima de %2, pero ninguna cadena de celdas así lleva a una por encima de %3</translation></message>
+<message><source>its chain has 1 cell, fewer than the minimum length %1</source><translation>su cadena tiene 1 celda, menos que el largo mínimo %1</translation></message>
+<message><source>its chain has %1 cells, fewer than the minimum length %2</source><translation>su cadena tiene %1 celdas, menos que el largo mínimo %2</translation></message>
+<message><source>%1 is enough where it continues its chain</source><translation>%1 basta donde continúa su cadena</translation></message>
+<message><source>%1 is above %2, and 1 cell on, at %3, its chain reaches %4</source><translation>%1 está por encima de %2, y 1 celda más allá, en %3, su cadena alcanza %4</translation></message>
+<message><source>%1 is above %2, and %3 cells on, at %4, its chain reaches %5</source><translation>%1 está por encima de %2, y %3 celdas más allá, en %4, su cadena alcanza %5</translation></message>
+<message><source>it is a single cell and takes no part</source><translation>es una celda aislada y no cuenta</translation></message>
+<message><source>it has no range</source><translation>no tiene distancia</translation></message>
+<message><source>the strength %1 of its %2</source><translation>la fuerza %1 de su clase “%2”</translation></message>
+<message><source>its strength %1</source><translation>su fuerza %1</translation></message>
+<message><source>%1 is above %2</source><translation>%1 está por encima de %2</translation></message>
+<message><source>it is next to missing data, and such borders are a class that was chosen</source><translation>está junto a datos que faltan, y esos límites son una clase elegida</translation></message>
+<message><source>the surface ends here before missing data, and what is behind them is farther away</source><translation>la superficie termina aquí ante datos que faltan, y lo que hay detrás está más lejos</translation></message>
+<message><source>the surface ends here at an open void, from which nothing came back</source><translation>la superficie termina aquí en un vacío abierto, del que nada volvió</translation></message>
+<message><source> (raised: beams are interlaced)</source><translation> (aumentada: los haces están entrelazados)</translation></message>
+<message><source>relief %1</source><translation>relieve %1</translation></message>
+<message><source>Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Escalón en profundidad: %1 mm hasta %2 (%3; esta celda es la más cercana), límite %4: fuerza %5.</translation></message>
+<message><source>Step in depth: %1 mm to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Escalón en profundidad: %1 mm hasta %2 (%3; la otra celda es la más cercana), límite %4: fuerza %5.</translation></message>
+<message><source>%1 degrees, which noise alone may look like (%2 %3)</source><translation>%1 grados, lo que el ruido por sí solo puede parecer (%2 %3)</translation></message>
+<message><source>%1 degrees = %2</source><translation>%1 grados = %2</translation></message>
+<message><source>; %1 % of it counts, for the two sides do not meet at the cell</source><translation>; cuenta un %1 %, pues los dos lados no se encuentran en la celda</translation></message>
+<message><source>Fold: %1 degrees convex, outwards (%2), limit %3: strength %4.</source><translation>Pliegue: %1 grados, convexo, hacia fuera (%2), límite %3: fuerza %4.</translation></message>
+<message><source>Fold: %1 degrees concave, inwards (%2), limit %3: strength %4.</source><translation>Pliegue: %1 grados, cóncavo, hacia dentro (%2), límite %3: fuerza %4.</translation></message>
+<message><source>Rough scan: %1 % of what is within 15 degrees folds, so a fold must be %2 times as strong here.</source><translation>Escaneo rugoso: el %1 % de lo que está a menos de 15 grados está plegado, así que un pliegue debe ser %2 veces más fuerte aquí.</translation></message>
+<message><source>Rough scan: %1 % of what is within 15 degrees folds; a fold counts as elsewhere.</source><translation>Escaneo rugoso: el %1 % de lo que está a menos de 15 grados está plegado; un pliegue cuenta como en otras partes.</translation></message>
+<message><source>No range of its own: the gap is filled from both sides, and edges go round it by the cells next to it.</source><translation>Sin distancia propia: el hueco se rellena desde ambos lados, y los bordes lo rodean por las celdas vecinas.</translation></message>
+<message><source>No range of its own: the gap was filled on request, and its cells take part like measured ones.</source><translation>Sin distancia propia: el hueco se rellenó a petición, y sus celdas cuentan como las medidas.</translation></message>
+<message><source>The edge of a cell without a range next to it goes round by this one.</source><translation>El borde de una celda vecina sin distancia pasa por esta.</translation></message>
+<message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Aquí no se sabe nada: junto a datos que faltan no se mide ni escalón ni pliegue.</translation></message>
+<message><source>Mixed pixel: taken at %1 m, on the closer of two surfaces.</source><translation>Píxel mixto: tomado a %1 m, en la más cercana de dos superficies.</translation></message>
+<message><source>Together with the other way %1.</source><translation>Junto con la otra dirección: %1.</translation></message>
+<message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Ruido de distancia usado: sigma %1 mm aquí, %2 mm a 5 m.</translation></message>
+<message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Los vecinos yerran igual, así que para los pliegues cuenta como %1 mm aquí.</translation></message>
+<message><source>%1: strength %2 as %3</source><translation>%1: fuerza %2 como %3</translation></message>
+<message><source>%1: strength %2</source><translation>%1: fuerza %2</translation></message>
+<message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (a lo largo de la línea %1, a través de las líneas %2, dirección %3 grados)</translation></message>
+<message><source> (direction %1 degrees)</source><translation> (dirección %1 grados)</translation></message>
+<message><source>; %1 %2, %3 %4 % of it: weak from %5, strong from %6</source><translation>; %1 %2, %3 %4 % de ella: débil desde %5, fuerte desde %6</translation></message>
+<message><source>, threshold %1</source><translation>, umbral %1</translation></message>
+<message><source>, thresholds %1 and %2</source><translation>, umbrales %1 y %2</translation></message>
+<message><source>Chain: 1 cell, strongest at %1 (%2).</source><translation>Cadena: 1 celda, la más fuerte en %1 (%2).</translation></message>
+<message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadena: %1 celdas, la más fuerte en %2 (%3).</translation></message>
+<message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borde: %1; ningún valor de “%2” la hace borde.</translation></message>
+<message><source>No edge: %1; no value of %2 makes it one.</source><translation>No es borde: %1; ningún valor de “%2” la hace borde.</translation></message>
+<message><source>Edge: %1; stays one at %2.</source><translation>Borde: %1; lo sigue siendo con %2.</translation></message>
+<message><source>No edge: %1; would appear at %2.</source><translation>No es borde: %1; aparecería con %2.</translation></message>
+<message><source>%1: range %2 m</source><translation>%1: distancia %2 m</translation></message>
+<message><source>, gray %1</source><translation>, gris %1</translation></message>
+<message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
+<message><source>, class %1</source><translation>, clase %1</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
 <message><source>Angle</source><translation>Ángulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensiones a × b</translation></message>

@@ -420,7 +420,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
 <message><source>RECORDED</source><translation>ENREGISTRÉ</translation></message>
 <message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
-<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>FILE</source><translation>FICHIER</translation></message>
 <message><source>no time</source><translation>sans heure</translation></message>
 <message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
 <message><source>OLD PICTURE</source><translation>ANCIENNE IMAGE</translation></message>
@@ -670,7 +670,7 @@ tenez \ pour la voir</translation></message>
 <message><source>What</source><translation>Contenu</translation></message>
 <message><source>Format</source><translation>Format</translation></message>
 <message><source>Coordinates</source><translation>Coordonnées</translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordonnées de la mine : est, nord, altitude</translation></message>
+<message><source>Mine grid: Easting, Northing, RL</source><translation>Coordonnées de la mine : E, N, RL</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Pose et montage accepte une pose et un étalonnage.</translation></message>
@@ -743,6 +743,47 @@ tenez \ pour la voir</translation></message>
 <message><source>Line angles [°]</source><translation>Angles des lignes [°]</translation></message>
 <message><source>Intensity</source><translation>Intensité</translation></message>
 <message><source>Measured</source><translation>Mesures</translation></message>
+<message><source>Maker</source><translation>Fabricant</translation></message>
+<message><source>Model</source><translation>Modèle</translation></message>
+<message><source>Serial number</source><translation>Numéro de série</translation></message>
+<message><source>Firmware</source><translation>Micrologiciel</translation></message>
+<message><source>Begin (UTC)</source><translation>Début (UTC)</translation></message>
+<message><source>End (UTC)</source><translation>Fin (UTC)</translation></message>
+<message><source>Clock</source><translation>Horloge</translation></message>
+<message><source>Window of the scanner</source><translation>Vitre du scanner</translation></message>
+<message><source>Echo filter</source><translation>Filtre d'échos</translation></message>
+<message><source>Lines of the sweep</source><translation>Lignes du balayage</translation></message>
+<message><source>first</source><translation>première</translation></message>
+<message><source>last</source><translation>dernière</translation></message>
+<message><source>number</source><translation>nombre</translation></message>
+<message><source>step</source><translation>pas</translation></message>
+<message><source>uneven</source><translation>inégal</translation></message>
+<message><source>Direction of the stepper</source><translation>Sens du moteur</translation></message>
+<message><source>Points behind others</source><translation>Points derrière d'autres</translation></message>
+<message><source>Points of the list</source><translation>Points de la liste</translation></message>
+<message><source>in the file</source><translation>dans le fichier</translation></message>
+<message><source>without a cell</source><translation>sans cellule</translation></message>
+<message><source>Scanner at [m]</source><translation>Scanner à [m]</translation></message>
+<message><source>Origin E, N, RL [m]</source><translation>Origine E, N, RL [m]</translation></message>
+<message><source>Scale of the grid</source><translation>Échelle de la grille</translation></message>
+<message><source>Grid</source><translation>Grille</translation></message>
+<message><source>Source</source><translation>Source</translation></message>
+<message><source>Robot</source><translation>Robot</translation></message>
+<message><source>Begin of the scan</source><translation>Début du scan</translation></message>
+<message><source>End of the scan</source><translation>Fin du scan</translation></message>
+<message><source>Time of the pose</source><translation>Heure de la pose</translation></message>
+<message><source>Age of the pose [s]</source><translation>Âge de la pose [s]</translation></message>
+<message><source>Out of spec</source><translation>Hors tolérances</translation></message>
+<message><source>Poses</source><translation>Poses</translation></message>
+<message><source>Boom</source><translation>Flèche</translation></message>
+<message><source>Pivot [m]</source><translation>Pivot [m]</translation></message>
+<message><source>Head [m]</source><translation>Tête [m]</translation></message>
+<message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
+<message><source>scanner</source><translation>scanner</translation></message>
+<message><source>beam x line angles</source><translation>angles des faisceaux x lignes</translation></message>
+<message><source>organised points</source><translation>points organisés</translation></message>
+<message><source>spin</source><translation>spin</translation></message>
+<message><source>sweep</source><translation>sweep</translation></message>
 <message><source>yes</source><translation>oui</translation></message>
 <message><source>no</source><translation>non</translation></message>
 <message><source>and %1 more</source><translation>et %1 de plus</translation></message>
@@ -818,7 +859,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Encoder counts per degree</source><translation>Impulsions du codeur par degré</translation></message>
 <message><source>Play</source><translation>Lire</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · ligne %2/%3</translation></message>
+<message><source>RECORDED %1 · line %2/%3</source><translation>ENREGISTRÉ %1 · ligne %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
 <message><source>Pause</source><translation>Pause</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1 ; messages : %2, par seconde : %3</translation></message>
@@ -877,8 +918,8 @@ tenez \ pour la voir</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs de p inférieur à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
 <message><source>b at least</source><translation>b au moins</translation></message>
+<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs d'une confiance p inférieure à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
 <message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachurés (p &lt; 0.85)</translation></message>
@@ -888,11 +929,11 @@ tenez \ pour la voir</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre : P20 %1, P50 %2, P80 %3, le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : P20 %1, P50 %2, P80 %3 (20, 50, 80 % des blocs ne sont pas plus larges), le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % des blocs ont une largeur visible de %2 m au plus</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visible, en nombre. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
+<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : 50 % des blocs ne sont pas plus larges que P50. Les parties cachées rendent ceci plus fin que le tas, de 40 % et plus.</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
@@ -942,8 +983,8 @@ tenez \ pour la voir</translation></message>
 <message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Mètres dans le repère du scan</translation></message>
-<message><source>E, N, RL</source><translation>E, N, Alt</translation></message>
-<message><source>Easting, Northing and elevation in the mine grid, in metres</source><translation>Est, nord et altitude en coordonnées de la mine, mètres</translation></message>
+<message><source>E, N, RL</source><translation>E, N, RL</translation></message>
+<message><source>Easting, Northing and RL (height) in the mine grid, in metres</source><translation>Est, nord et RL (altitude) en coordonnées de la mine, mètres</translation></message>
 <message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
 <message><source>none here</source><translation>aucun ici</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
@@ -1044,7 +1085,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sans pose, les coordonnées comptent à partir du scanner, non de la grille de la mine.</translation></message>
-<message><source>mine grid</source><translation>coordonnées de la mine</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>
@@ -1070,7 +1110,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>grid %1</source><translation>grille %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distance [m]</translation></message>
-<message><source>Elevation [m]</source><translation>Altitude [m]</translation></message>
+<message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Front</source><translation>Avant</translation></message>
@@ -1115,7 +1155,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Fold</source><translation>Replier</translation></message>
-<message><source>Source</source><translation>Source</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
@@ -1292,6 +1331,23 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :
 </translation></message>
+<message><source>Network capture</source><translation>Capture réseau</translation></message>
+<message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
+<message><source>Drawing with edge lines</source><translation>Dessin avec les lignes des arêtes</translation></message>
+<message><source>Range picture</source><translation>Image de distances</translation></message>
+<message><source>LAS point cloud</source><translation>Nuage de points LAS</translation></message>
+<message><source>numpy array</source><translation>Tableau numpy</translation></message>
+<message><source>numpy archive</source><translation>Archive numpy</translation></message>
+<message><source>Wavefront OBJ</source><translation>OBJ de Wavefront</translation></message>
+<message><source>Point Cloud Library</source><translation>Point Cloud Library (PCL)</translation></message>
+<message><source>Polygon file</source><translation>Fichier de polygones</translation></message>
+<message><source>Point list</source><translation>Liste de points</translation></message>
+<message><source>Point table</source><translation>Tableau de points</translation></message>
+<message><source>3DTK scan</source><translation>Scan 3DTK</translation></message>
+<message><source>Range or point table</source><translation>Tableau de distances ou de points</translation></message>
+<message><source>Raw grid</source><translation>Grille brute</translation></message>
+<message><source>Recording</source><translation>Enregistrement</translation></message>
+<message><source>Surpac strings</source><translation>Polylignes Surpac</translation></message>
 <message><source>Method</source><translation>Méthode</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Comment les arêtes sont trouvées : sauts et plis de la surface, parties de ceux-ci, ou Canny sur niveaux de gris comme dans la thèse, ou un des autres détecteurs que la thèse compare.</translation></message>
 <message><source>Edge strength</source><translation>Force de l'arête</translation></message>
@@ -1419,7 +1475,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Easting E [m]</source><translation>Est E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Nord N [m]</translation></message>
-<message><source>Elevation RL [m]</source><translation>Altitude RL [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Cap, du nord dans le sens horaire [degrés]</translation></message>
 <message><source>North of the heading</source><translation>Nord du cap</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinaison : tangage, nez vers le haut [degrés]</translation></message>
@@ -1449,7 +1504,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Step from line to line [degrees]</source><translation>Pas de ligne en ligne [degrés]</translation></message>
 <message><source>Beam at the time stamp of a line [degrees]</source><translation>Faisceau à l'heure d'une ligne [degrés]</translation></message>
 <message><source>Grid convergence [degrees]</source><translation>Convergence de la grille [degrés]</translation></message>
-<message><source>Scale of the grid</source><translation>Échelle de la grille</translation></message>
 <message><source>Largest change of tilt during a sweep [degrees]</source><translation>Plus grand changement d'inclinaison pendant un balayage [degrés]</translation></message>
 <message><source>Largest age of a pose [s]</source><translation>Plus grand âge d'une pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ et CSV avec toutes les colonnes, et la grille et le compte rendu en lignes de commentaire : SIG et tableurs peuvent les refuser</translation></message>
@@ -1476,10 +1530,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Enveloppes convexes des points visibles</translation></message>
 <message><source>Rock</source><translation>Bloc</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
-<message><source>a visible [m]</source><translation>a visible [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Plus grande étendue visible en travers de la ligne de visée</translation></message>
-<message><source>b visible [m]</source><translation>b visible [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Plus petite étendue visible en travers de la ligne de visée</translation></message>
+<message><source>visible length a [m]</source><translation>longueur visible a [m]</translation></message>
+<message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Plus grande étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
+<message><source>visible width b [m]</source><translation>largeur visible b [m]</translation></message>
+<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Plus petite étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
+<message><source>± of a and b [m]</source><translation>± de a et b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a et b : espacement des points et largeur du faisceau, deux fois</translation></message>
 <message><source>distance [m]</source><translation>distance [m]</translation></message>
 <message><source>From the scanner: median of its ranges</source><translation>Depuis le scanner : médiane de ses distances</translation></message>
@@ -1493,13 +1548,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Hauteur libre sous son point visible le plus bas : au moins celle-ci ; ce qui n'a rien renvoyé n'est jamais libre</translation></message>
 <message><source>arch [°] ± 25</source><translation>voûte [°] ± 25</translation></message>
 <message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Plus grand angle, en ce bloc, entre deux blocs qu'il touche ; ↓ : il pend sous la ligne qui les relie</translation></message>
-<message><source>p</source><translation>p</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance que son contour soit juste ; ▲ et hachuré : moins de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidat - géométrie seule, un seul point de vue</translation></message>
 <message><source>Unit</source><translation>Unité</translation></message>
 <message><source>Line angles</source><translation>Angles des lignes</translation></message>
 <message><source>Order of the lines</source><translation>Ordre des lignes</translation></message>
-<message><source>Grid</source><translation>Grille</translation></message>
 <message><source>straightened</source><translation>redressés</translation></message>
 <message><source>where their angles say</source><translation>là où le disent leurs angles</translation></message>
 <message><source>as they were recorded</source><translation>tels qu'ils ont été enregistrés</translation></message>
@@ -1534,6 +1587,69 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>balayage %1 du topic, compté à partir de 0 ; le topic en contient %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>balayage %1, compté à partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>
+<message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
+<message><source>convex fold</source><translation>pli convexe</translation></message>
+<message><source>concave fold</source><translation>pli concave</translation></message>
+<message><source>edge</source><translation>arête</translation></message>
+<message><source>the threshold %1</source><translation>le seuil %1</translation></message>
+<message><source>the lower threshold %1</source><translation>le seuil bas %1</translation></message>
+<message><source>the upper threshold %1</source><translation>le seuil haut %1</translation></message>
+<message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1 à côté est plus forte (%2), et une arête est large d'une cellule</translation></message>
+<message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1 à côté est aussi forte (%2), et une arête est large d'une cellule</translation></message>
+<message><source>the step of %1 mm belongs to %2, which is the nearer cell</source><translation>la marche de %1 mm appartient à %2, qui est la cellule la plus proche</translation></message>
+<message><source>%1 is below %2</source><translation>%1 est au-dessous de %2</translation></message>
+<message><source>%1 does not exceed %2</source><translation>%1 ne dépasse pas %2</translation></message>
+<message><source>%1, and %2 next to it is stronger</source><translation>%1, et %2 à côté est plus forte</translation></message>
+<message><source>%1 is above %2, but no chain of such cells leads to one above %3</source><translation>%1 est au-dessus de %2, mais aucune chaîne de telles cellules ne mène à une cellule au-dessus de %3</translation></message>
+<message><source>its chain has 1 cell, fewer than the minimum length %1</source><translation>sa chaîne a 1 cellule, moins que la longueur minimale %1</translation></message>
+<message><source>its chain has %1 cells, fewer than the minimum length %2</source><translation>sa chaîne a %1 cellules, moins que la longueur minimale %2</translation></message>
+<message><source>%1 is enough where it continues its chain</source><translation>%1 suffit là où elle prolonge sa chaîne</translation></message>
+<message><source>%1 is above %2, and 1 cell on, at %3, its chain reaches %4</source><translation>%1 est au-dessus de %2, et 1 cellule plus loin, à %3, sa chaîne atteint %4</translation></message>
+<message><source>%1 is above %2, and %3 cells on, at %4, its chain reaches %5</source><translation>%1 est au-dessus de %2, et %3 cellules plus loin, à %4, sa chaîne atteint %5</translation></message>
+<message><source>it is a single cell and takes no part</source><translation>c'est une cellule isolée, qui ne compte pas</translation></message>
+<message><source>it has no range</source><translation>elle n'a pas de distance</translation></message>
+<message><source>the strength %1 of its %2</source><translation>la force %1 de son type « %2 »</translation></message>
+<message><source>its strength %1</source><translation>sa force %1</translation></message>
+<message><source>%1 is above %2</source><translation>%1 est au-dessus de %2</translation></message>
+<message><source>it is next to missing data, and such borders are a class that was chosen</source><translation>elle est à côté de données manquantes, et de tels bords sont une classe choisie</translation></message>
+<message><source>the surface ends here before missing data, and what is behind them is farther away</source><translation>la surface finit ici devant des données manquantes, et ce qui est derrière elles est plus loin</translation></message>
+<message><source>the surface ends here at an open void, from which nothing came back</source><translation>la surface finit ici au bord d'un vide ouvert, d'où rien n'est revenu</translation></message>
+<message><source> (raised: beams are interlaced)</source><translation> (augmentée : les faisceaux sont entrelacés)</translation></message>
+<message><source>relief %1</source><translation>relief %1</translation></message>
+<message><source>Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Marche en profondeur : %1 mm jusqu'à %2 (%3 ; cette cellule est la plus proche), limite %4 : force %5.</translation></message>
+<message><source>Step in depth: %1 mm to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Marche en profondeur : %1 mm jusqu'à %2 (%3 ; l'autre cellule est la plus proche), limite %4 : force %5.</translation></message>
+<message><source>%1 degrees, which noise alone may look like (%2 %3)</source><translation>%1 degrés, ce à quoi le bruit seul peut ressembler (%2 %3)</translation></message>
+<message><source>%1 degrees = %2</source><translation>%1 degrés = %2</translation></message>
+<message><source>; %1 % of it counts, for the two sides do not meet at the cell</source><translation> ; il en compte %1 %, car les deux côtés ne se rejoignent pas à la cellule</translation></message>
+<message><source>Fold: %1 degrees convex, outwards (%2), limit %3: strength %4.</source><translation>Pli : %1 degrés, convexe, vers l'extérieur (%2), limite %3 : force %4.</translation></message>
+<message><source>Fold: %1 degrees concave, inwards (%2), limit %3: strength %4.</source><translation>Pli : %1 degrés, concave, vers l'intérieur (%2), limite %3 : force %4.</translation></message>
+<message><source>Rough scan: %1 % of what is within 15 degrees folds, so a fold must be %2 times as strong here.</source><translation>Scan rugueux : %1 % de ce qui est à moins de 15 degrés est plissé ; un pli doit donc être %2 fois plus fort ici.</translation></message>
+<message><source>Rough scan: %1 % of what is within 15 degrees folds; a fold counts as elsewhere.</source><translation>Scan rugueux : %1 % de ce qui est à moins de 15 degrés est plissé ; un pli compte comme ailleurs.</translation></message>
+<message><source>No range of its own: the gap is filled from both sides, and edges go round it by the cells next to it.</source><translation>Pas de distance propre : le vide est comblé des deux côtés, et les arêtes le contournent par les cellules voisines.</translation></message>
+<message><source>No range of its own: the gap was filled on request, and its cells take part like measured ones.</source><translation>Pas de distance propre : le vide a été comblé à votre demande, et ses cellules comptent comme des cellules mesurées.</translation></message>
+<message><source>The edge of a cell without a range next to it goes round by this one.</source><translation>L'arête d'une cellule voisine sans distance passe par celle-ci.</translation></message>
+<message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Rien n'est connu ici : ni marche ni pli ne se mesurent à côté de données manquantes.</translation></message>
+<message><source>Mixed pixel: taken at %1 m, on the closer of two surfaces.</source><translation>Pixel mixte : pris à %1 m, sur la plus proche de deux surfaces.</translation></message>
+<message><source>Together with the other way %1.</source><translation>Avec l'autre direction : %1.</translation></message>
+<message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Bruit de distance retenu : sigma %1 mm ici, %2 mm à 5 m.</translation></message>
+<message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Les voisins se trompent ensemble ; pour les plis, il compte donc pour %1 mm ici.</translation></message>
+<message><source>%1: strength %2 as %3</source><translation>%1 : force %2, type « %3 »</translation></message>
+<message><source>%1: strength %2</source><translation>%1 : force %2</translation></message>
+<message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (le long de la ligne %1, en travers des lignes %2, direction %3 degrés)</translation></message>
+<message><source> (direction %1 degrees)</source><translation> (direction %1 degrés)</translation></message>
+<message><source>; %1 %2, %3 %4 % of it: weak from %5, strong from %6</source><translation> ; %1 %2, %3 %4 % de celle-ci : faible à partir de %5, forte à partir de %6</translation></message>
+<message><source>, threshold %1</source><translation>, seuil %1</translation></message>
+<message><source>, thresholds %1 and %2</source><translation>, seuils %1 et %2</translation></message>
+<message><source>Chain: 1 cell, strongest at %1 (%2).</source><translation>Chaîne : 1 cellule, la plus forte à %1 (%2).</translation></message>
+<message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Chaîne : %1 cellules, la plus forte à %2 (%3).</translation></message>
+<message><source>Edge: %1; no value of %2 makes it one.</source><translation>Arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
+<message><source>No edge: %1; no value of %2 makes it one.</source><translation>Pas d'arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
+<message><source>Edge: %1; stays one at %2.</source><translation>Arête : %1 ; le reste avec %2.</translation></message>
+<message><source>No edge: %1; would appear at %2.</source><translation>Pas d'arête : %1 ; apparaîtrait avec %2.</translation></message>
+<message><source>%1: range %2 m</source><translation>%1 : distance %2 m</translation></message>
+<message><source>, gray %1</source><translation>, gris %1</translation></message>
+<message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
+<message><source>, class %1</source><translation>, type %1</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
 <message><source>Angle</source><translation>Angle</translation></message>
 <message><source>Spans a × b</source><translation>Étendues a × b</translation></message>

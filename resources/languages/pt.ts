@@ -420,7 +420,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
 <message><source>RECORDED</source><translation>GRAVADO</translation></message>
 <message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
-<message><source>FILE</source><translation>FILE</translation></message>
+<message><source>FILE</source><translation>ARQUIVO</translation></message>
 <message><source>no time</source><translation>sem hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEM ANTERIOR</translation></message>
@@ -670,7 +670,7 @@ segure \ para vê-la</translation></message>
 <message><source>What</source><translation>Conteúdo</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
-<message><source>Mine grid: Easting, Northing, Elevation</source><translation>Coordenadas da mina: Leste, Norte, Cota</translation></message>
+<message><source>Mine grid: Easting, Northing, RL</source><translation>Coordenadas da mina: E, N, RL</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Pose e montagem aceita uma pose e uma calibração.</translation></message>
@@ -743,6 +743,47 @@ segure \ para vê-la</translation></message>
 <message><source>Line angles [°]</source><translation>Ângulos das linhas [°]</translation></message>
 <message><source>Intensity</source><translation>Intensidade</translation></message>
 <message><source>Measured</source><translation>Medições</translation></message>
+<message><source>Maker</source><translation>Fabricante</translation></message>
+<message><source>Model</source><translation>Modelo</translation></message>
+<message><source>Serial number</source><translation>Número de série</translation></message>
+<message><source>Firmware</source><translation>Firmware</translation></message>
+<message><source>Begin (UTC)</source><translation>Início (UTC)</translation></message>
+<message><source>End (UTC)</source><translation>Fim (UTC)</translation></message>
+<message><source>Clock</source><translation>Relógio</translation></message>
+<message><source>Window of the scanner</source><translation>Janela do scanner</translation></message>
+<message><source>Echo filter</source><translation>Filtro de ecos</translation></message>
+<message><source>Lines of the sweep</source><translation>Linhas da varredura</translation></message>
+<message><source>first</source><translation>primeira</translation></message>
+<message><source>last</source><translation>última</translation></message>
+<message><source>number</source><translation>número</translation></message>
+<message><source>step</source><translation>passo</translation></message>
+<message><source>uneven</source><translation>desigual</translation></message>
+<message><source>Direction of the stepper</source><translation>Sentido do motor</translation></message>
+<message><source>Points behind others</source><translation>Pontos atrás de outros</translation></message>
+<message><source>Points of the list</source><translation>Pontos da lista</translation></message>
+<message><source>in the file</source><translation>no arquivo</translation></message>
+<message><source>without a cell</source><translation>sem célula</translation></message>
+<message><source>Scanner at [m]</source><translation>Scanner em [m]</translation></message>
+<message><source>Origin E, N, RL [m]</source><translation>Origem E, N, RL [m]</translation></message>
+<message><source>Scale of the grid</source><translation>Escala da grade</translation></message>
+<message><source>Grid</source><translation>Grade</translation></message>
+<message><source>Source</source><translation>Origem</translation></message>
+<message><source>Robot</source><translation>Robô</translation></message>
+<message><source>Begin of the scan</source><translation>Início da varredura</translation></message>
+<message><source>End of the scan</source><translation>Fim da varredura</translation></message>
+<message><source>Time of the pose</source><translation>Hora da pose</translation></message>
+<message><source>Age of the pose [s]</source><translation>Idade da pose [s]</translation></message>
+<message><source>Out of spec</source><translation>Fora das tolerâncias</translation></message>
+<message><source>Poses</source><translation>Poses</translation></message>
+<message><source>Boom</source><translation>Lança</translation></message>
+<message><source>Pivot [m]</source><translation>Pivô [m]</translation></message>
+<message><source>Head [m]</source><translation>Cabeça [m]</translation></message>
+<message><source>mine grid</source><translation>coordenadas da mina</translation></message>
+<message><source>scanner</source><translation>scanner</translation></message>
+<message><source>beam x line angles</source><translation>ângulos de feixes x linhas</translation></message>
+<message><source>organised points</source><translation>pontos organizados</translation></message>
+<message><source>spin</source><translation>spin</translation></message>
+<message><source>sweep</source><translation>sweep</translation></message>
 <message><source>yes</source><translation>sim</translation></message>
 <message><source>no</source><translation>não</translation></message>
 <message><source>and %1 more</source><translation>e mais %1</translation></message>
@@ -818,7 +859,7 @@ segure \ para vê-la</translation></message>
 <message><source>Encoder counts per degree</source><translation>Contagens do encoder por grau</translation></message>
 <message><source>Play</source><translation>Reproduzir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation>RECORDED %1 · linha %2/%3</translation></message>
+<message><source>RECORDED %1 · line %2/%3</source><translation>GRAVADO %1 · linha %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1; mensagens: %2, por segundo: %3</translation></message>
@@ -877,8 +918,8 @@ segure \ para vê-la</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
-<message><source>Rocks with p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com p menor que 0.85, que estão hachuradas, ficam fora da tabela</translation></message>
 <message><source>b at least</source><translation>b pelo menos</translation></message>
+<message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com confiança p abaixo de 0.85, que estão tracejadas, ficam fora da tabela</translation></message>
 <message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachuradas (p &lt; 0.85)</translation></message>
@@ -888,11 +929,11 @@ segure \ para vê-la</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
-<message><source>Visible b by count: P20 %1, P50 %2, P80 %3, largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem: P20 %1, P50 %2, P80 %3, o maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
+<message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: P20 %1, P50 %2, P80 %3 (20, 50, 80 % das rochas não são mais largas), a maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % das rochas têm uma largura visível de no máximo %2 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
-<message><source>Visible b by count. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>b visível por contagem. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
+<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: 50 % das rochas não são mais largas que P50. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
@@ -942,8 +983,8 @@ segure \ para vê-la</translation></message>
 <message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
 <message><source>Metres in the frame of the scan</source><translation>Metros no sistema da varredura</translation></message>
-<message><source>E, N, RL</source><translation>E, N, Cota</translation></message>
-<message><source>Easting, Northing and elevation in the mine grid, in metres</source><translation>Leste, Norte e Cota em coordenadas da mina, metros</translation></message>
+<message><source>E, N, RL</source><translation>E, N, RL</translation></message>
+<message><source>Easting, Northing and RL (height) in the mine grid, in metres</source><translation>Leste, norte e RL (altura) em coordenadas da mina, em metros</translation></message>
 <message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
 <message><source>none here</source><translation>nenhuma aqui</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
@@ -1044,7 +1085,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sem pose, as coordenadas contam a partir do scanner, não da grade da mina.</translation></message>
-<message><source>mine grid</source><translation>coordenadas da mina</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
@@ -1070,7 +1110,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>grid %1</source><translation>grade %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distância [m]</translation></message>
-<message><source>Elevation [m]</source><translation>Cota [m]</translation></message>
+<message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
 <message><source>Front</source><translation>Frente</translation></message>
@@ -1115,7 +1155,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Fold</source><translation>Recolher</translation></message>
-<message><source>Source</source><translation>Origem</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
@@ -1292,6 +1331,23 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
 </translation></message>
+<message><source>Network capture</source><translation>Captura de rede</translation></message>
+<message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
+<message><source>Drawing with edge lines</source><translation>Desenho com as linhas das bordas</translation></message>
+<message><source>Range picture</source><translation>Imagem de distâncias</translation></message>
+<message><source>LAS point cloud</source><translation>Nuvem de pontos LAS</translation></message>
+<message><source>numpy array</source><translation>Matriz numpy</translation></message>
+<message><source>numpy archive</source><translation>Arquivo numpy</translation></message>
+<message><source>Wavefront OBJ</source><translation>OBJ da Wavefront</translation></message>
+<message><source>Point Cloud Library</source><translation>Point Cloud Library (PCL)</translation></message>
+<message><source>Polygon file</source><translation>Arquivo de polígonos</translation></message>
+<message><source>Point list</source><translation>Lista de pontos</translation></message>
+<message><source>Point table</source><translation>Tabela de pontos</translation></message>
+<message><source>3DTK scan</source><translation>Varredura 3DTK</translation></message>
+<message><source>Range or point table</source><translation>Tabela de distâncias ou de pontos</translation></message>
+<message><source>Raw grid</source><translation>Grade bruta</translation></message>
+<message><source>Recording</source><translation>Gravação</translation></message>
+<message><source>Surpac strings</source><translation>Linhas do Surpac</translation></message>
 <message><source>Method</source><translation>Método</translation></message>
 <message><source>How edges are found: jumps and folds of the surface, parts of these, or Canny on gray levels as in the thesis, or one of the other detectors the thesis compares.</source><translation>Como as bordas são encontradas: saltos e dobras da superfície, partes destes, ou Canny em níveis de cinza como na tese, ou um dos outros detectores que a tese compara.</translation></message>
 <message><source>Edge strength</source><translation>Força da borda</translation></message>
@@ -1419,7 +1475,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
-<message><source>Elevation RL [m]</source><translation>Cota RL [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Rumo, do norte em sentido horário [graus]</translation></message>
 <message><source>North of the heading</source><translation>Norte do rumo</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinação: arfagem, nariz para cima [graus]</translation></message>
@@ -1449,7 +1504,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Step from line to line [degrees]</source><translation>Passo de linha a linha [graus]</translation></message>
 <message><source>Beam at the time stamp of a line [degrees]</source><translation>Feixe no instante de uma linha [graus]</translation></message>
 <message><source>Grid convergence [degrees]</source><translation>Convergência da grade [graus]</translation></message>
-<message><source>Scale of the grid</source><translation>Escala da grade</translation></message>
 <message><source>Largest change of tilt during a sweep [degrees]</source><translation>Maior mudança de inclinação durante uma passagem [graus]</translation></message>
 <message><source>Largest age of a pose [s]</source><translation>Maior idade de uma pose [s]</translation></message>
 <message><source>XYZ and CSV with all columns, and the grid and the record in comment lines: GIS and spreadsheet programs may refuse them</source><translation>XYZ e CSV com todas as colunas, e a grade e o registro em linhas de comentário: os SIG e as planilhas podem recusá-los</translation></message>
@@ -1476,10 +1530,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Convex hulls of the visible points</source><translation>Envoltórias convexas dos pontos visíveis</translation></message>
 <message><source>Rock</source><translation>Rocha</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
-<message><source>a visible [m]</source><translation>a visível [m]</translation></message>
-<message><source>Largest visible span across the line of sight</source><translation>Maior extensão visível transversal à linha de visada</translation></message>
-<message><source>b visible [m]</source><translation>b visível [m]</translation></message>
-<message><source>Smallest visible span across the line of sight</source><translation>Menor extensão visível transversal à linha de visada</translation></message>
+<message><source>visible length a [m]</source><translation>comprimento visível a [m]</translation></message>
+<message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Maior extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
+<message><source>visible width b [m]</source><translation>largura visível b [m]</translation></message>
+<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Menor extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
+<message><source>± of a and b [m]</source><translation>± de a e b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a e b: espaçamento dos pontos e largura do feixe, duas vezes</translation></message>
 <message><source>distance [m]</source><translation>distância [m]</translation></message>
 <message><source>From the scanner: median of its ranges</source><translation>A partir do scanner: mediana das suas distâncias</translation></message>
@@ -1493,13 +1548,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Free height under its lowest visible point: at least this; what sent nothing back is never free</source><translation>Altura livre sob o seu ponto visível mais baixo: pelo menos esta; o que nada devolveu nunca está livre</translation></message>
 <message><source>arch [°] ± 25</source><translation>arco [°] ± 25</translation></message>
 <message><source>Largest angle at it between two rocks that it touches; ↓: it hangs below the line between them</source><translation>Maior ângulo nela entre duas rochas que ela toca; ↓: pende por baixo da linha que as une</translation></message>
-<message><source>p</source><translation>p</translation></message>
 <message><source>Chance that its outline is right; ▲ and hatched: below 0.85</source><translation>Chance de que o seu contorno esteja correto; ▲ e hachurado: menos de 0.85</translation></message>
 <message><source>candidate - geometry only, one viewpoint</source><translation>candidato - apenas geometria, um só ponto de vista</translation></message>
 <message><source>Unit</source><translation>Unidade</translation></message>
 <message><source>Line angles</source><translation>Ângulos das linhas</translation></message>
 <message><source>Order of the lines</source><translation>Ordem das linhas</translation></message>
-<message><source>Grid</source><translation>Grade</translation></message>
 <message><source>straightened</source><translation>endireitados</translation></message>
 <message><source>where their angles say</source><translation>onde dizem os seus ângulos</translation></message>
 <message><source>as they were recorded</source><translation>tal como foram gravados</translation></message>
@@ -1534,6 +1587,69 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>varredura %1 do tópico, contada a partir de 0; o tópico contém %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>varredura %1, contada a partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>
+<message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
+<message><source>convex fold</source><translation>dobra convexa</translation></message>
+<message><source>concave fold</source><translation>dobra côncava</translation></message>
+<message><source>edge</source><translation>borda</translation></message>
+<message><source>the threshold %1</source><translation>o limiar %1</translation></message>
+<message><source>the lower threshold %1</source><translation>o limiar inferior %1</translation></message>
+<message><source>the upper threshold %1</source><translation>o limiar superior %1</translation></message>
+<message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1, ao lado, é mais forte (%2), e uma borda tem uma célula de largura</translation></message>
+<message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1, ao lado, é tão forte quanto ela (%2), e uma borda tem uma célula de largura</translation></message>
+<message><source>the step of %1 mm belongs to %2, which is the nearer cell</source><translation>o degrau de %1 mm pertence a %2, que é a célula mais próxima</translation></message>
+<message><source>%1 is below %2</source><translation>%1 está abaixo de %2</translation></message>
+<message><source>%1 does not exceed %2</source><translation>%1 não excede %2</translation></message>
+<message><source>%1, and %2 next to it is stronger</source><translation>%1, e %2, ao lado, é mais forte</translation></message>
+<message><source>%1 is above %2, but no chain of such cells leads to one above %3</source><translation>%1 está acima de %2, mas nenhuma cadeia de células assim leva a uma acima de %3</translation></message>
+<message><source>its chain has 1 cell, fewer than the minimum length %1</source><translation>a sua cadeia tem 1 célula, menos que o comprimento mínimo %1</translation></message>
+<message><source>its chain has %1 cells, fewer than the minimum length %2</source><translation>a sua cadeia tem %1 células, menos que o comprimento mínimo %2</translation></message>
+<message><source>%1 is enough where it continues its chain</source><translation>%1 basta onde continua a sua cadeia</translation></message>
+<message><source>%1 is above %2, and 1 cell on, at %3, its chain reaches %4</source><translation>%1 está acima de %2, e 1 célula adiante, em %3, a sua cadeia alcança %4</translation></message>
+<message><source>%1 is above %2, and %3 cells on, at %4, its chain reaches %5</source><translation>%1 está acima de %2, e %3 células adiante, em %4, a sua cadeia alcança %5</translation></message>
+<message><source>it is a single cell and takes no part</source><translation>é uma célula isolada e não conta</translation></message>
+<message><source>it has no range</source><translation>não tem distância</translation></message>
+<message><source>the strength %1 of its %2</source><translation>a força %1 da sua classe “%2”</translation></message>
+<message><source>its strength %1</source><translation>a sua força %1</translation></message>
+<message><source>%1 is above %2</source><translation>%1 está acima de %2</translation></message>
+<message><source>it is next to missing data, and such borders are a class that was chosen</source><translation>está junto a dados em falta, e esses limites são uma classe escolhida</translation></message>
+<message><source>the surface ends here before missing data, and what is behind them is farther away</source><translation>a superfície termina aqui diante de dados em falta, e o que está atrás deles está mais longe</translation></message>
+<message><source>the surface ends here at an open void, from which nothing came back</source><translation>a superfície termina aqui num vazio aberto, do qual nada voltou</translation></message>
+<message><source> (raised: beams are interlaced)</source><translation> (aumentada: os feixes estão entrelaçados)</translation></message>
+<message><source>relief %1</source><translation>relevo %1</translation></message>
+<message><source>Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Degrau em profundidade: %1 mm até %2 (%3; esta célula é a mais próxima), limite %4: força %5.</translation></message>
+<message><source>Step in depth: %1 mm to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Degrau em profundidade: %1 mm até %2 (%3; a outra célula é a mais próxima), limite %4: força %5.</translation></message>
+<message><source>%1 degrees, which noise alone may look like (%2 %3)</source><translation>%1 graus, o que o ruído por si só pode parecer (%2 %3)</translation></message>
+<message><source>%1 degrees = %2</source><translation>%1 graus = %2</translation></message>
+<message><source>; %1 % of it counts, for the two sides do not meet at the cell</source><translation>; conta %1 %, pois os dois lados não se encontram na célula</translation></message>
+<message><source>Fold: %1 degrees convex, outwards (%2), limit %3: strength %4.</source><translation>Dobra: %1 graus, convexa, para fora (%2), limite %3: força %4.</translation></message>
+<message><source>Fold: %1 degrees concave, inwards (%2), limit %3: strength %4.</source><translation>Dobra: %1 graus, côncava, para dentro (%2), limite %3: força %4.</translation></message>
+<message><source>Rough scan: %1 % of what is within 15 degrees folds, so a fold must be %2 times as strong here.</source><translation>Varredura rugosa: %1 % do que está a menos de 15 graus dobra, por isso uma dobra tem de ser %2 vezes mais forte aqui.</translation></message>
+<message><source>Rough scan: %1 % of what is within 15 degrees folds; a fold counts as elsewhere.</source><translation>Varredura rugosa: %1 % do que está a menos de 15 graus dobra; uma dobra conta como noutros lugares.</translation></message>
+<message><source>No range of its own: the gap is filled from both sides, and edges go round it by the cells next to it.</source><translation>Sem distância própria: a falha é preenchida dos dois lados, e as bordas a contornam pelas células vizinhas.</translation></message>
+<message><source>No range of its own: the gap was filled on request, and its cells take part like measured ones.</source><translation>Sem distância própria: a falha foi preenchida a pedido, e as suas células contam como as medidas.</translation></message>
+<message><source>The edge of a cell without a range next to it goes round by this one.</source><translation>A borda de uma célula vizinha sem distância passa por esta.</translation></message>
+<message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Nada se sabe aqui: junto a dados em falta não se mede degrau nem dobra.</translation></message>
+<message><source>Mixed pixel: taken at %1 m, on the closer of two surfaces.</source><translation>Pixel misto: tomado a %1 m, na mais próxima de duas superfícies.</translation></message>
+<message><source>Together with the other way %1.</source><translation>Com a outra direção: %1.</translation></message>
+<message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Ruído de distância usado: sigma %1 mm aqui, %2 mm a 5 m.</translation></message>
+<message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Os vizinhos erram juntos, por isso para as dobras conta como %1 mm aqui.</translation></message>
+<message><source>%1: strength %2 as %3</source><translation>%1: força %2 como %3</translation></message>
+<message><source>%1: strength %2</source><translation>%1: força %2</translation></message>
+<message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (ao longo da linha %1, através das linhas %2, direção %3 graus)</translation></message>
+<message><source> (direction %1 degrees)</source><translation> (direção %1 graus)</translation></message>
+<message><source>; %1 %2, %3 %4 % of it: weak from %5, strong from %6</source><translation>; %1 %2, %3 %4 % dela: fraca desde %5, forte desde %6</translation></message>
+<message><source>, threshold %1</source><translation>, limiar %1</translation></message>
+<message><source>, thresholds %1 and %2</source><translation>, limiares %1 e %2</translation></message>
+<message><source>Chain: 1 cell, strongest at %1 (%2).</source><translation>Cadeia: 1 célula, a mais forte em %1 (%2).</translation></message>
+<message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadeia: %1 células, a mais forte em %2 (%3).</translation></message>
+<message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
+<message><source>No edge: %1; no value of %2 makes it one.</source><translation>Não é borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
+<message><source>Edge: %1; stays one at %2.</source><translation>Borda: %1; continua a sê-lo com %2.</translation></message>
+<message><source>No edge: %1; would appear at %2.</source><translation>Não é borda: %1; apareceria com %2.</translation></message>
+<message><source>%1: range %2 m</source><translation>%1: distância %2 m</translation></message>
+<message><source>, gray %1</source><translation>, cinza %1</translation></message>
+<message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
+<message><source>, class %1</source><translation>, classe %1</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensões a × b</translation></message>

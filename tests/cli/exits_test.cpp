@@ -68,6 +68,11 @@ TEST(Exits, OnlyOneFileMakesTextForTheWindow) {
         "");
 }
 
+// In each language of the window a number is written in the same way everywhere.
+TEST(Exits, OnlyOneFileSetsThousandsApart) {
+    EXPECT_EQ(joined(linesWith({"ui"}, std::regex(R"(QLocale::English|toString\(static_cast<q)"), {"ui/base/count_text.h"})), "");
+}
+
 TEST(Exits, OnlyOneFileWritesJson) {
     EXPECT_EQ(joined(linesWith({"core", "ui", "app"}, std::regex(R"(\bdump\()"), {"core/base/json_text.cpp"})), "");
 }

@@ -1,5 +1,7 @@
 // The window in other languages: every text has a translation, and only texts change.
 #include "core/base/whole_file.h"
+#include "core/edges/explain/why.h"
+#include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/presets.h"
 #include "core/files/live_feed/live_health.h"
@@ -11,9 +13,11 @@
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/core_words.h"
+#include "ui/base/count_text.h"
 #include "ui/base/language/catalogue.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
+#include "ui/controllers/files/file_filters.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
@@ -80,7 +84,8 @@ QSet<QString> everyTextIn(const QWidget& window) {
         const QAbstractItemModel* model = view->model();
         if (model == nullptr) continue;
         for (int n = 0; n < model->columnCount(); ++n)
-            shown << model->headerData(n, Qt::Horizontal).toString() << model->headerData(n, Qt::Horizontal, Qt::ToolTipRole).toString();
+            shown << model->headerData(n, Qt::Horizontal).toString().replace('\n', ' ')
+                  << model->headerData(n, Qt::Horizontal, Qt::ToolTipRole).toString();
         for (int row = 0; row < std::min(model->rowCount(), 5); ++row) {
             for (int n = 0; n < model->columnCount(); ++n) shown << model->index(row, n).data().toString();
         }
@@ -188,10 +193,41 @@ private slots:
             words += catalogue.texts().values().contains(text) ? 1 : 0;
         }
         QVERIFY2(words > 150, "the window shows texts of its own");
-        // Numbers keep their decimal point.
+        // Thousands are apart as no decimal mark is; numbers keep their decimal point.
+        QCOMPARE(countText(1136154), QString::fromUtf8("1\u202f136\u202f154"));
+        static const QRegularExpression comma("[0-9],[0-9]{3}");
+        for (const QString& text : everyTextIn(on.window)) QVERIFY2(!comma.match(text).hasMatch(), qPrintable(text));
         auto* number = on.window.findChild<QDoubleSpinBox*>("number-sensitivity");
         QVERIFY(number != nullptr);
         QVERIFY2(number->text().startsWith("1.00"), qPrintable(number->text()));
+    }
+
+    void whySpeaksTheLanguageOfTheWindow_data() { everyTextHasItsTranslation_data(); }
+    void whySpeaksTheLanguageOfTheWindow() {
+        QFETCH(QString, code);
+        QVERIFY(useLanguage(code, kTexts));
+        static const QRegularExpression english(
+            R"(\b(the|is|its|cell|cells|line|lines|strength|above|below|beam|chain|edge|fold|jump|here|with|from|range|gray)\b)",
+            QRegularExpression::CaseInsensitiveOption);
+        const auto inLanguage = [](const char* text) { return QObject::tr(text).toStdString(); };
+        const auto scan = files::openScan(scan_);
+        QVERIFY(bool(scan));
+        for (const edges::Settings& settings : {edges::Settings{}, edges::cannySettings()}) {
+            const auto detection = edges::detectEdges(std::make_shared<const Scan>(*scan), settings);
+            for (std::size_t k = 0; k < scan->cells(); k += 7) {
+                const edges::Why why = edges::whyCell(*detection, k);
+                const QString text = QString::fromStdString(edges::whyVerdict(why, settings, edges::Naming::Labels, inLanguage) + "\n" +
+                                                            edges::whyNumbers(why, settings, inLanguage));
+                QVERIFY2(!english.match(text).hasMatch(), qPrintable(english.match(text).captured() + ": " + text));
+            }
+        }
+    }
+
+    void theKindsOfFilesToSaveAreNamedInTheLanguageOfTheWindow() {
+        QVERIFY(useLanguage("fr", kTexts));
+        QStringList names;
+        for (const files::Format& format : files::formats()) names << filterOf(format, {".x"});
+        QVERIFY2(names.contains("Dessin avec les lignes des arêtes (*.x)"), qPrintable(names.join('\n')));
     }
 
     // A text that is equal in two languages bypasses the translations, unless it is a name, or a sentence of the core about scans.

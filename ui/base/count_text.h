@@ -1,16 +1,21 @@
-// Numbers with thousands separators.
+// Numbers with their thousands apart.
 #pragma once
+
+#include "ui/base/language/languages.h"
 
 #include <QLocale>
 #include <QString>
 
-#include <cstddef>
+#include <concepts>
 
 namespace edgescan::ui {
 
-/// "1,136,154", the same in every language.
-[[nodiscard]] inline QString countText(std::size_t n) {
-    return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n));
+/// "1,136,154" in English. In the other languages "1 136 154" with narrow no-break spaces (ISO 80000-1): all numbers of the window have a
+/// decimal point, beside which neither a comma nor a point may part thousands. The only place that does this (tests/cli/exits_test.cpp).
+template <std::integral Number>
+[[nodiscard]] QString countText(Number n) {
+    QString text = QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qlonglong>(n));
+    return languageInUse() == QLatin1String("en") ? text : text.replace(QLatin1Char(','), QChar(0x202F));
 }
 
 } // namespace edgescan::ui

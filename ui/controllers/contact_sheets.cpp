@@ -3,12 +3,11 @@
 
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/tuning.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/dialogs/contact_card.h"
-
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +76,7 @@ void ContactSheets::add(const edges::SheetEntry& entry, const QImage& picture) {
     p.set(with, entry.value);
     const QString value = p.choices.empty() ? QString::number(entry.value, 'f', p.decimals) + " " + QObject::tr(p.unit)
                                             : QObject::tr(edges::choiceLabel(p, with).c_str());
-    const QString count = QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(entry.edges));
-    card_->add(picture, tr("%1 edge cells · %2").arg(count, value.trimmed()));
+    card_->add(picture, tr("%1 edge cells · %2").arg(countText(entry.edges), value.trimmed()));
 }
 
 void ContactSheets::take(const std::vector<edges::SheetEntry>& entries) {

@@ -19,6 +19,8 @@ namespace {
 
 constexpr int kSearchCells = 6; // cells
 
+std::string inLanguage(const char* text) { return exactBytes(QObject::tr(text)); }
+
 /// The direction of the profile: that of the strongest step or fold; for other methods the direction in which the range changes more.
 edges::EdgeProfile profileOf(const edges::Detection& detection, const edges::Why& why) {
     const Scan& scan = *detection.scan;
@@ -101,7 +103,7 @@ bool Explanation::closeCard() {
 void Explanation::show(const Question& question, bool still, const edges::Why& why) {
     const Picture& picture = *question.picture;
     if (!card_->isVisible()) return; // closed meanwhile: the answer is no longer needed
-    QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings));
+    QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings, inLanguage));
     if (still && !why.chainMembers.empty())
         numbers += tr("\nThe strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.");
     if (const QString moved = clickText(question.click); !moved.isEmpty()) numbers += "\n" + tr("Clicked") + ": " + moved;
@@ -111,7 +113,7 @@ void Explanation::show(const Question& question, bool still, const edges::Why& w
         return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));
     };
     card_->offerNearestEdge(still && nearestEdge_ ? away(*nearestEdge_) : 0);
-    card_->showExplanation(shownText(edges::whyVerdict(why, picture.detection->settings, edges::Naming::Labels)),
+    card_->showExplanation(shownText(edges::whyVerdict(why, picture.detection->settings, edges::Naming::Labels, inLanguage)),
                            profileOf(*picture.detection, why), numbers);
     if (still)
         showTrail(why);

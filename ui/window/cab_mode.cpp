@@ -1,6 +1,7 @@
 // The window in a cab.
 #include "ui/window/cab_mode.h"
 
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/source.h"
@@ -22,7 +23,6 @@
 #include <QApplication>
 #include <QDialog>
 #include <QLayout>
-#include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
@@ -182,10 +182,9 @@ void CabMode::showScan() {
     button->setVisible(!warnings.isEmpty());
     if (picture == nullptr) return frame_->head().showScan(tr("No scan"), tr("Open one, or connect to a scanner"));
     const Scan& scan = *picture->detection->scan;
-    const QLocale english(QLocale::English, QLocale::UnitedStates);
     const int expected = std::max(picture->source.growth.expectedLines, scan.lines());
     const auto missing = std::ranges::count_if(scan.state.cells, [](CellState state) { return state != CellState::Valid; });
-    QString facts = tr("%1 of %2 lines").arg(english.toString(scan.lines()), english.toString(expected));
+    QString facts = tr("%1 of %2 lines").arg(countText(scan.lines()), countText(expected));
     facts +=
         tr(" · %1 % no return")
             .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);

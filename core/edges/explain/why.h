@@ -33,10 +33,13 @@ struct Why : Judgement {
 
 /// The names of parameters: the flags of the command line, or the labels of the sliders.
 enum class Naming : std::uint8_t { Keys, Labels };
-[[nodiscard]] std::string whyVerdict(const Why& why, const Settings& settings, Naming naming);
+/// A text in another language; asWritten() is English.
+using Translated = std::string (*)(const char* text);
+[[nodiscard]] std::string asWritten(const char* text);
+[[nodiscard]] std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated = asWritten);
 
 /// Several lines for the window: the measurements and their limits.
-[[nodiscard]] std::string whyNumbers(const Why& why, const Settings& settings);
+[[nodiscard]] std::string whyNumbers(const Why& why, const Settings& settings, Translated translated = asWritten);
 /// The same, with the verdict as the last line.
 [[nodiscard]] std::string whyText(const Why& why, const Settings& settings);
 

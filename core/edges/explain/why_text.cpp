@@ -5,8 +5,8 @@
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 
-#include <array>
 #include <cmath>
+#include <initializer_list>
 
 namespace edgescan::edges {
 namespace {
@@ -15,183 +15,294 @@ std::string number(double value) { return fixedText(value, std::abs(value) < 10 
 
 std::string whole(double value) { return fixedText(value, value < 10 ? 1 : 0); }
 
-std::string place(int line, int beam) { return "line " + std::to_string(line) + ", beam " + std::to_string(beam); }
-std::string place(const CellStrength& cell) { return place(cell.line, cell.beam); }
+/// The texts of one cell, in the words of the command line or of the window.
+class WhyWords {
+public:
+    WhyWords(const Why& why, const Settings& settings, Naming naming, Translated translated)
+        : why_(why), settings_(settings), naming_(naming), translated_(translated) {}
 
-bool isDepth(const Why& why) { return why.depth.has_value(); }
+    [[nodiscard]] std::string verdict() const;
+    [[nodiscard]] std::string numbers() const;
 
-// A number with the unit of the thresholds; strengths of EdgeScan+ are factors without unit.
-std::string inUnit(const Why& why, double value) { return number(value) + (isDepth(why) ? "" : std::string(" ") + why.unit); }
+private:
+    /// The pattern in the language of the texts, with the values in place of %1, %2 ... (resources/languages/collect finds the patterns).
+    [[nodiscard]] std::string say(const char* pattern, std::initializer_list<std::string> values = {}) const;
+    [[nodiscard]] std::string place(int line, int beam) const {
+        return say("line %1, beam %2", {std::to_string(line), std::to_string(beam)});
+    }
+    [[nodiscard]] std::string place(const CellStrength& cell) const { return place(cell.line, cell.beam); }
+    [[nodiscard]] bool isDepth() const { return why_.depth.has_value(); }
+    /// A number with the unit of the thresholds; strengths of EdgeScan+ are factors without unit.
+    [[nodiscard]] std::string inUnit(double value) const { return number(value) + (isDepth() ? "" : " " + translated_(why_.unit)); }
+    [[nodiscard]] std::string label(const char* key) const { return translated_(findParameter(key)->label); }
+    [[nodiscard]] std::string named(const char* key) const { return naming_ == Naming::Keys ? key : label(key); }
+    [[nodiscard]] std::string kindName(DepthEdge kind) const;
+    [[nodiscard]] std::string stateName(CellState state) const;
+    [[nodiscard]] std::string alongName(Along along) const {
+        return along == Along::Beams ? say("along the line") : say("across the lines");
+    }
+    [[nodiscard]] std::string lowerThreshold() const;
+    [[nodiscard]] std::string upperThreshold() const;
+    [[nodiscard]] const DepthStepAtCell* stepOfNeighbour() const;
+    [[nodiscard]] std::string reasonOfNone(const std::string& strength) const;
+    [[nodiscard]] std::string reasonOfChain(const std::string& strength) const;
+    [[nodiscard]] std::string reason() const;
+    [[nodiscard]] std::string stepText(const DepthStepAtCell& step) const;
+    [[nodiscard]] std::string foldText(const FoldAtCell& fold) const;
+    [[nodiscard]] std::string roughText() const;
+    [[nodiscard]] std::string supportText() const;
+    [[nodiscard]] std::string depthText() const;
+    [[nodiscard]] std::string strengthText() const;
+    [[nodiscard]] std::string chainText() const;
 
-const char* kindName(DepthEdge kind) {
-    static constexpr std::array<const char*, kDepthEdges> kNames{
-        "edge", "jump", "convex fold", "concave fold", "data border", "outline before a void", "void rim"};
-    return kNames[static_cast<std::size_t>(kind)];
+    const Why& why_;
+    const Settings& settings_;
+    Naming naming_;
+    Translated translated_;
+};
+
+std::string WhyWords::say(const char* pattern, std::initializer_list<std::string> values) const {
+    const std::string words = translated_(pattern);
+    std::string text;
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        const char next = at + 1 < words.size() ? words[at + 1] : ' ';
+        const bool isPlace = words[at] == '%' && next >= '1' && next <= '9' && static_cast<std::size_t>(next - '1') < values.size();
+        if (isPlace)
+            text += values.begin()[next - '1'], ++at;
+        else
+            text += words[at];
+    }
+    return text;
 }
 
-const char* alongName(Along along) { return along == Along::Beams ? "along the line" : "across the lines"; }
+std::string WhyWords::kindName(DepthEdge kind) const {
+    switch (kind) {
+    case DepthEdge::Jump:
+        return say("jump");
+    case DepthEdge::Convex:
+        return say("convex fold");
+    case DepthEdge::Concave:
+        return say("concave fold");
+    case DepthEdge::Border:
+        return say("data border");
+    case DepthEdge::Silhouette:
+        return say("outline before a void");
+    case DepthEdge::VoidRim:
+        return say("void rim");
+    case DepthEdge::None:
+        break;
+    }
+    return say("edge");
+}
 
-std::string named(const char* key, Naming naming) { return naming == Naming::Keys ? key : findParameter(key)->label; }
+std::string WhyWords::stateName(CellState state) const {
+    switch (state) {
+    case CellState::DeviceStatus:
+        return say("device status");
+    case CellState::OutOfWindow:
+        return say("out of window");
+    case CellState::Masked:
+        return say("masked");
+    case CellState::Lost:
+        return say("lost");
+    default:
+        return say("no return");
+    }
+}
 
-struct Thresholds {
-    std::string lower, upper;
-};
-Thresholds thresholdNames(const Why& why, const Settings& settings, Naming naming) {
-    if (isDepth(why))
-        return {named("hysteresis-low", naming) + " (" + number(why.lower) + ")", named("sensitivity", naming) + " " + number(why.upper)};
-    if (hasOneThreshold(settings.method)) return {"the threshold " + inUnit(why, why.lower), "the threshold " + inUnit(why, why.upper)};
-    return {"the lower threshold " + inUnit(why, why.lower), "the upper threshold " + inUnit(why, why.upper)};
+std::string WhyWords::lowerThreshold() const {
+    if (isDepth()) return named("hysteresis-low") + " (" + number(why_.lower) + ")";
+    return hasOneThreshold(settings_.method) ? say("the threshold %1", {inUnit(why_.lower)})
+                                             : say("the lower threshold %1", {inUnit(why_.lower)});
+}
+
+std::string WhyWords::upperThreshold() const {
+    if (isDepth()) return named("sensitivity") + " " + number(why_.upper);
+    return hasOneThreshold(settings_.method) ? say("the threshold %1", {inUnit(why_.upper)})
+                                             : say("the upper threshold %1", {inUnit(why_.upper)});
 }
 
 // The farther side of a jump is never an edge, however large the jump: the outline of the rock is at the nearer cell.
-const DepthStepAtCell* stepOfNeighbour(const Why& why) {
-    if (!isDepth(why) || why.strength > why.lower) return nullptr;
-    const auto& steps = why.depth->steps;
+const DepthStepAtCell* WhyWords::stepOfNeighbour() const {
+    if (!isDepth() || why_.strength > why_.lower) return nullptr;
     const DepthStepAtCell* strongest = nullptr;
-    for (const DepthStepAtCell& step : steps) {
-        if (!step.cellIsNearer && step.strength > why.lower && (strongest == nullptr || step.strength > strongest->strength))
+    for (const DepthStepAtCell& step : why_.depth->steps) {
+        if (!step.cellIsNearer && step.strength > why_.lower && (strongest == nullptr || step.strength > strongest->strength))
             strongest = &step;
     }
     return strongest;
 }
 
-std::string reasonOfNone(const Why& why, const Settings& settings, const std::string& strength, const Thresholds& thresholds) {
-    const bool lost = why.suppressedBy && (why.strength > why.lower || why.strength == 0);
-    if (lost)
-        return place(*why.suppressedBy) + " next to it is " + (why.suppressedBy->strength > why.strength ? "stronger (" : "as strong (") +
-               inUnit(why, why.suppressedBy->strength) + "), and an edge is one cell wide";
-    if (const DepthStepAtCell* step = stepOfNeighbour(why))
-        return "the step of " + whole(step->stepMm) + " mm belongs to " + place(step->line, step->beam) + ", which is the nearer cell";
-    if (why.level == StrengthLevel::Below) {
-        const std::string text = strength + (why.strength < why.lower ? " is below " : " does not exceed ") + thresholds.lower;
-        return why.suppressedBy ? text + ", and " + place(*why.suppressedBy) + " next to it is stronger" : text;
+std::string WhyWords::reasonOfNone(const std::string& strength) const {
+    if (why_.suppressedBy && (why_.strength > why_.lower || why_.strength == 0)) {
+        const CellStrength& other = *why_.suppressedBy;
+        return other.strength > why_.strength
+                   ? say("%1 next to it is stronger (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)})
+                   : say("%1 next to it is as strong (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)});
     }
-    if (why.chain.empty())
-        return strength + " is above " + thresholds.lower + ", but no chain of such cells leads to one above " + thresholds.upper;
-    return "its chain has " + std::to_string(why.chainCells) + (why.chainCells == 1 ? " cell" : " cells") +
-           ", fewer than the minimum length " + std::to_string(settings.minimumLength);
+    if (const DepthStepAtCell* step = stepOfNeighbour())
+        return say("the step of %1 mm belongs to %2, which is the nearer cell", {whole(step->stepMm), place(step->line, step->beam)});
+    if (why_.level == StrengthLevel::Below) {
+        const std::string text = why_.strength < why_.lower ? say("%1 is below %2", {strength, lowerThreshold()})
+                                                            : say("%1 does not exceed %2", {strength, lowerThreshold()});
+        return why_.suppressedBy ? say("%1, and %2 next to it is stronger", {text, place(*why_.suppressedBy)}) : text;
+    }
+    if (why_.chain.empty())
+        return say("%1 is above %2, but no chain of such cells leads to one above %3", {strength, lowerThreshold(), upperThreshold()});
+    const std::string least = std::to_string(settings_.minimumLength);
+    return why_.chainCells == 1 ? say("its chain has 1 cell, fewer than the minimum length %1", {least})
+                                : say("its chain has %1 cells, fewer than the minimum length %2", {std::to_string(why_.chainCells), least});
 }
 
-std::string reason(const Why& why, const Settings& settings, Naming naming) {
-    if (!why.takesPart) return why.probe.state == CellState::Valid ? "it is a single cell and takes no part" : "it has no range";
-    const std::string strength = isDepth(why) && why.kind != DepthEdge::None
-                                     ? "the strength " + number(why.strength) + " of its " + kindName(why.kind)
-                                     : "its strength " + inUnit(why, why.strength);
-    const Thresholds thresholds = thresholdNames(why, settings, naming);
-    if (!why.probe.edge) return reasonOfNone(why, settings, strength, thresholds);
-    if (hasOneThreshold(settings.method)) return strength + " is above " + thresholds.upper;
-    if (why.probe.kind == DepthEdge::Border) return "it is next to missing data, and such borders are a class that was chosen";
-    if (why.probe.kind == DepthEdge::Silhouette)
-        return "the surface ends here before missing data, and what is behind them is farther away";
-    if (why.probe.kind == DepthEdge::VoidRim) return "the surface ends here at an open void, from which nothing came back";
-    if (why.level == StrengthLevel::Above) return strength + " is above " + thresholds.upper;
-    if (why.chain.size() > 1)
-        return strength + " is above " + thresholds.lower + ", and " + std::to_string(why.chain.size() - 1) +
-               (why.chain.size() == 2 ? " cell on, at " : " cells on, at ") + place(why.chain.back()) + ", its chain reaches " +
-               inUnit(why, why.chain.back().strength);
-    return strength + " is enough where it continues its chain";
+std::string WhyWords::reasonOfChain(const std::string& strength) const {
+    if (why_.chain.size() < 2) return say("%1 is enough where it continues its chain", {strength});
+    const CellStrength& last = why_.chain.back();
+    return why_.chain.size() == 2
+               ? say("%1 is above %2, and 1 cell on, at %3, its chain reaches %4",
+                     {strength, lowerThreshold(), place(last), inUnit(last.strength)})
+               : say("%1 is above %2, and %3 cells on, at %4, its chain reaches %5",
+                     {strength, lowerThreshold(), std::to_string(why_.chain.size() - 1), place(last), inUnit(last.strength)});
 }
 
-std::string stepText(const Why& why, const DepthStepAtCell& step) {
-    std::string text = "Step in depth: " + whole(step.stepMm) + " mm to " + place(step.line, step.beam) + " (" + alongName(step.along) +
-                       (step.cellIsNearer ? "; this cell is the nearer one)" : "; that cell is the nearer one)");
-    text += ", limit " + whole(step.limitMm()) + " mm = " + findParameter("jump")->label + " " + whole(step.smallestMm) + " + " +
-            findParameter("growth")->label + " " + whole(step.growthMm) + " + " + findParameter("grazing")->label + " " +
-            whole(step.grazingMm) + (why.depth->grazingRaised ? " (raised: beams are interlaced)" : "") + " + relief " +
-            whole(step.reliefMm);
-    return text + ": strength " + number(step.strength) + ".";
+std::string WhyWords::reason() const {
+    if (!why_.takesPart)
+        return why_.probe.state == CellState::Valid ? say("it is a single cell and takes no part") : say("it has no range");
+    const std::string strength = isDepth() && why_.kind != DepthEdge::None
+                                     ? say("the strength %1 of its %2", {number(why_.strength), kindName(why_.kind)})
+                                     : say("its strength %1", {inUnit(why_.strength)});
+    if (!why_.probe.edge) return reasonOfNone(strength);
+    const auto above = [&] { return say("%1 is above %2", {strength, upperThreshold()}); };
+    if (hasOneThreshold(settings_.method)) return above();
+    if (why_.probe.kind == DepthEdge::Border) return say("it is next to missing data, and such borders are a class that was chosen");
+    if (why_.probe.kind == DepthEdge::Silhouette)
+        return say("the surface ends here before missing data, and what is behind them is farther away");
+    if (why_.probe.kind == DepthEdge::VoidRim) return say("the surface ends here at an open void, from which nothing came back");
+    return why_.level == StrengthLevel::Above ? above() : reasonOfChain(strength);
 }
 
-std::string foldText(const Why& why, const FoldAtCell& fold) {
-    const bool noisy = fold.noiseDeg > why.depth->creaseDeg;
-    std::string text = "Fold: " + number(fold.dihedralDeg) + " degrees " + (fold.convex ? "convex, outwards" : "concave, inwards") + " (" +
-                       alongName(fold.along) + "), limit ";
-    text += noisy ? number(fold.noiseDeg) + " degrees, which noise alone may look like (" + findParameter("crease")->label + " " +
-                        number(why.depth->creaseDeg) + ")"
-                  : number(why.depth->creaseDeg) + " degrees = " + findParameter("crease")->label;
-    if (fold.meets < 0.995) text += "; " + whole(100 * fold.meets) + " % of it counts, for the two sides do not meet at the cell";
-    return text + ": strength " + number(fold.strength) + ".";
+std::string WhyWords::stepText(const DepthStepAtCell& step) const {
+    const std::string limit = whole(step.limitMm()) + " mm = " + label("jump") + " " + whole(step.smallestMm) + " + " + label("growth") +
+                              " " + whole(step.growthMm) + " + " + label("grazing") + " " + whole(step.grazingMm) +
+                              (why_.depth->grazingRaised ? say(" (raised: beams are interlaced)") : "") + " + " +
+                              say("relief %1", {whole(step.reliefMm)});
+    const std::initializer_list<std::string> values{whole(step.stepMm), place(step.line, step.beam), alongName(step.along), limit,
+                                                    number(step.strength)};
+    return step.cellIsNearer ? say("Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.", values)
+                             : say("Step in depth: %1 mm to %2 (%3; that cell is the nearer one), limit %4: strength %5.", values);
 }
 
-std::string roughText(const Judgement::RoughAround& rough) {
-    std::string text = "Rough scan: " + whole(100 * rough.share) + " % of what is within 15 degrees folds";
-    return text +
-           (rough.factor > 1 ? ", so a fold must be " + number(rough.factor) + " times as strong here." : "; a fold counts as elsewhere.");
+std::string WhyWords::foldText(const FoldAtCell& fold) const {
+    const std::string crease = number(why_.depth->creaseDeg);
+    std::string limit = fold.noiseDeg > why_.depth->creaseDeg
+                            ? say("%1 degrees, which noise alone may look like (%2 %3)", {number(fold.noiseDeg), label("crease"), crease})
+                            : say("%1 degrees = %2", {crease, label("crease")});
+    if (fold.meets < 0.995) limit += say("; %1 % of it counts, for the two sides do not meet at the cell", {whole(100 * fold.meets)});
+    const std::initializer_list<std::string> values{number(fold.dihedralDeg), alongName(fold.along), limit, number(fold.strength)};
+    return fold.convex ? say("Fold: %1 degrees convex, outwards (%2), limit %3: strength %4.", values)
+                       : say("Fold: %1 degrees concave, inwards (%2), limit %3: strength %4.", values);
 }
 
-// The measurements of the surface at the cell, one per line.
-std::string depthText(const Why& why) {
-    const DepthProbe& depth = *why.depth;
+std::string WhyWords::roughText() const {
+    const std::string share = whole(100 * why_.rough->share);
+    return why_.rough->factor > 1 ? say("Rough scan: %1 % of what is within 15 degrees folds, so a fold must be %2 times as strong here.",
+                                        {share, number(why_.rough->factor)})
+                                  : say("Rough scan: %1 % of what is within 15 degrees folds; a fold counts as elsewhere.", {share});
+}
+
+std::string WhyWords::supportText() const {
+    const DepthProbe& depth = *why_.depth;
     std::string text;
     if (depth.support == Support::Filled)
-        text += "\nNo range of its own: the gap is filled from both sides, and edges go round it by the cells next to it.";
+        text += "\n" + say("No range of its own: the gap is filled from both sides, and edges go round it by the cells next to it.");
     if (depth.support == Support::RequestedFill)
-        text += "\nNo range of its own: the gap was filled on request, and its cells take part like measured ones.";
-    if (why.movedFromGap) text += "\nThe edge of a cell without a range next to it goes round by this one.";
-    if (depth.support == Support::Void) text += "\nNothing is known here: no step and no fold is measured next to missing data.";
-    if (depth.snappedMm) text += "\nMixed pixel: taken at " + number(*depth.snappedMm / 1000) + " m, on the closer of two surfaces.";
-    const DepthStepAtCell* decisive = stepOfNeighbour(why);
-    if (!depth.steps.empty()) text += "\n" + stepText(why, decisive != nullptr ? *decisive : depth.steps.front());
-    if (!depth.folds.empty()) text += "\n" + foldText(why, depth.folds.front());
-    const double together = static_cast<double>(std::abs(depth.crease.before)) * (why.rough ? why.rough->factor : 1.0);
-    if (depth.folds.size() > 1 && together > 1.005 * depth.folds.front().strength)
-        text += " Together with the other way " + number(together) + ".";
-    if (why.rough && !depth.folds.empty()) text += "\n" + roughText(*why.rough);
-    if (depth.support != Support::Void) {
-        text += "\nRange noise used: sigma " + number(depth.noiseMm) + " mm here, " + number(depth.noiseAt5mMm) + " mm at 5 m.";
-        if (depth.foldNoiseMm != depth.noiseMm)
-            text += " Neighbours err alike, so for folds it counts as " + number(depth.foldNoiseMm) + " mm here.";
-    }
+        text += "\n" + say("No range of its own: the gap was filled on request, and its cells take part like measured ones.");
+    if (why_.movedFromGap) text += "\n" + say("The edge of a cell without a range next to it goes round by this one.");
+    if (depth.support == Support::Void) text += "\n" + say("Nothing is known here: no step and no fold is measured next to missing data.");
+    if (depth.snappedMm)
+        text += "\n" + say("Mixed pixel: taken at %1 m, on the closer of two surfaces.", {number(*depth.snappedMm / 1000)});
     return text;
 }
 
-std::string strengthText(const Why& why, const Settings& settings) {
-    std::string text = choiceLabel(*findParameter("method"), settings) + ": strength " + inUnit(why, why.strength);
-    if (isDepth(why) && why.kind != DepthEdge::None) text += std::string(" as ") + kindName(why.kind);
-    if (why.directionDeg) {
-        text += why.alongBeams ? " (along the line " + inUnit(why, *why.alongBeams) + ", across the lines " + inUnit(why, *why.alongLines) +
-                                     ", direction "
-                               : " (direction ";
-        text += number(*why.directionDeg) + " degrees)";
-    }
-    if (isDepth(why)) {
-        return text + "; " + findParameter("sensitivity")->label + " " + number(why.upper) + ", " + findParameter("hysteresis-low")->label +
-               " " + whole(settings.hysteresisPercent) + " % of it: weak from " + number(why.lower) + ", strong from " + number(why.upper);
-    }
-    return text + (why.lower == why.upper ? ", threshold " + inUnit(why, why.upper)
-                                          : ", thresholds " + number(why.lower) + " and " + inUnit(why, why.upper));
+// The measurements of the surface at the cell, one per line.
+std::string WhyWords::depthText() const {
+    const DepthProbe& depth = *why_.depth;
+    std::string text = supportText();
+    const DepthStepAtCell* decisive = stepOfNeighbour();
+    if (!depth.steps.empty()) text += "\n" + stepText(decisive != nullptr ? *decisive : depth.steps.front());
+    if (!depth.folds.empty()) text += "\n" + foldText(depth.folds.front());
+    const double together = static_cast<double>(std::abs(depth.crease.before)) * (why_.rough ? why_.rough->factor : 1.0);
+    if (depth.folds.size() > 1 && together > 1.005 * depth.folds.front().strength)
+        text += " " + say("Together with the other way %1.", {number(together)});
+    if (why_.rough && !depth.folds.empty()) text += "\n" + roughText();
+    if (depth.support == Support::Void) return text;
+    text += "\n" + say("Range noise used: sigma %1 mm here, %2 mm at 5 m.", {number(depth.noiseMm), number(depth.noiseAt5mMm)});
+    if (depth.foldNoiseMm != depth.noiseMm)
+        text += " " + say("Neighbours err alike, so for folds it counts as %1 mm here.", {number(depth.foldNoiseMm)});
+    return text;
 }
 
-std::string chainText(const Why& why) {
-    if (why.chainCells == 0 || !why.chainTop) return "";
-    return "\nChain: " + std::to_string(why.chainCells) + (why.chainCells == 1 ? " cell" : " cells") + ", strongest at " +
-           place(*why.chainTop) + " (" + inUnit(why, why.chainTop->strength) + ").";
+std::string WhyWords::strengthText() const {
+    const std::string method = translated_(choiceLabel(*findParameter("method"), settings_).c_str());
+    std::string text = isDepth() && why_.kind != DepthEdge::None
+                           ? say("%1: strength %2 as %3", {method, inUnit(why_.strength), kindName(why_.kind)})
+                           : say("%1: strength %2", {method, inUnit(why_.strength)});
+    if (why_.directionDeg) {
+        text += why_.alongBeams ? say(" (along the line %1, across the lines %2, direction %3 degrees)",
+                                      {inUnit(*why_.alongBeams), inUnit(*why_.alongLines), number(*why_.directionDeg)})
+                                : say(" (direction %1 degrees)", {number(*why_.directionDeg)});
+    }
+    if (isDepth())
+        return text + say("; %1 %2, %3 %4 % of it: weak from %5, strong from %6",
+                          {label("sensitivity"), number(why_.upper), label("hysteresis-low"), whole(settings_.hysteresisPercent),
+                           number(why_.lower), number(why_.upper)});
+    return text + (why_.lower == why_.upper ? say(", threshold %1", {inUnit(why_.upper)})
+                                            : say(", thresholds %1 and %2", {number(why_.lower), inUnit(why_.upper)}));
+}
+
+std::string WhyWords::chainText() const {
+    if (why_.chainCells == 0 || !why_.chainTop) return "";
+    const std::string top = place(*why_.chainTop), strength = inUnit(why_.chainTop->strength);
+    return "\n" + (why_.chainCells == 1 ? say("Chain: 1 cell, strongest at %1 (%2).", {top, strength})
+                                        : say("Chain: %1 cells, strongest at %2 (%3).", {std::to_string(why_.chainCells), top, strength}));
+}
+
+std::string WhyWords::verdict() const {
+    const std::string name = named(why_.parameter);
+    const bool edge = why_.probe.edge;
+    if (!why_.appearsAt)
+        return edge ? say("Edge: %1; no value of %2 makes it one.", {reason(), name})
+                    : say("No edge: %1; no value of %2 makes it one.", {reason(), name});
+    const std::string limit = name + " <= " + formatValue(*findParameter(why_.parameter), *why_.appearsAt);
+    return edge ? say("Edge: %1; stays one at %2.", {reason(), limit}) : say("No edge: %1; would appear at %2.", {reason(), limit});
+}
+
+std::string WhyWords::numbers() const {
+    const Probe& probe = why_.probe;
+    const std::string at = place(probe.line, probe.beam);
+    std::string text =
+        probe.state == CellState::Valid ? say("%1: range %2 m", {at, number(probe.rangeMm / 1000)}) : at + ": " + stateName(probe.state);
+    if (!isDepth()) text += say(", gray %1", {std::to_string(probe.gray)});
+    if (why_.smoothed) text += say(", smoothed %1", {std::to_string(static_cast<int>(*why_.smoothed))});
+    if (probe.edge && probe.kind != DepthEdge::None) text += say(", class %1", {kindName(probe.kind)});
+    text += "\n" + strengthText();
+    if (isDepth()) text += depthText();
+    return text + chainText();
 }
 
 } // namespace
 
-std::string whyVerdict(const Why& why, const Settings& settings, Naming naming) {
-    const Parameter& parameter = *findParameter(why.parameter);
-    const std::string name = named(why.parameter, naming);
-    std::string text = (why.probe.edge ? "Edge: " : "No edge: ") + reason(why, settings, naming) + "; ";
-    if (!why.appearsAt) return text + "no value of " + name + " makes it one.";
-    return text + (why.probe.edge ? "stays one at " : "would appear at ") + name + " <= " + formatValue(parameter, *why.appearsAt) + ".";
+std::string asWritten(const char* text) { return text; }
+
+std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated) {
+    return WhyWords(why, settings, naming, translated).verdict();
 }
 
 std::string whyText(const Why& why, const Settings& settings) {
     return whyNumbers(why, settings) + "\n" + whyVerdict(why, settings, Naming::Labels);
 }
 
-std::string whyNumbers(const Why& why, const Settings& settings) {
-    std::string text = place(why.probe.line, why.probe.beam) + ": ";
-    text += why.probe.state == CellState::Valid ? "range " + number(why.probe.rangeMm / 1000) + " m"
-                                                : std::string(cellStateName(why.probe.state));
-    if (!isDepth(why)) text += ", gray " + std::to_string(why.probe.gray);
-    if (why.smoothed) text += ", smoothed " + std::to_string(static_cast<int>(*why.smoothed));
-    if (why.probe.edge && why.probe.kind != DepthEdge::None) text += std::string(", class ") + kindName(why.probe.kind);
-    text += "\n" + strengthText(why, settings);
-    if (isDepth(why)) text += depthText(why);
-    return text + chainText(why);
+std::string whyNumbers(const Why& why, const Settings& settings, Translated translated) {
+    return WhyWords(why, settings, Naming::Labels, translated).numbers();
 }
 
 } // namespace edgescan::edges

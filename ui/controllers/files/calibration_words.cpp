@@ -1,6 +1,8 @@
 // Numbers with their units and limits of validity.
 #include "ui/controllers/files/calibration_words.h"
 
+#include "ui/base/count_text.h"
+
 #include <QObject>
 
 namespace edgescan::ui {
@@ -26,7 +28,7 @@ CalibrationShown calibrationWords(const inspect::SelfCalibration& found) {
                   found.turnIsEstimated
                       ? errorRow(QObject::tr("turn at 180°"), e.turnDeg(), sd.turnDeg(), deg, 4)
                       : std::array<QString, 3>{QObject::tr("turn at 180°"), QObject::tr("unchanged"), QObject::tr("not measured")}};
-    shown.verdict = QObject::tr("found from %1 cells, %2° seen twice").arg(found.cells).arg(decimals(found.overlapDeg, 1));
+    shown.verdict = QObject::tr("found from %1 cells, %2° seen twice").arg(countText(found.cells)).arg(decimals(found.overlapDeg, 1));
     shown.about =
         QObject::tr("Mismatch of the two views: %1 mm before, %2 mm with these errors (median; noise alone explains %3 mm). One scan "
                     "never shows a shift along the axis, an offset of all ranges or the stepper's zero.")

@@ -3,6 +3,7 @@
 
 #include "core/files/formats/formats.h"
 
+#include <QObject>
 #include <QStringList>
 
 #include <vector>
@@ -13,7 +14,7 @@ namespace edgescan::ui {
 [[nodiscard]] inline QString filterOf(const files::Format& format, const std::vector<const char*>& extensions) {
     QStringList patterns;
     for (const char* extension : extensions) patterns << QString("*") + extension;
-    return patterns.isEmpty() ? QString() : QString("%1 (%2)").arg(format.title, patterns.join(' '));
+    return patterns.isEmpty() ? QString() : QString("%1 (%2)").arg(QObject::tr(format.title), patterns.join(' '));
 }
 
 } // namespace edgescan::ui

@@ -1,5 +1,6 @@
 // Mouse and wheel of the rock tools: choosing segments of a rock, lines, the region of interest.
 #include "core/rocks/selection/region_of_interest.h"
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
@@ -62,7 +63,7 @@ void Rocks::showPiece(const QObject* from) {
     QString does = tr("the whole piece as it is");
     if (piece_ < family_.nested.region) does = tr("a click splits it off");
     if (piece_ > family_.nested.region) does = tr("larger than the rock: a click joins it");
-    const QString tip = tr("%1 cells, %2 · wheel: smaller or larger").arg(piece.cells).arg(does);
+    const QString tip = tr("%1 cells, %2 · wheel: smaller or larger").arg(countText(piece.cells), does);
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
         view->setOutline(outline.sides);
         const bool isHere = view == from || (from == nullptr && view->underMouse());

@@ -3,6 +3,7 @@
 
 #include "core/edges/gray/gray.h"
 #include "ui/base/cell_marks.h"
+#include "ui/base/count_text.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
@@ -132,8 +133,10 @@ void LinkedViews::lookAtBox(const QRect& cells) {
     }
     gray().viewPort()->fitTo(QRectF(inside));
     if (!held.empty()) cloud_.zoomToCells(held);
-    QString words =
-        tr("box of %1 × %2 cells: %3 points, %4 edge cells").arg(inside.height()).arg(inside.width()).arg(held.size()).arg(edges);
+    QString words = tr("box of %1 × %2 cells: %3 points, %4 edge cells")
+                        .arg(inside.height())
+                        .arg(inside.width())
+                        .arg(countText(held.size()), countText(edges));
     if (!held.empty()) words += tr(", ranges %1 to %2 m").arg(nearest, 0, 'f', 2).arg(farthest, 0, 'f', 2);
     emit boxed(words);
 }

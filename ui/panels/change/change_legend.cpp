@@ -2,6 +2,7 @@
 #include "ui/panels/change/change_legend.h"
 
 #include "core/inspect/change_detection/change_report.h"
+#include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 #include "ui/views/cloud/cloud_colours.h"
@@ -10,7 +11,6 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 #include <QToolButton>
@@ -101,8 +101,6 @@ QString nameOf(ChangeRow row) {
     }
 }
 
-QString thousands(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
-
 /// Breaks lines that are wider, at blanks.
 QString broken(const QString& text, const QFontMetrics& letters, int width) {
     QString result;
@@ -188,7 +186,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
         const bool some = comparison != nullptr && (row.box->objectName() != "change-3" || comparison->count(ChangeRow::Unseen) > 0);
         const bool shown = some && (!ofSurfaces || comparison->isOfTwoScans());
         for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(shown && rowsShown_);
-        row.count->setText(shown ? thousands(comparison->count(static_cast<ChangeRow>(n))) : QString());
+        row.count->setText(shown ? countText(comparison->count(static_cast<ChangeRow>(n))) : QString());
     }
     QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nchange a setting, or open another scan");
     if (comparison != nullptr && !working) {
@@ -208,7 +206,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     if (distances)
         setWords(*distances_, tr("median distance %1\n%2 are farther than %3")
                                   .arg(shortLength(distances->histogram.medianM))
-                                  .arg(thousands(distances->histogram.beyond))
+                                  .arg(countText(distances->histogram.beyond))
                                   .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
     next_->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
     showRegion(QString());

@@ -1,9 +1,10 @@
 // The legend of edge confidence.
 #include "ui/panels/confidence/confidence_legend.h"
 
+#include "ui/base/count_text.h"
+
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 #include <QSlider>
@@ -19,8 +20,6 @@ QString nameOfBand(std::size_t band) {
     if (band + 1 == kBands) return ConfidenceLegend::tr("below %1 %").arg(edges::kConfidenceBands[band - 1]);
     return ConfidenceLegend::tr("%1 % and more").arg(edges::kConfidenceBands[band]);
 }
-
-QString withCommas(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
 /// As thick as the points are large.
 QPixmap swatchOf(const QColor& colour, std::size_t band) {
@@ -109,7 +108,7 @@ void ConfidenceLegend::showNone(const QString& why) {
 
 void ConfidenceLegend::showMade(const ConfidencePicture& made) {
     words_->setText(tr("share of %1 nearby settings that find the edge").arg(made.confidence->settings));
-    for (std::size_t band = 0; band < kBands; ++band) counts_[band]->setText(withCommas(made.counts[band]));
+    for (std::size_t band = 0; band < kBands; ++band) counts_[band]->setText(countText(made.counts[band]));
     showRows(true);
     adjustSize();
 }

@@ -3,6 +3,7 @@
 
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/gap_filling/gap_filling.h"
+#include "ui/base/count_text.h"
 #include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 
@@ -15,7 +16,6 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScreen>
@@ -30,9 +30,6 @@ namespace {
 
 constexpr int kMargins = 64; // px, with the title bar of the window
 constexpr int kWords = 400;  // px: width of the questions for the reading program
-
-// With thousands separators, the same in every locale.
-QString number(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
 } // namespace
 
@@ -66,13 +63,13 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
         fit();
     });
     onlySelected_->setObjectName("onlySelected");
-    onlySelected_->setText(tr("Only what is selected (%1 cells)").arg(number(selected_.cells ? selected_.cells->size() : 0)));
+    onlySelected_->setText(tr("Only what is selected (%1 cells)").arg(countText(selected_.cells ? selected_.cells->size() : 0)));
     onlySelected_->setVisible(selected_.cells != nullptr);
     onlySelected_->setChecked(selected_.cells != nullptr && selected_.only);
     column->addWidget(onlySelected_);
     const std::size_t hidden = detection_->scan->attached.size();
     attached_->setObjectName("attached");
-    attached_->setText(tr("Also the points that lie behind the nearest of their cell (%1 in the scan)").arg(number(hidden)));
+    attached_->setText(tr("Also the points that lie behind the nearest of their cell (%1 in the scan)").arg(countText(hidden)));
     attached_->setVisible(hidden > 0);
     column->addWidget(attached_);
     column->addStretch(1);
@@ -150,7 +147,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
         coordinates_->addButton(button, static_cast<int>(frame));
         column->addWidget(button);
     };
-    add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, Elevation"), "mine", placed);
+    add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, RL"), "mine", placed);
     add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid is in the header"), "local", placed);
     add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
     coordinates_->button(static_cast<int>(files::usualFrame(*detection_->scan)))->setChecked(true);
@@ -235,7 +232,8 @@ void ExportDialog::showCounts() {
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         QAbstractButton* button = contents_->button(static_cast<int>(kind.content));
         if (button == nullptr) continue;
-        const QString counted = exports::isCloud(kind.content) ? number(countOf(kind.content, attached_->isChecked(), onlySelected)) : size;
+        const QString counted =
+            exports::isCloud(kind.content) ? countText(countOf(kind.content, attached_->isChecked(), onlySelected)) : size;
         button->setText(QObject::tr(kind.window.title).arg(counted));
     }
 }
@@ -265,7 +263,7 @@ void ExportDialog::follow() {
     attached_->setEnabled(cloud);
     onlySelected_->setEnabled(cloud);
     showCounts();
-    count_->setText(cloud ? tr("%1 points will be saved.").arg(number(count())) : tr("%1 cells will be saved.").arg(number(count())));
+    count_->setText(cloud ? tr("%1 points will be saved.").arg(countText(count())) : tr("%1 cells will be saved.").arg(countText(count())));
 }
 
 } // namespace edgescan::ui

@@ -5,6 +5,7 @@
 #include "core/base/version.h"
 #include "core/exports/report.h"
 #include "core/scan/grid/scan.h"
+#include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 
 #include <nlohmann/json.hpp>
@@ -20,7 +21,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace edgescan::ui {
@@ -31,7 +34,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostListed = 12; // values of a list
 
 /// Names of the report in words; the others are shown with blanks between their words.
-constexpr std::array<std::pair<const char*, const char*>, 26> kNames{{
+constexpr std::pair<const char*, const char*> kNames[] = {
     {"input", QT_TRANSLATE_NOOP("QObject", "File")},
     {"name", QT_TRANSLATE_NOOP("QObject", "Name")},
     {"format", QT_TRANSLATE_NOOP("QObject", "Format")},
@@ -41,7 +44,7 @@ constexpr std::array<std::pair<const char*, const char*>, 26> kNames{{
     {"cells", QT_TRANSLATE_NOOP("QObject", "Cells")},
     {"valid", QT_TRANSLATE_NOOP("QObject", "with a range")},
     {"no_return", QT_TRANSLATE_NOOP("QObject", "no return")},
-    {"device_status", QT_TRANSLATE_NOOP("QObject", "device status")},
+    {"status", QT_TRANSLATE_NOOP("QObject", "device status")},
     {"out_of_window", QT_TRANSLATE_NOOP("QObject", "out of window")},
     {"masked", QT_TRANSLATE_NOOP("QObject", "masked")},
     {"lost", QT_TRANSLATE_NOOP("QObject", "lost")},
@@ -58,19 +61,74 @@ constexpr std::array<std::pair<const char*, const char*>, 26> kNames{{
     {"line_deg", QT_TRANSLATE_NOOP("QObject", "Line angles [°]")},
     {"intensity", QT_TRANSLATE_NOOP("QObject", "Intensity")},
     {"acquisition", QT_TRANSLATE_NOOP("QObject", "Measured")},
-}};
+    {"vendor", QT_TRANSLATE_NOOP("QObject", "Maker")},
+    {"model", QT_TRANSLATE_NOOP("QObject", "Model")},
+    {"serial", QT_TRANSLATE_NOOP("QObject", "Serial number")},
+    {"firmware", QT_TRANSLATE_NOOP("QObject", "Firmware")},
+    {"start_utc", QT_TRANSLATE_NOOP("QObject", "Begin (UTC)")},
+    {"end_utc", QT_TRANSLATE_NOOP("QObject", "End (UTC)")},
+    {"clock_source", QT_TRANSLATE_NOOP("QObject", "Clock")},
+    {"contamination", QT_TRANSLATE_NOOP("QObject", "Window of the scanner")},
+    {"echo_filter", QT_TRANSLATE_NOOP("QObject", "Echo filter")},
+    {"lines_expected", QT_TRANSLATE_NOOP("QObject", "Lines of the sweep")},
+    {"first", QT_TRANSLATE_NOOP("QObject", "first")},
+    {"last", QT_TRANSLATE_NOOP("QObject", "last")},
+    {"count", QT_TRANSLATE_NOOP("QObject", "number")},
+    {"step", QT_TRANSLATE_NOOP("QObject", "step")},
+    {"uneven", QT_TRANSLATE_NOOP("QObject", "uneven")},
+    {"line_direction", QT_TRANSLATE_NOOP("QObject", "Direction of the stepper")},
+    {"attached_points", QT_TRANSLATE_NOOP("QObject", "Points behind others")},
+    {"points", QT_TRANSLATE_NOOP("QObject", "Points of the list")},
+    {"in_file", QT_TRANSLATE_NOOP("QObject", "in the file")},
+    {"without_cell", QT_TRANSLATE_NOOP("QObject", "without a cell")},
+    {"note", QT_TRANSLATE_NOOP("QObject", "Remark")},
+    {"sensor_m", QT_TRANSLATE_NOOP("QObject", "Scanner at [m]")},
+    {"origin_enh_m", QT_TRANSLATE_NOOP("QObject", "Origin E, N, RL [m]")},
+    {"grid_scale", QT_TRANSLATE_NOOP("QObject", "Scale of the grid")},
+    {"grid", QT_TRANSLATE_NOOP("QObject", "Grid")},
+    {"source", QT_TRANSLATE_NOOP("QObject", "Source")},
+    {"robot", QT_TRANSLATE_NOOP("QObject", "Robot")},
+    {"scan_start", QT_TRANSLATE_NOOP("QObject", "Begin of the scan")},
+    {"scan_end", QT_TRANSLATE_NOOP("QObject", "End of the scan")},
+    {"time", QT_TRANSLATE_NOOP("QObject", "Time of the pose")},
+    {"age_s", QT_TRANSLATE_NOOP("QObject", "Age of the pose [s]")},
+    {"out_of_spec", QT_TRANSLATE_NOOP("QObject", "Out of spec")},
+    {"poses", QT_TRANSLATE_NOOP("QObject", "Poses")},
+    {"boom", QT_TRANSLATE_NOOP("QObject", "Boom")},
+    {"pivot_m", QT_TRANSLATE_NOOP("QObject", "Pivot [m]")},
+    {"head_m", QT_TRANSLATE_NOOP("QObject", "Head [m]")},
+};
+
+/// Values that are words of EdgeScan, not names of a file.
+constexpr const char* kWordValues[] = {
+    QT_TRANSLATE_NOOP("QObject", "mine grid"),
+    QT_TRANSLATE_NOOP("QObject", "scanner"),
+    QT_TRANSLATE_NOOP("QObject", "beam x line angles"),
+    QT_TRANSLATE_NOOP("QObject", "organised points"),
+    QT_TRANSLATE_NOOP("QObject", "spin"),
+    QT_TRANSLATE_NOOP("QObject", "sweep"),
+};
+constexpr std::string_view kKeysOfWords[] = {"frame", "geometry", "axis"};
 
 QString nameOf(const std::string& key) {
     const auto known = std::ranges::find_if(kNames, [&](const auto& each) { return key == each.first; });
-    if (known != kNames.end()) return QObject::tr(known->second);
+    if (known != std::end(kNames)) return QObject::tr(known->second);
     return shownText(key).replace('_', ' ');
 }
 
 QString valueOf(const Json& value) {
     if (value.is_null()) return QStringLiteral("–");
+    if (value.is_number_integer()) return countText(value.get<std::int64_t>());
     if (value.is_boolean()) return value.get<bool>() ? QObject::tr("yes") : QObject::tr("no");
     if (value.is_string()) return value.get<std::string>().empty() ? QStringLiteral("–") : shownText(value.get<std::string>());
     return shownText(jsonText(value));
+}
+
+/// The words of EdgeScan in the language of the window.
+QString valueOf(const std::string& key, const Json& value) {
+    const bool known = value.is_string() && std::ranges::count(kKeysOfWords, key) > 0 &&
+                       std::ranges::any_of(kWordValues, [&](const char* word) { return value.get<std::string>() == word; });
+    return known ? QObject::tr(value.get<std::string>().c_str()) : valueOf(value);
 }
 
 /// A list: short values in one line, sentences below each other.
@@ -88,7 +146,7 @@ void addRows(QString& rows, const Json& facts, int depth) {
         const QString blanks = QStringLiteral("&nbsp;").repeated(4 * depth);
         const QString name = blanks + nameOf(key).toHtmlEscaped() + "&nbsp;&nbsp;&nbsp;";
         const bool deeper = value.is_object() && !value.empty();
-        const QString shown = deeper ? QString() : value.is_array() ? listOf(value) : valueOf(value).toHtmlEscaped();
+        const QString shown = deeper ? QString() : value.is_array() ? listOf(value) : valueOf(key, value).toHtmlEscaped();
         rows += "<tr><td>" + (depth == 0 ? "<b>" + name + "</b>" : name) + "</td><td>" + shown + "</td></tr>";
         if (deeper) addRows(rows, value, depth + 1);
     }

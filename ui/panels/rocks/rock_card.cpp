@@ -2,6 +2,7 @@
 #include "ui/panels/rocks/rock_card.h"
 
 #include "core/base/tolerance_text.h"
+#include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/rocks/rock_table_model.h"
 
@@ -167,7 +168,7 @@ void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {
     const rocks::Region* region = picture.regionAt(cell);
     setRow(0, tr("because"), whyNoRock(region));
     if (region == nullptr) return;
-    setRow(1, tr("cells"), QString::number(region->sums.cells));
+    setRow(1, tr("cells"), countText(region->sums.cells));
     setRow(2, tr("visible area"), tr("%1 m²").arg(region->sums.areaM2, 0, 'f', 2));
 }
 

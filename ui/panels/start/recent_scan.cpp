@@ -7,13 +7,13 @@
 #include "core/edges/gray/gray.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/scan/grid/acquisition.h"
+#include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QLocale>
 #include <QStringList>
 
 #include <filesystem>
@@ -32,21 +32,20 @@ QString cacheName(const QString& path) {
     const auto size = std::filesystem::file_size(file, gone);
     const auto modified = std::filesystem::last_write_time(file, gone).time_since_epoch().count();
     const std::string key = file.string() + "\n" + std::to_string(size) + "\n" + std::to_string(modified) + "\n" +
-                            QCoreApplication::applicationVersion().toStdString();
+                            QCoreApplication::applicationVersion().toStdString() + "\n" +
+                            languageInUse().toStdString(); // the words are stored in the picture
     return exactText(sha256Hex(std::as_bytes(std::span(key)))) + ".png";
 }
 
-// In the language of the sources, because it is stored.
 QString wordsOf(const Scan& scan) {
-    const auto number = [](int n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(n); };
     QStringList words;
     const Acquisition measured = scan.acquisition ? *scan.acquisition : Acquisition{};
     if (const auto seconds = parseUtc(measured.startUtc)) words << shownText(utcText(*seconds)).left(16).replace('T', ' ') + " UTC";
     const bool some = measured.linesExpected > scan.lines();
-    words << (some ? QString("%1 / %2").arg(number(scan.lines()), number(measured.linesExpected)) : number(scan.lines())) + " × " +
-                 number(scan.beams());
+    words << (some ? QString("%1 / %2").arg(countText(scan.lines()), countText(measured.linesExpected)) : countText(scan.lines())) + " × " +
+                 countText(scan.beams());
     const bool recorded = scan.format == "recording" || scan.format == "sweep";
-    words << (recorded ? "RECORDED" : "FILE");
+    words << (recorded ? QObject::tr("RECORDED") : QObject::tr("FILE"));
     if (some) words << QObject::tr("✕ INCOMPLETE");
     return words.join(QString::fromUtf8(" · "));
 }

@@ -3,8 +3,8 @@
 
 #include "core/edges/settings/parameters.h"
 #include "core/edges/settings/slider_scale.h"
+#include "ui/base/count_text.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStyle>
@@ -63,7 +63,7 @@ QString CountCurve::words(bool brief) const {
     const auto next = std::ranges::lower_bound(curve_->thresholds, value_);
     const auto place = std::min(static_cast<std::size_t>(next - curve_->thresholds.begin()), curve_->edges.size() - 1);
     const std::size_t edges = found_ && found_->first == value_ ? found_->second : curve_->edges[place];
-    QString text = tr("%1 edge cells").arg(QLocale(QLocale::English).toString(static_cast<qulonglong>(edges)));
+    QString text = tr("%1 edge cells").arg(countText(edges));
     if (!brief && curve_->stableTo > curve_->stableFrom)
         text += tr(" · steady from %1 to %2").arg(curve_->stableFrom, 0, 'g', 3).arg(curve_->stableTo, 0, 'g', 3);
     return text;

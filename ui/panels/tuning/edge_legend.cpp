@@ -4,11 +4,11 @@
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "core/scan/gap_filling/gap_filling.h"
+#include "ui/base/count_text.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 
@@ -16,8 +16,6 @@
 
 namespace edgescan::ui {
 namespace {
-
-QString grouped(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
@@ -88,18 +86,18 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
     const bool chosen = edges::reads(detection.settings.method, edges::kReadsClasses);
     const auto counts = edges::countClasses(detection);
     const int classes = chosen ? detection.settings.classes : edges::traitsOf(detection.settings.method).classes;
-    total_->setText(grouped(detection.edges->size()));
+    total_->setText(countText(detection.edges->size()));
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const bool counted = (classes & bitOf(n)) != 0;
         offered_[n] = known && (chosen || counted);
         rows_[n].box->setEnabled(chosen);
         rows_[n].box->setChecked(counted);
-        rows_[n].count->setText(counted ? grouped(counts[n + 1]) : QString());
+        rows_[n].count->setText(counted ? countText(counts[n + 1]) : QString());
     }
     known_ = known;
     showRows();
     filled_->setVisible(detection.filled != nullptr);
-    if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(grouped(detection.filled->cells.size())));
+    if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(countText(detection.filled->cells.size())));
     show();
     adjustSize();
     showing_ = false;

@@ -8,13 +8,13 @@
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/placement.h"
 #include "ui/base/core_words.h"
+#include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
 #include <QBoxLayout>
 #include <QEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -30,9 +30,6 @@ constexpr int kShowWorkAfterMs = 100;
 constexpr int kBetween = 14; // px between two facts
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
-
-// With thousands separators, the same in every locale.
-QString count(std::size_t n) { return QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qulonglong>(n)); }
 
 QString rangeText(const edges::Probe& probe) {
     if (probe.filled)
@@ -251,14 +248,14 @@ void StatusLine::showTimeOf(const Scan& scan, bool live) {
 void StatusLine::showCounts(const edges::Detection& detection) {
     const auto cells = countCells(*detection.scan);
     const auto of = [&](CellState state) { return cells[static_cast<std::size_t>(state)]; };
-    const QString edges = tr("%1 edge cells").arg(count(detection.edges->size()));
-    const QString none = tr("%1 no return").arg(count(of(CellState::NoReturn)));
-    QString text = tr("%1 points").arg(count(of(CellState::Valid))) + " · " + edges + " · " + none;
-    if (of(CellState::DeviceStatus) > 0) text += tr(" · %1 status").arg(count(of(CellState::DeviceStatus)));
+    const QString edges = tr("%1 edge cells").arg(countText(detection.edges->size()));
+    const QString none = tr("%1 no return").arg(countText(of(CellState::NoReturn)));
+    QString text = tr("%1 points").arg(countText(of(CellState::Valid))) + " · " + edges + " · " + none;
+    if (of(CellState::DeviceStatus) > 0) text += tr(" · %1 status").arg(countText(of(CellState::DeviceStatus)));
     for (const CellState state : {CellState::OutOfWindow, CellState::Masked, CellState::Lost}) {
-        if (of(state) > 0) text += QString(" · %1 %2").arg(count(of(state)), QString(cellStateName(state)).replace('_', ' '));
+        if (of(state) > 0) text += QString(" · %1 %2").arg(countText(of(state)), QString(cellStateName(state)).replace('_', ' '));
     }
-    if (detection.filled) text += tr(" · %1 filled").arg(count(detection.filled->cells.size()));
+    if (detection.filled) text += tr(" · %1 filled").arg(countText(detection.filled->cells.size()));
     showFact(Fact::Counts, text, edges + " · " + none, false);
     factLabel(Fact::Counts).label->setToolTip(text + "\n" + tr("Edges found in %1 ms").arg(number(detection.totalMs, 1)));
 }
