@@ -108,7 +108,7 @@ private slots:
         QCOMPARE(on.tour.step(), 1);
     }
 
-    // The strip is as wide as the views: beside it the head of a dock, whose content the page covers, would be left.
+    // The strip is as wide as the views: next to it the head of a dock, whose content the page covers, would be left.
     void nothingOfADockIsLeftBesideIt() {
         FirstStart on(ini_);
         on.window.resize(1280, 800);

@@ -11,7 +11,7 @@
 namespace edgescan::ui {
 
 /// "1,136,154" in English. In the other languages "1 136 154" with narrow no-break spaces (ISO 80000-1): all numbers of the window have a
-/// decimal point, beside which neither a comma nor a point may part thousands. The only place that does this (tests/cli/exits_test.cpp).
+/// decimal point, next to which neither a comma nor a point may part thousands. The only place that does this (tests/cli/exits_test.cpp).
 template <std::integral Number>
 [[nodiscard]] QString countText(Number n) {
     QString text = QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qlonglong>(n));

@@ -71,7 +71,7 @@ private:
         }
         page_.setGeometry(0, top, window_.width(), std::max(0, window_.viewer().statusLine.mapTo(&window_, QPoint(0, 0)).y() - top));
         page_.raise();
-        // The strips above the page are as wide as the views: beside them are the heads of docks whose content the page covers.
+        // The strips above the page are as wide as the views: next to them are the heads of docks whose content the page covers.
         const int side = centre.mapTo(&window_, QPoint(centre.width(), 0)).x(), head = centre.mapTo(&window_, QPoint(0, 0)).y();
         beside_.setGeometry(side, head, std::max(0, window_.width() - side), std::max(0, top - head));
         beside_.raise();

@@ -172,7 +172,7 @@ QWidget* NumbersSide::makeNumbers() {
     auto* name = label("cab-distance-name", kNotePx, false);
     distanceName_ = name;
     name->setText(tr("Distance"));
-    auto* above = new QHBoxLayout; // the uncertainty beside the name: a low screen has no line for it
+    auto* above = new QHBoxLayout; // the uncertainty next to the name: a low screen has no line for it
     above->addWidget(name);
     above->addStretch(1);
     above->addWidget(tolerance_);
