@@ -250,6 +250,58 @@ private slots:
         QVERIFY2(on.viewer.notice.text().contains("nowhere"), qPrintable(on.viewer.notice.text()));
     }
 
+    // Both demo scans are simulated from one place: they are compared as such, and nothing is out of spec.
+    void theDemoBeforeAndAfterIsInSpec() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.show());
+        on.viewer.comparing.openDemoPair();
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison() != nullptr; }));
+        QVERIFY(known(on));
+        const ChangeLegend& legend = on.viewer.changeLegend;
+        QVERIFY2(!legend.howText().contains("OUT OF SPEC"), qPrintable(legend.howText()));
+        QVERIFY2(!on.viewer.notice.isVisible() || !on.viewer.notice.text().contains("OUT OF SPEC"), qPrintable(on.viewer.notice.text()));
+        // The numbers have a unit.
+        const auto* unit = legend.findChild<QLabel*>("change-unit");
+        QVERIFY(unit->isVisible());
+        QCOMPARE(unit->text(), QString("cells"));
+        const bool byDistance = true;
+        on.viewer.comparing.setByDistance(byDistance);
+        QVERIFY(eventually([&] { return on.viewer.comparing.comparison()->distances != nullptr; }));
+        on.viewer.comparing.setByDistance(false);
+        // The camera looks at each region along the scanner's line of sight and never from behind the scanner, where walls are in the way:
+        // most of the region is in the picture, and most of that is in sight.
+        CloudView& cloud = on.viewer.views.cloud();
+        const Comparison& made = *on.viewer.comparing.comparison();
+        const auto& regions = made.change.regions;
+        QVERIFY(regions.size() > 3);
+        for (std::size_t n = 0; n < std::min<std::size_t>(regions.size(), 8); ++n) {
+            on.viewer.comparing.nextRegion();
+            QVERIFY(eventually([&] { return cloud.atRest(); }));
+            if (qEnvironmentVariableIsSet("EDGESCAN_KEEP_PICTURES")) on.window.screenshot().save(QString("region_%1.png").arg(n));
+            const CameraPose pose = cloud.camera();
+            const Eigen::Vector3d sensor = cloud.geometryOfCloud()->sensor.cast<double>();
+            QVERIFY2((pose.focus - pose.position).norm() <= (pose.focus - sensor).norm() + 1e-6, qPrintable(QString::number(n)));
+            int all = 0, inView = 0, inSight = 0;
+            const inspect::ChangedRegion& region = regions[n];
+            const auto& kinds = made.change.ranges.cells;
+            for (int line = region.firstLine; line <= region.lastLine; line += 3) {
+                for (int beam = region.firstBeam; beam <= region.lastBeam; beam += 3) {
+                    const auto k = static_cast<std::uint32_t>(kinds.index(line, beam));
+                    if (kinds[k] != kinds[region.cell] || !cloud.geometryOfCloud()->drawable(k)) continue;
+                    const auto at = cloud.pixelOf(k);
+                    ++all;
+                    inView += at ? 1 : 0;
+                    const auto seen = at ? cloud.cellAt(*at) : std::nullopt;
+                    const auto rangeOf = [&](std::uint32_t cell) { return on.picture().detection->scan->rangeMm[cell]; };
+                    inSight += seen && rangeOf(*seen) > 0.9F * rangeOf(k) ? 1 : 0;
+                }
+            }
+            const QString counts = QString("region %1: %2 of %3 in view, %4 in sight").arg(n + 1).arg(inView).arg(all).arg(inSight);
+            QVERIFY2(4 * inView >= 3 * all && 4 * inSight >= 3 * inView, qPrintable(counts));
+        }
+    }
+
     void withoutAnythingKeptTheKeysSaySo() {
         WindowFixture on;
         QVERIFY(on.show() && on.activate());
