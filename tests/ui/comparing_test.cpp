@@ -250,31 +250,40 @@ private slots:
         QVERIFY2(on.viewer.notice.text().contains("nowhere"), qPrintable(on.viewer.notice.text()));
     }
 
-    // Both demo scans are simulated from one place: they are compared as such, and nothing is out of spec.
-    void theDemoBeforeAndAfterIsInSpec() {
+    // Two scans of one scanner that did not move, as the demo before and after the blast: nothing is out of spec.
+    void twoScansFromOnePlaceAreInSpec() {
+        const auto before = earlierPicture(QString::fromStdString(before_), {}, {}),
+                   after = earlierPicture(QString::fromStdString(after_), {}, {});
+        QVERIFY(before && after);
+        for (const bool byDistance : {false, true}) {
+            ComparisonAsked asked{*before, *after};
+            asked.byDistance = byDistance;
+            const auto bySurfaces = compared(asked, nullptr);
+            QVERIFY(bySurfaces && (*bySurfaces)->change.earlier.how.outOfSpec);
+            asked.onePlace = true;
+            const auto known = compared(asked, nullptr);
+            QVERIFY(known);
+            QVERIFY(!(*known)->change.earlier.how.outOfSpec && (*known)->change.earlier.how.sameCells);
+            QCOMPARE((*known)->distances != nullptr, byDistance);
+        }
+    }
+
+    void theChangedRegionsComeIntoThePicture() {
         WindowFixture on;
-        on.window.resize(1280, 800);
-        QVERIFY(on.show());
-        on.viewer.comparing.openDemoPair();
-        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison() != nullptr; }));
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
         QVERIFY(known(on));
-        const ChangeLegend& legend = on.viewer.changeLegend;
-        QVERIFY2(!legend.howText().contains("OUT OF SPEC"), qPrintable(legend.howText()));
-        QVERIFY2(!on.viewer.notice.isVisible() || !on.viewer.notice.text().contains("OUT OF SPEC"), qPrintable(on.viewer.notice.text()));
-        // The numbers have a unit.
-        const auto* unit = legend.findChild<QLabel*>("change-unit");
+        // The numbers of the legend have a unit.
+        const auto* unit = on.viewer.changeLegend.findChild<QLabel*>("change-unit");
         QVERIFY(unit->isVisible());
         QCOMPARE(unit->text(), QString("cells"));
-        const bool byDistance = true;
-        on.viewer.comparing.setByDistance(byDistance);
-        QVERIFY(eventually([&] { return on.viewer.comparing.comparison()->distances != nullptr; }));
-        on.viewer.comparing.setByDistance(false);
         // The camera looks at each region along the scanner's line of sight and never from behind the scanner, where walls are in the way:
         // most of the region is in the picture, and most of that is in sight.
         CloudView& cloud = on.viewer.views.cloud();
         const Comparison& made = *on.viewer.comparing.comparison();
         const auto& regions = made.change.regions;
-        QVERIFY(regions.size() > 3);
+        QVERIFY(!regions.empty());
         for (std::size_t n = 0; n < std::min<std::size_t>(regions.size(), 8); ++n) {
             on.viewer.comparing.nextRegion();
             QVERIFY(eventually([&] { return cloud.atRest(); }));
