@@ -271,6 +271,15 @@ visible %6 m², a %7 m</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>No se pudo determinar la razón (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>Finding the reason …</source><translation>Buscando la razón …</translation></message>
+<message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
+<message><source>under the pointer</source><translation>bajo el puntero</translation></message>
+<message><source>the pinned target, under the pointer</source><translation>el objetivo fijado, bajo el puntero</translation></message>
+<message><source>under the pointer, not the pinned target</source><translation>bajo el puntero, no el objetivo fijado</translation></message>
+<message><source>the pinned target</source><translation>el objetivo fijado</translation></message>
+<message><source>the nearest edge</source><translation>el borde más cercano</translation></message>
+<message><source>the near side of your click at %1</source><translation>el lado cercano de su clic en %1</translation></message>
+<message><source>the cell that you clicked</source><translation>la celda en la que hizo clic</translation></message>
+<message><source>Cell: %1 (%2)</source><translation>Celda: %1 (%2)</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
@@ -398,7 +407,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
-<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Escáner en E %1, N %2, RL %3. Sus puntos: </translation></message>
+<message><source>Scanner at E %1, N %2, RL %3 m. Its points: </source><translation>Escáner en E %1, N %2, RL %3 m. Sus puntos: </translation></message>
 <message><source>Store Pose</source><translation>Guardar la pose</translation></message>
 <message><source>Remove Pose</source><translation>Quitar la pose</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>La imagen no viene de un archivo, así que su pose no se puede guardar: abra un escaneo o una grabación.</translation></message>
@@ -598,8 +607,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: mantener un segundo para salir del modo cabina</translation></message>
 <message><source>Previous target</source><translation>Objetivo anterior</translation></message>
 <message><source>Next target</source><translation>Objetivo siguiente</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
+<message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>más: %1</translation></message>
@@ -610,6 +621,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
 <message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
+<message><source>cells</source><translation>celdas</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -694,7 +706,7 @@ mantenga \ para verla</translation></message>
 <message><source>Mounting</source><translation>Montaje</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Guardar con el escaneo</translation></message>
 <message><source>&amp;Remove Pose</source><translation>&amp;Quitar la pose</translation></message>
-<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Una línea del levantamiento: punto, E, N, RL, y rumbo, cabeceo y alabeo si los tiene</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Una línea del levantamiento: punto, E, N, RL, y rumbo, cabeceo y alabeo si los tiene. E es la coordenada este, N la norte, RL la altura sobre el cero de la mina: un lugar más alto tiene un RL mayor.</translation></message>
 <message><source>&amp;Fill In</source><translation>&amp;Rellenar</translation></message>
 <message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Cómo está montado el escáner, con un nombre para el próximo escaneo. Un campo vacío tiene el valor que muestra.</translation></message>
 <message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
@@ -826,6 +838,7 @@ mantenga \ para verla</translation></message>
 <message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Muestra la imagen y los bordes de este escaneo; los demás quedan en la nube</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque los mismos tres lugares en ambos escaneos como objetivos con los mismos números: llevan la capa a su sitio</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
+<message><source>sweep %1: %2</source><translation>barrido %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Líneas cuyos telegramas no llegaron: guiones en las imágenes</translation></message>
 <message><source>Scanner</source><translation>Escáner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
@@ -912,7 +925,6 @@ mantenga \ para verla</translation></message>
 <message><source>confidence p</source><translation>confianza p</translation></message>
 <message><source>Not a rock</source><translation>No es roca</translation></message>
 <message><source>because</source><translation>porque</translation></message>
-<message><source>cells</source><translation>celdas</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
@@ -1015,12 +1027,19 @@ mantenga \ para verla</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>no se midió nada a menos de %1 celdas</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ también hay una superficie más cercana a menos de %1 celdas: amplíe si era esa</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
+<message><source>E %1  N %2  RL %3 m</source><translation>E %1  N %2  RL %3 m</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>Distance [m]</source><translation>Distancia [m]</translation></message>
+<message><source>Line</source><translation>Línea</translation></message>
+<message><source>Beam</source><translation>Haz</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic cerca de un borde se refiere a su lado cercano; con Mayús, a la celda misma</translation></message>
 <message><source>from</source><translation>desde</translation></message>
 <message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
+<message><source>Copy All</source><translation>Copiar todos</translation></message>
+<message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>Las posiciones de todos los objetivos como tabla con unidades, para una hoja de cálculo</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>La medición elegida</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, en escala logarítmica. Rayado: el tramo más ancho en que desaparece un quinto de ellas como máximo. La línea vertical es el umbral en uso.</translation></message>
@@ -1077,12 +1096,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
-<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDE</translation></message>
 <message><source>not an edge</source><translation>no es un borde</translation></message>
 <message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
+<message><source>Pinned:</source><translation>Fijado:</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sin pose, las coordenadas se cuentan desde el escáner, no desde la cuadrícula de la mina.</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
@@ -1112,7 +1131,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Range [m]</source><translation>Distancia [m]</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
-<message><source>Line</source><translation>Línea</translation></message>
 <message><source>Front</source><translation>Frente</translation></message>
 <message><source>Left</source><translation>Izq.</translation></message>
 <message><source>Right</source><translation>Der.</translation></message>
@@ -1475,6 +1493,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Archivo de calibración del robot; una grabación puede contener el suyo</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
+<message><source>RL, positive up [m]</source><translation>RL, positivo hacia arriba [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Rumbo, desde el norte en sentido horario [grados]</translation></message>
 <message><source>North of the heading</source><translation>Norte del rumbo</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinación: cabeceo, morro arriba [grados]</translation></message>
@@ -1587,7 +1606,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>barrido %1 del tópico, contado desde 0; el tópico contiene %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>barrido %1, contado desde 0</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
-<message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
 <message><source>convex fold</source><translation>pliegue convexo</translation></message>
 <message><source>concave fold</source><translation>pliegue cóncavo</translation></message>
 <message><source>edge</source><translation>borde</translation></message>
@@ -1655,5 +1673,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Spans a × b</source><translation>Extensiones a × b</translation></message>
 <message><source>Along the Surface</source><translation>Por la superficie</translation></message>
 <message><source>Throat Width</source><translation>Ancho de garganta</translation></message>
+<message><source>Length in a Section</source><translation>Longitud en una sección</translation></message>
 </context>
 </TS>

@@ -271,6 +271,15 @@ visible %6 m², à %7 m</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>La raison n'a pas pu être établie (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>Finding the reason …</source><translation>Recherche de la raison …</translation></message>
+<message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
+<message><source>under the pointer</source><translation>sous le pointeur</translation></message>
+<message><source>the pinned target, under the pointer</source><translation>la cible épinglée, sous le pointeur</translation></message>
+<message><source>under the pointer, not the pinned target</source><translation>sous le pointeur, pas la cible épinglée</translation></message>
+<message><source>the pinned target</source><translation>la cible épinglée</translation></message>
+<message><source>the nearest edge</source><translation>l'arête la plus proche</translation></message>
+<message><source>the near side of your click at %1</source><translation>le côté proche de votre clic à %1</translation></message>
+<message><source>the cell that you clicked</source><translation>la cellule que vous avez cliquée</translation></message>
+<message><source>Cell: %1 (%2)</source><translation>Cellule : %1 (%2)</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
@@ -398,7 +407,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
 <message><source>Does this look right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>À l'écran, pas encore adopté : %1</translation></message>
-<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Scanner à E %1, N %2, RL %3. Ses points : </translation></message>
+<message><source>Scanner at E %1, N %2, RL %3 m. Its points: </source><translation>Scanner à E %1, N %2, RL %3 m. Ses points : </translation></message>
 <message><source>Store Pose</source><translation>Enregistrer la pose</translation></message>
 <message><source>Remove Pose</source><translation>Enlever la pose</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>L'image ne vient pas d'un fichier, sa pose ne peut donc pas être enregistrée : ouvrez un scan ou un enregistrement.</translation></message>
@@ -598,8 +607,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillé : maintenir une seconde pour quitter le mode cabine</translation></message>
 <message><source>Previous target</source><translation>Cible précédente</translation></message>
 <message><source>Next target</source><translation>Cible suivante</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
+<message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
 <message><source>more: %1</source><translation>plus : %1</translation></message>
@@ -610,6 +621,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
 <message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
+<message><source>cells</source><translation>cellules</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
@@ -694,7 +706,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Mounting</source><translation>Montage</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Enregistrer avec le scan</translation></message>
 <message><source>&amp;Remove Pose</source><translation>En&amp;lever la pose</translation></message>
-<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Une ligne du levé : point, E, N, RL, puis cap, tangage et roulis si elle les contient</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Une ligne du levé : point, E, N, RL, puis cap, tangage et roulis si elle les contient. E est la coordonnée est, N la coordonnée nord, RL la hauteur au-dessus du zéro de la mine : un lieu plus haut a un RL plus grand.</translation></message>
 <message><source>&amp;Fill In</source><translation>&amp;Remplir</translation></message>
 <message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Comment le scanner est monté, sous un nom pour le prochain scan. Un champ vide a la valeur affichée dedans.</translation></message>
 <message><source>Store &amp;As…</source><translation>Enregistrer &amp;sous…</translation></message>
@@ -826,6 +838,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Affiche l'image et les arêtes de ce scan ; les autres restent dans le nuage</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marquez les trois mêmes endroits dans les deux scans comme cibles de mêmes numéros : elles mettent la couche à sa place</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
+<message><source>sweep %1: %2</source><translation>balayage %1 : %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Lignes dont les télégrammes ne sont pas arrivés : des tirets dans les images</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
@@ -912,7 +925,6 @@ tenez \ pour la voir</translation></message>
 <message><source>confidence p</source><translation>confiance p</translation></message>
 <message><source>Not a rock</source><translation>Pas un bloc</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
-<message><source>cells</source><translation>cellules</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
@@ -1015,12 +1027,19 @@ tenez \ pour la voir</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>rien n'a été mesuré à moins de %1 cellules</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ une surface plus proche est aussi à moins de %1 cellules : zoomez si c’est elle que vous visiez</translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
+<message><source>E %1  N %2  RL %3 m</source><translation>E %1  N %2  RL %3 m</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>Distance [m]</source><translation>Distance [m]</translation></message>
+<message><source>Line</source><translation>Ligne</translation></message>
+<message><source>Beam</source><translation>Faisceau</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Un clic près d'une arête vise son côté proche ; avec Maj il vise la cellule même</translation></message>
 <message><source>from</source><translation>depuis</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
+<message><source>Copy All</source><translation>Tout copier</translation></message>
+<message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>Les positions de toutes les cibles en tableau avec unités, pour un tableur</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The selected measurement</source><translation>La mesure choisie</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, sur une échelle logarithmique. Hachuré : le plus large intervalle sur lequel un cinquième d'entre elles au plus disparaît. Le trait vertical est le seuil utilisé.</translation></message>
@@ -1077,12 +1096,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
-<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>ARÊTE</translation></message>
 <message><source>not an edge</source><translation>pas une arête</translation></message>
 <message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
+<message><source>Pinned:</source><translation>Épinglée :</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sans pose, les coordonnées comptent à partir du scanner, non de la grille de la mine.</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
@@ -1112,7 +1131,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Range [m]</source><translation>Distance [m]</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
-<message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Front</source><translation>Avant</translation></message>
 <message><source>Left</source><translation>Gauche</translation></message>
 <message><source>Right</source><translation>Droite</translation></message>
@@ -1475,6 +1493,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Easting E [m]</source><translation>Est E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Nord N [m]</translation></message>
+<message><source>RL, positive up [m]</source><translation>RL, positif vers le haut [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Cap, du nord dans le sens horaire [degrés]</translation></message>
 <message><source>North of the heading</source><translation>Nord du cap</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinaison : tangage, nez vers le haut [degrés]</translation></message>
@@ -1587,7 +1606,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>balayage %1 du topic, compté à partir de 0 ; le topic en contient %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>balayage %1, compté à partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>
-<message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
 <message><source>convex fold</source><translation>pli convexe</translation></message>
 <message><source>concave fold</source><translation>pli concave</translation></message>
 <message><source>edge</source><translation>arête</translation></message>
@@ -1655,5 +1673,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Spans a × b</source><translation>Étendues a × b</translation></message>
 <message><source>Along the Surface</source><translation>Le long de la surface</translation></message>
 <message><source>Throat Width</source><translation>Largeur du goulot</translation></message>
+<message><source>Length in a Section</source><translation>Longueur dans une coupe</translation></message>
 </context>
 </TS>

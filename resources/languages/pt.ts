@@ -271,6 +271,15 @@ visível %6 m², a %7 m</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>Não foi possível determinar a razão (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>Finding the reason …</source><translation>À procura da razão …</translation></message>
+<message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
+<message><source>under the pointer</source><translation>sob o ponteiro</translation></message>
+<message><source>the pinned target, under the pointer</source><translation>o alvo fixado, sob o ponteiro</translation></message>
+<message><source>under the pointer, not the pinned target</source><translation>sob o ponteiro, não o alvo fixado</translation></message>
+<message><source>the pinned target</source><translation>o alvo fixado</translation></message>
+<message><source>the nearest edge</source><translation>a borda mais próxima</translation></message>
+<message><source>the near side of your click at %1</source><translation>o lado próximo do seu clique em %1</translation></message>
+<message><source>the cell that you clicked</source><translation>a célula em que você clicou</translation></message>
+<message><source>Cell: %1 (%2)</source><translation>Célula: %1 (%2)</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
@@ -398,7 +407,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>Parece correto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>Na tela, ainda não adotado: %1</translation></message>
-<message><source>Scanner at E %1, N %2, RL %3. Its points: </source><translation>Scanner em E %1, N %2, RL %3. Seus pontos: </translation></message>
+<message><source>Scanner at E %1, N %2, RL %3 m. Its points: </source><translation>Scanner em E %1, N %2, RL %3 m. Seus pontos: </translation></message>
 <message><source>Store Pose</source><translation>Guardar a pose</translation></message>
 <message><source>Remove Pose</source><translation>Remover a pose</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>A imagem não vem de um arquivo, por isso a pose não pode ser guardada: abra uma varredura ou uma gravação.</translation></message>
@@ -598,8 +607,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: segurar um segundo para sair do modo cabine</translation></message>
 <message><source>Previous target</source><translation>Alvo anterior</translation></message>
 <message><source>Next target</source><translation>Alvo seguinte</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
+<message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
+<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
+<message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>mais: %1</translation></message>
@@ -610,6 +621,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
 <message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
+<message><source>cells</source><translation>células</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -694,7 +706,7 @@ segure \ para vê-la</translation></message>
 <message><source>Mounting</source><translation>Montagem</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Guardar com a varredura</translation></message>
 <message><source>&amp;Remove Pose</source><translation>&amp;Remover a pose</translation></message>
-<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them</source><translation>Uma linha do levantamento: ponto, E, N, RL, e rumo, arfagem e rolagem se os tiver</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Uma linha do levantamento: ponto, E, N, RL, e rumo, arfagem e rolagem se os tiver. E é a coordenada este, N a norte, RL a altura acima do zero da mina: um lugar mais alto tem um RL maior.</translation></message>
 <message><source>&amp;Fill In</source><translation>&amp;Preencher</translation></message>
 <message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Como o scanner está montado, com um nome para a próxima varredura. Um campo vazio tem o valor que mostra.</translation></message>
 <message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
@@ -826,6 +838,7 @@ segure \ para vê-la</translation></message>
 <message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Mostra a imagem e as bordas desta varredura; as outras ficam na nuvem</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque os mesmos três lugares nas duas varreduras como alvos com os mesmos números: eles põem a camada no lugar</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
+<message><source>sweep %1: %2</source><translation>varredura %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Linhas cujos telegramas não chegaram: traços nas imagens</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
@@ -912,7 +925,6 @@ segure \ para vê-la</translation></message>
 <message><source>confidence p</source><translation>confiança p</translation></message>
 <message><source>Not a rock</source><translation>Não é rocha</translation></message>
 <message><source>because</source><translation>porque</translation></message>
-<message><source>cells</source><translation>células</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
@@ -1015,12 +1027,19 @@ segure \ para vê-la</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>nada foi medido a menos de %1 células</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ também há uma superfície mais próxima a menos de %1 células: amplie se era essa</translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
+<message><source>E %1  N %2  RL %3 m</source><translation>E %1  N %2  RL %3 m</translation></message>
+<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>Distance [m]</source><translation>Distância [m]</translation></message>
+<message><source>Line</source><translation>Linha</translation></message>
+<message><source>Beam</source><translation>Feixe</translation></message>
 <message><source>A click near an edge means its near side; with Shift it means the very cell</source><translation>Um clique perto de uma aresta refere-se ao seu lado próximo; com Shift, à própria célula</translation></message>
 <message><source>from</source><translation>a partir de</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
+<message><source>Copy All</source><translation>Copiar todos</translation></message>
+<message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>As posições de todos os alvos como tabela com unidades, para uma planilha</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>A medição escolhida</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de células de borda em cada limiar, em escala logarítmica. Hachurado: o trecho mais largo em que desaparece no máximo um quinto delas. A linha vertical é o limiar em uso.</translation></message>
@@ -1077,12 +1096,12 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
-<message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>EDGE</source><translation>BORDA</translation></message>
 <message><source>not an edge</source><translation>não é uma borda</translation></message>
 <message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
+<message><source>Pinned:</source><translation>Fixado:</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sem pose, as coordenadas contam a partir do scanner, não da grade da mina.</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
@@ -1112,7 +1131,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Range [m]</source><translation>Distância [m]</translation></message>
 <message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
-<message><source>Line</source><translation>Linha</translation></message>
 <message><source>Front</source><translation>Frente</translation></message>
 <message><source>Left</source><translation>Esq.</translation></message>
 <message><source>Right</source><translation>Dir.</translation></message>
@@ -1475,6 +1493,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Calibration file of the robot; a recording may hold its own</source><translation>Arquivo de calibração do robô; uma gravação pode conter o seu</translation></message>
 <message><source>Easting E [m]</source><translation>Este E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Norte N [m]</translation></message>
+<message><source>RL, positive up [m]</source><translation>RL, positivo para cima [m]</translation></message>
 <message><source>Heading, clockwise from north [degrees]</source><translation>Rumo, do norte em sentido horário [graus]</translation></message>
 <message><source>North of the heading</source><translation>Norte do rumo</translation></message>
 <message><source>Tilt: pitch, nose up [degrees]</source><translation>Inclinação: arfagem, nariz para cima [graus]</translation></message>
@@ -1587,7 +1606,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>varredura %1 do tópico, contada a partir de 0; o tópico contém %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>varredura %1, contada a partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>
-<message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
 <message><source>convex fold</source><translation>dobra convexa</translation></message>
 <message><source>concave fold</source><translation>dobra côncava</translation></message>
 <message><source>edge</source><translation>borda</translation></message>
@@ -1655,5 +1673,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Spans a × b</source><translation>Extensões a × b</translation></message>
 <message><source>Along the Surface</source><translation>Ao longo da superfície</translation></message>
 <message><source>Throat Width</source><translation>Largura da garganta</translation></message>
+<message><source>Length in a Section</source><translation>Comprimento numa secção</translation></message>
 </context>
 </TS>

@@ -250,6 +250,67 @@ private slots:
         QVERIFY2(on.viewer.notice.text().contains("nowhere"), qPrintable(on.viewer.notice.text()));
     }
 
+    // Two scans of one scanner that did not move, as the demo before and after the blast: nothing is out of spec.
+    void twoScansFromOnePlaceAreInSpec() {
+        const auto before = earlierPicture(QString::fromStdString(before_), {}, {}),
+                   after = earlierPicture(QString::fromStdString(after_), {}, {});
+        QVERIFY(before && after);
+        for (const bool byDistance : {false, true}) {
+            ComparisonAsked asked{*before, *after};
+            asked.byDistance = byDistance;
+            const auto bySurfaces = compared(asked, nullptr);
+            QVERIFY(bySurfaces && (*bySurfaces)->change.earlier.how.outOfSpec);
+            asked.onePlace = true;
+            const auto known = compared(asked, nullptr);
+            QVERIFY(known);
+            QVERIFY(!(*known)->change.earlier.how.outOfSpec && (*known)->change.earlier.how.sameCells);
+            QCOMPARE((*known)->distances != nullptr, byDistance);
+        }
+    }
+
+    void theChangedRegionsComeIntoThePicture() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        // The numbers of the legend have a unit.
+        const auto* unit = on.viewer.changeLegend.findChild<QLabel*>("change-unit");
+        QVERIFY(unit->isVisible());
+        QCOMPARE(unit->text(), QString("cells"));
+        // The camera looks at each region along the scanner's line of sight and never from behind the scanner, where walls are in the way:
+        // most of the region is in the picture, and most of that is in sight.
+        CloudView& cloud = on.viewer.views.cloud();
+        const Comparison& made = *on.viewer.comparing.comparison();
+        const auto& regions = made.change.regions;
+        QVERIFY(!regions.empty());
+        for (std::size_t n = 0; n < std::min<std::size_t>(regions.size(), 8); ++n) {
+            on.viewer.comparing.nextRegion();
+            QVERIFY(eventually([&] { return cloud.atRest(); }));
+            if (qEnvironmentVariableIsSet("EDGESCAN_KEEP_PICTURES")) on.window.screenshot().save(QString("region_%1.png").arg(n));
+            const CameraPose pose = cloud.camera();
+            const Eigen::Vector3d sensor = cloud.geometryOfCloud()->sensor.cast<double>();
+            QVERIFY2((pose.focus - pose.position).norm() <= (pose.focus - sensor).norm() + 1e-6, qPrintable(QString::number(n)));
+            int all = 0, inView = 0, inSight = 0;
+            const inspect::ChangedRegion& region = regions[n];
+            const auto& kinds = made.change.ranges.cells;
+            for (int line = region.firstLine; line <= region.lastLine; line += 3) {
+                for (int beam = region.firstBeam; beam <= region.lastBeam; beam += 3) {
+                    const auto k = static_cast<std::uint32_t>(kinds.index(line, beam));
+                    if (kinds[k] != kinds[region.cell] || !cloud.geometryOfCloud()->drawable(k)) continue;
+                    const auto at = cloud.pixelOf(k);
+                    ++all;
+                    inView += at ? 1 : 0;
+                    const auto seen = at ? cloud.cellAt(*at) : std::nullopt;
+                    const auto rangeOf = [&](std::uint32_t cell) { return on.picture().detection->scan->rangeMm[cell]; };
+                    inSight += seen && rangeOf(*seen) > 0.9F * rangeOf(k) ? 1 : 0;
+                }
+            }
+            const QString counts = QString("region %1: %2 of %3 in view, %4 in sight").arg(n + 1).arg(inView).arg(all).arg(inSight);
+            QVERIFY2(4 * inView >= 3 * all && 4 * inSight >= 3 * inView, qPrintable(counts));
+        }
+    }
+
     void withoutAnythingKeptTheKeysSaySo() {
         WindowFixture on;
         QVERIFY(on.show() && on.activate());

@@ -290,7 +290,7 @@ private slots:
             {"colours", [&] { v.look.setColourBy(ColourBy::Range); }, [&] { return v.look.settled(); }},
             {"edge counts", [] {}, [&] { return v.panel.curve("sensitivity")->curve().has_value(); }},
             {"target", [&] { v.views.pin(edge()); }, [&] { return v.targets.settled(); }},
-            {"why", [&] { v.explanation.explain(inspect::exactly(edge())); },
+            {"why", [&] { v.explanation.explain(inspect::exactly(edge()), Explanation::Subject::Click); },
              [&] { return v.explanation.card() != nullptr && !v.explanation.card()->text().isEmpty(); }},
             {"lasso", [&] { emit v.views.cloudOutlined(QRectF(v.cloud.rect()), Qt::NoModifier); },
              [&] { return !v.selection.cells().empty(); }},

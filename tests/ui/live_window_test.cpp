@@ -16,6 +16,7 @@
 #include "ui/panels/live/topic_menu.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/panels/tuning/warning_button.h"
+#include "ui/window/cab_mode.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -324,6 +325,40 @@ private slots:
         QVERIFY(eventually([&] { return !window.viewer().live.panel().strip().shown().lost.empty(); }));
         QVERIFY(eventually([&] { return countCells(*on.picture().detection->scan)[static_cast<std::size_t>(CellState::Lost)] > 0; }));
         QCOMPARE(emulated->statistics().writes, 0ULL);
+    }
+
+    // The scanner restarts in the middle of a sweep. The picture of that sweep is held while the strip counts the lines of the next one:
+    // each count says of which sweep it is.
+    void theStripSaysWhichSweepItCounts() {
+        scanner::EmulatedScannerSettings settings;
+        settings.linesPerSecond = 100;
+        settings.keepTurning = true;
+        const auto emulated = scanner(settings);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QVERIFY(waitForLines(window, 60));
+        emulated->dropConnections();
+        const ScannerLink& scanner = window.viewer().live.scanner();
+        QVERIFY(eventually([&] { return scanner.connected() && !scanner.following(); })); // the sweep ended: held
+        QVERIFY(eventually([&] { return scanner.health().sweep == 2 && scanner.health().row > 0; }));
+        HealthStrip& strip = window.viewer().live.panel().strip();
+        QCOMPARE(strip.badge().text(), QString("HELD"));
+        QStringList texts;
+        for (const auto* label : strip.findChildren<QLabel*>()) texts << label->text();
+        QVERIFY2(!texts.filter(QRegularExpression("^sweep 2: .*/160 lines")).isEmpty(), qPrintable(texts.join('\n')));
+        QVERIFY2(window.viewer().views.gray().note().contains("sweep 1"), qPrintable(window.viewer().views.gray().note()));
+        QVERIFY(on.settled());
+        // Cab mode counts the lines that arrived, as the warning of the picture does.
+        window.cab().set(true);
+        const QString facts = window.findChild<QLabel*>("cab-facts")->toolTip();
+        const QRegularExpressionMatch arrived = QRegularExpression("INCOMPLETE · (\\d+) of 160 lines").match(facts);
+        QVERIFY2(arrived.hasMatch(), qPrintable(facts));
+        const QString warnings = window.viewer().warnings.warnings().join('\n');
+        QVERIFY2(warnings.contains(QString("INCOMPLETE %1/160 lines").arg(arrived.captured(1))), qPrintable(warnings + facts));
+        window.cab().set(false);
     }
 
     void nobodyThereIsSaidAndTriedAgain() {

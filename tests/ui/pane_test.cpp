@@ -4,11 +4,13 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
 #include "ui/panels/confidence/confidence_legend.h"
+#include "ui/window/cab_mode.h"
 #include "ui/window/theme.h"
 
 #include <QDockWidget>
 #include <QLabel>
 #include <QLocale>
+#include <QSplitter>
 #include <QToolButton>
 #include <QtTest>
 
@@ -69,7 +71,38 @@ private slots:
         }
     }
 
-    // A notice or a dock takes room of the cloud and gives it back: the points always have the size that belongs to the room that is left.
+    // A notice is over the titles of the views: nothing under the pointer moves when it comes, unfolds or goes.
+    void noViewMovesForANotice() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_));
+        on.viewer.notice.hide();
+        for (const bool cab : {false, true}) {
+            on.window.cab().set(cab);
+            const auto places = [&] {
+                QCoreApplication::processEvents(); // layouts that wait
+                QVector<QRect> all;
+                for (QWidget* view : std::initializer_list<QWidget*>{&on.viewer.gray, &on.viewer.edges, &on.viewer.cloud})
+                    all << QRect(view->mapTo(&on.window, QPoint()), view->size());
+                return all;
+            };
+            const QVector<QRect> before = places();
+            NoticeBar& notice = on.viewer.notice;
+            notice.showNotice(NoticeBar::Kind::Warning, QString("a line of a warning\n").repeated(12));
+            QCOMPARE(places(), before);
+            QTRY_VERIFY(notice.isVisible() && notice.y() == notice.parentWidget()->findChild<QSplitter*>()->y());
+            const int one = notice.height();
+            QVERIFY2(one < 60, qPrintable(QString::number(one)));
+            notice.unfold(true);
+            QTRY_VERIFY(notice.height() > 3 * one);
+            QCOMPARE(places(), before);
+            notice.hide();
+            QCOMPARE(places(), before);
+        }
+        on.window.cab().set(false);
+    }
+
+    // A dock takes room of the cloud and gives it back: the points always have the size that belongs to the room that is left.
     void thePointsHaveTheSizeOfTheirPane() {
         WindowFixture on;
         on.window.resize(1280, 800);
@@ -87,8 +120,6 @@ private slots:
             std::function<void()> take, give;
         };
         const Room rooms[] = {
-            {"notice", [&] { on.viewer.notice.showNotice(NoticeBar::Kind::Warning, QString("a line of a warning\n").repeated(12)); },
-             [&] { on.viewer.notice.hide(); }},
             {"dock", [&] { dock->hide(); }, [&] { dock->show(); }},
             {"window", [&] { on.window.resize(1280, 1040); }, [&] { on.window.resize(1280, 800); }},
         };

@@ -6,6 +6,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/files/placing.h"
 #include "ui/panels/dialogs/place_dialog.h"
+#include "ui/panels/tuning/warning_button.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -109,6 +110,27 @@ private slots:
         QVERIFY(!on.fault("talin-heading_deg").isVisible());
         on.paste("one two");
         QVERIFY(on.placing.dialog()->stateText().startsWith("✕ "));
+    }
+
+    // The form says what RL is and which way it counts. What the note names has the words of the form, not the keys of the file.
+    void theFormAndTheNoteHaveTheSameWords() {
+        PlaceForm on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.ready());
+        QStringList words;
+        for (const auto* each : on.placing.dialog()->findChildren<QLabel*>()) words << each->text();
+        QVERIFY2(words.contains("RL, positive up [m]"), qPrintable(words.join('\n')));
+        QVERIFY2(words.join('\n').contains("a higher place has a larger RL"), qPrintable(words.join('\n')));
+        on.paste("498765.432 5150123.456 287.654 217.4");
+        QVERIFY(on.placed());
+        QVERIFY(on.stored());
+        on.viewer.warnings.click();
+        const QString note = on.viewer.notice.text();
+        QVERIFY2(
+            note.contains(QString::fromUtf8("The calibration leaves out “Lever arm of the head in the robot”, “Lever arm of TALIN in the "
+                                            "robot”, “Boresight”")),
+            qPrintable(note));
+        QVERIFY2(!note.contains("talin.") && !note.contains("_deg"), qPrintable(note));
     }
 
     void itIsStoredBesideTheScanAndUndone() {

@@ -80,43 +80,46 @@ private slots:
     }
     void cleanup() { on_.reset(); }
 
+    // The crosshair stays at the pin. Status bar, ring and Why follow the pointer while it is over a view, and the card says which cell it
+    // explains.
     void aClickPinsTheCellUntilItIsLetGo() {
         ImageView& gray = window_->viewer().views.gray();
         ImageView& edges = window_->viewer().views.edges();
+        CloudView& cloud = window_->viewer().views.cloud();
         const std::uint32_t k = on_->picture().detection->edges->at(5);
         const int line = static_cast<int>(k) / 160, beam = static_cast<int>(k) % 160;
         QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixelOf(gray, line, beam));
         QVERIFY(window_->viewer().views.pinned().has_value());
         const std::size_t pinned = *window_->viewer().views.pinned();
-        const QString text = window_->viewer().statusLine.probeShown();
-        QVERIFY(!text.isEmpty());
-        // Hovering over a view removes neither the numbers nor the ring, and W still refers to the cell.
-        const auto isThere = [&] {
-            QCOMPARE(window_->viewer().statusLine.probeShown(), text);
-            QCOMPARE(*window_->viewer().views.marked(), pinned);
-            QCOMPARE(static_cast<std::size_t>(*window_->viewer().views.cloud().markedCell()), pinned);
-            for (ImageView* view : {&gray, &edges}) {
-                QCOMPARE(*view->crosshair(), window_->viewer().views.placeOf(pinned));
-                QCOMPARE(*view->markedCell(), window_->viewer().views.placeOf(pinned));
-            }
+        const auto explained = [&] {
+            QVERIFY(on_->activate());
+            QTest::keyClick(window_, Qt::Key_W);
+            QTRY_VERIFY(window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->isVisible());
         };
+        const auto isAt = [&](std::size_t cell, const QString& subject) {
+            const QString status = window_->viewer().statusLine.probeShown();
+            const auto beams = std::size_t{160};
+            QVERIFY2(status.contains(QString("line %1  beam %2").arg(cell / beams).arg(cell % beams)), qPrintable(status));
+            QCOMPARE(status.startsWith("Pinned: "), cell == pinned);
+            QCOMPARE(static_cast<std::size_t>(*cloud.markedCell()), cell);
+            for (ImageView* view : {&gray, &edges}) QCOMPARE(*view->crosshair(), window_->viewer().views.placeOf(pinned));
+            explained();
+            const WhyCard& card = *window_->viewer().explanation.card();
+            QTRY_VERIFY2(card.text().startsWith(QString("line %1, beam %2:").arg(cell / beams).arg(cell % beams)), qPrintable(card.text()));
+            QCOMPARE(card.cell(), QString("Cell: line %1, beam %2 (%3)").arg(cell / beams).arg(cell % beams).arg(subject));
+        };
+        emit gray.hoverLeft();
+        isAt(pinned, "the pinned target");
+        if (QTest::currentTestFailed()) return;
         for (ImageView* view : {&gray, &edges}) {
             move(*view, pixelOf(*view, 100, 20));
             move(*view, pixelOf(*view, 10, 150));
-            isThere();
+            isAt(10 * 160 + 150, "under the pointer, not the pinned target");
             if (QTest::currentTestFailed()) return;
+            emit view->hoverLeft();
         }
-        CloudView& cloud = window_->viewer().views.cloud();
-        move(cloud, {cloud.width() / 2, cloud.height() / 2});
-        move(cloud, {cloud.width() / 3, cloud.height() / 3});
-        isThere();
+        isAt(pinned, "the pinned target");
         if (QTest::currentTestFailed()) return;
-        QVERIFY(on_->activate());
-        QTest::keyClick(window_, Qt::Key_W);
-        QTRY_VERIFY(window_->viewer().explanation.card() != nullptr && window_->viewer().explanation.card()->isVisible());
-        const QString words = QString("line %1, beam %2:").arg(pinned / 160).arg(pinned % 160);
-        QTRY_VERIFY2(window_->viewer().explanation.card()->text().startsWith(words),
-                     qPrintable(window_->viewer().explanation.card()->text()));
         // A change of another setting does not move it either.
         edges::Settings other;
         other.creaseDeg = 50;
@@ -128,7 +131,9 @@ private slots:
         escape();
         QVERIFY(!window_->viewer().views.pinned());
         move(gray, pixelOf(gray, 100, 20));
-        QVERIFY(window_->viewer().statusLine.probeShown() != text);
+        QVERIFY(window_->viewer().statusLine.probeShown().contains("line 100  beam 20"));
+        explained();
+        QCOMPARE(window_->viewer().explanation.card()->cell(), QString("Cell: line 100, beam 20 (under the pointer)"));
     }
 
     void theMenuOfACellIsTheSameInEveryView() {

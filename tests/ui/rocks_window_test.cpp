@@ -378,6 +378,12 @@ private slots:
         });
         menuAt(table->model()->index(1, 0), "Name…");
         QCOMPARE(on.viewer.targets.notebook().targets.back().name, std::string("Big Bertha"));
+        // The table has the name, in the row of the rock.
+        const std::uint32_t label = picture(on).labelAt(on.viewer.targets.notebook().targets.back().cell);
+        QStringList rows;
+        for (int row = 0; row < table->model()->rowCount(); ++row) rows << table->model()->index(row, 0).data().toString();
+        QVERIFY2(rows.contains(QString("%1 Big Bertha").arg(label)), qPrintable(rows.join(", ")));
+        QCOMPARE(rows.filter("Bertha").size(), 1);
         auto* dock = on.window.findChild<QDockWidget*>("dock-rock-table");
         auto* rocks = on.window.findChild<QDockWidget*>("dock-rocks");
         QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280));

@@ -221,6 +221,16 @@ private slots:
         QTest::mouseClick(&plot, Qt::LeftButton, Qt::NoModifier, plot.placeOf(vertex.atM).toPoint());
         QTest::mouseClick(&plot, Qt::LeftButton, Qt::NoModifier, plot.placeOf(plot.section()->lines[0].back().atM).toPoint());
         QCOMPARE(measuredIn.count(), 1);
+        // The length is in the list of measurements with the number of the plot, also after the file was read again.
+        const inspect::StoredMeasure& inSection = on.viewer.targets.notebook().measures.back();
+        QVERIFY(inSection.kind == inspect::MeasureKind::Section);
+        const auto length =
+            inspect::measureCells(scan, inspect::noiseOf(*on.picture().detection), inSection.kind, inSection.cells, inSection.shares);
+        QVERIFY(length.has_value());
+        QCOMPARE(plot.lengthShown(), QString::fromStdString(inspect::measureText(*length)));
+        QVERIFY(known(on));
+        const QString listed = on.viewer.targetsPanel.measures()->item(on.viewer.targetsPanel.measures()->count() - 1)->text();
+        QVERIFY2(listed.startsWith("Length in a Section  " + plot.lengthShown()), qPrintable(listed));
     }
 
     void aFarWallDoesNotShrinkASection() {
@@ -268,7 +278,7 @@ private slots:
         QVERIFY(card.findChild<QLabel*>("target-distance")->font().pointSizeF() > 1.8 * card.font().pointSizeF());
         QStringList names;
         for (const QString& line : card.text().split('\n')) names << line.section(": ", 0, 0);
-        const QStringList wanted{"from", "X, Y, Z", "E, N, RL", "Resolves", "Surface", "Dip / direction", "Cell", "Edge", "Picture"};
+        const QStringList wanted{"from", "X, Y, Z [m]", "E, N, RL", "Resolves", "Surface", "Dip / direction", "Cell", "Edge", "Picture"};
         int place = 0;
         for (const QString& name : wanted) {
             QVERIFY2(names.indexOf(name) > place, qPrintable(card.text()));
@@ -308,8 +318,9 @@ private slots:
         QVERIFY(scan.state[k] == CellState::Valid);
         const Eigen::Vector3d mine = minePoint(scan, k).enhM;
         const QString text = on.viewer.targetsPanel.card().text();
-        QVERIFY2(text.contains(QString("E, N, RL: %1, %2, %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3)),
-                 qPrintable(text));
+        QVERIFY2(
+            text.contains(QString("E, N, RL [m]: %1, %2, %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3)),
+            qPrintable(text));
         QVERIFY2(!text.contains("no pose"), qPrintable(text));
         const inspect::CellTarget target = inspect::targetAt(*on.picture().detection, inspect::noiseOf(*on.picture().detection), k);
         QVERIFY(target.boom.has_value());
@@ -670,10 +681,11 @@ private slots:
         QTest::keyClick(&gray, Qt::Key_Return);
         QCOMPARE(static_cast<int>(targets(on).size()), 1);
         QCOMPARE(targets(on).front().cell, 59U * 160 + 71);
-        // With a cell pinned the cursor moves on and does not change the pin; it never leaves the grid.
+        // With a cell pinned the cursor moves on, in all views, and does not change the pin; it never leaves the grid.
         for (int n = 0; n < 30; ++n) QTest::keyClick(&gray, Qt::Key_Down, Qt::ShiftModifier);
         QCOMPARE(*gray.markedCell(), QPoint(71, 119));
-        QCOMPARE(*on.viewer.views.edges().markedCell(), QPoint(71, 59));
+        QCOMPARE(*on.viewer.views.edges().markedCell(), QPoint(71, 119));
+        QCOMPARE(*on.viewer.views.edges().crosshair(), QPoint(71, 59));
         QTest::keyClick(&gray, Qt::Key_Return);
         QCOMPARE(targets(on).back().cell, 119U * 160 + 71);
         // When zoomed in, the view follows the cursor.

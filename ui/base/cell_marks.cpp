@@ -19,10 +19,10 @@ QFont boldFont(const QPainter& painter) {
     return bold;
 }
 
-/// Places tags so that they do not overlap: the first one gets the place next to its mark, later ones move down.
+/// Places tags so that they cover neither each other nor a plate: next to their mark, else on its other side, else below or above.
 class Tags {
 public:
-    Tags(QPainter& painter, const QRect& place) : painter_(painter), place_(place) {
+    Tags(QPainter& painter, const QRect& place, const std::vector<QRectF>& taken) : painter_(painter), place_(place), taken_(taken) {
         painter_.save();
         painter_.setFont(boldFont(painter_));
     }
@@ -30,36 +30,47 @@ public:
     Tags& operator=(const Tags&) = delete;
     ~Tags() { painter_.restore(); }
 
-    void draw(const QPointF& corner, const QString& text, bool active) {
+    /// `beside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`.
+    void draw(const QPointF& at, double beside, double above, const QString& text, bool active) {
         if (text.isEmpty()) return;
-        QRectF box = QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
-        box.moveBottomLeft(corner);
-        keepWithin(box);
-        const QRectF wanted = box;
-        const auto isTaken = [&] { return std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); }); };
-        for (int step = 0; step < kMostSteps && isTaken(); ++step) {
-            box.translate(0, box.height() + kBetweenTags);
-            keepWithin(box);
-        }
-        if (isTaken()) box = wanted; // too many tags to avoid every overlap
+        const QRectF box = freePlace(at, beside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
         taken_.push_back(box);
+        drawn_.push_back(box);
         painter_.setPen(active ? Qt::black : QColor(232, 232, 232));
         painter_.setBrush(active ? QColor(255, 255, 255, 240) : QColor(27, 29, 31, 225));
         painter_.drawRoundedRect(box, 3, 3);
         painter_.drawText(box, Qt::AlignCenter, text);
     }
+    [[nodiscard]] const std::vector<QRectF>& drawn() const { return drawn_; }
 
 private:
+    /// The usual place if all are taken.
+    [[nodiscard]] QRectF freePlace(const QPointF& at, double beside, double above, const QSizeF& size) const {
+        const auto boxAt = [&](bool right, int step) {
+            QRectF box({right ? at.x() + beside : at.x() - beside - size.width(), at.y() - above - size.height()}, size);
+            box.translate(0, step * (size.height() + kBetweenTags));
+            keepWithin(box);
+            return box;
+        };
+        for (int n = 0; n <= 2 * kMostSteps; ++n) {
+            const int step = n % 2 == 1 ? (n + 1) / 2 : -n / 2; // 0, 1, -1, 2, ...
+            for (const bool right : {true, false}) {
+                const QRectF box = boxAt(right, step);
+                if (std::ranges::none_of(taken_, [&](const QRectF& other) { return other.intersects(box); })) return box;
+            }
+        }
+        return boxAt(true, 0);
+    }
     void keepWithin(QRectF& box) const {
         box.moveLeft(std::clamp(box.left(), place_.left() + 2.0, std::max(place_.left() + 2.0, place_.right() - 2.0 - box.width())));
         box.moveTop(std::clamp(box.top(), place_.top() + 2.0, std::max(place_.top() + 2.0, place_.bottom() - 2.0 - box.height())));
     }
 
-    static constexpr int kMostSteps = 8;
+    static constexpr int kMostSteps = 12;
     static constexpr double kBetweenTags = 2.0; // px
     QPainter& painter_;
     QRectF place_;
-    std::vector<QRectF> taken_;
+    std::vector<QRectF> taken_, drawn_;
 };
 
 void drawTarget(QPainter& painter, const ScreenMarks::Target& target) {
@@ -129,19 +140,24 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
     return shown;
 }
 
-void drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks) {
+std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& taken) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const QLineF& move : marks.moves) drawMove(painter, move);
     for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, measure);
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
-    Tags tags(painter, place);
-    for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) // the active one first
-        tags.draw(target->place.at + QPointF(kMarkRing + kTagOffset, -kMarkRing), target->tag, target->active);
-    for (const ScreenMarks::Measure& measure : marks.measures) {
-        if (!measure.lines.empty()) tags.draw(measure.labelAt + QPointF(kTagOffset, -kTagOffset), measure.label, false);
+    std::vector<QRectF> drawn;
+    {
+        Tags tags(painter, place, taken);
+        for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) // the active one first
+            tags.draw(target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
+        for (const ScreenMarks::Measure& measure : marks.measures) {
+            if (!measure.lines.empty()) tags.draw(measure.labelAt, kTagOffset, kTagOffset, measure.label, false);
+        }
+        drawn = tags.drawn();
     }
     painter.restore();
+    return drawn;
 }
 
 } // namespace edgescan::ui

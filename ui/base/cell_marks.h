@@ -4,6 +4,7 @@
 #include <QLineF>
 #include <QPainter>
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 
 #include <cstddef>
@@ -77,7 +78,8 @@ struct ScreenMarks {
 [[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t cell)>& placeOf,
                                       bool small = false);
 
-/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay inside `place` and do not overlap.
-void drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks);
+/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay inside `place`, do not overlap and keep off
+/// `taken` (plates over the view). Returns the places of the tags.
+std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& taken = {});
 
 } // namespace edgescan::ui

@@ -1,6 +1,7 @@
 // The tables of words, of parts of sentences, and of flags.
 #include "ui/base/core_words.h"
 
+#include "core/scan/georef/place_form.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>
@@ -271,13 +272,31 @@ QString withoutFlags(QString text) {
     return text;
 }
 
+/// The label in the form, without its unit and its list of axes.
+QString fieldOf(const PlaceField& field) {
+    static const QRegularExpression rest("(\\[|\\s*: ).*$");
+    return QObject::tr("“%1”").arg(QObject::tr(field.label).remove(rest).trimmed());
+}
+
+/// "talin.in_robot_m" of a pose or calibration file -> "“Lever arm of TALIN in the robot”", as in Scan > Pose and Mounting.
+QString withoutKeys(QString text) {
+    for (const std::span<const PlaceField> form : {poseFields(), mountingFields()}) {
+        for (const PlaceField& field : form) {
+            const QString key = QString("%1.%2").arg(field.group, field.key);
+            if (*field.group == '\0' || !text.contains(key)) continue;
+            text.replace(QRegularExpression("\"?\\b" + QRegularExpression::escape(key) + "\\b\"?"), fieldOf(field));
+        }
+    }
+    return text;
+}
+
 } // namespace
 
 QString coreWords(const std::string& text) { return wordsOf(shownText(text)); }
 
 QString coreSentence(const QString& text) {
     static const std::vector<Pattern> patterns = patternsOf(kParts, false);
-    QString result = withoutFlags(text);
+    QString result = withoutKeys(withoutFlags(text));
     for (const Pattern& each : patterns) {
         if (const auto found = each.match.match(result); found.hasMatch())
             result.replace(found.capturedStart(), found.capturedLength(), filled(each.source, found, same));

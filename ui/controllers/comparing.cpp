@@ -250,7 +250,8 @@ void Comparing::ask() {
             showLegend();
         });
     }
-    comparer_.ask({pictureA_, engine_.picture(), rows_, byDistance_});
+    const bool ofDemo = files_.demo() && earlier_ && !inspect::hasPath(earlier_->scan.kind); // simulated from one place
+    comparer_.ask({pictureA_, engine_.picture(), rows_, ofDemo, byDistance_});
 }
 
 std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {

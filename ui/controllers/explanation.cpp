@@ -74,23 +74,49 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
-        menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, click] { explain(click); });
+        menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, click] { explain(click, Subject::Click); });
     });
 }
 
-void Explanation::explain(const inspect::MeantCell& click) {
+void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     const std::shared_ptr<const Picture> picture = views_.shown();
     if (!picture) return;
     if (card_ == nullptr) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
         connect(card_, &WhyCard::nearestEdgeRequested, this, [this] {
-            if (nearestEdge_) explain(inspect::exactly(*nearestEdge_));
+            if (nearestEdge_) explain(inspect::exactly(*nearestEdge_), Subject::NearestEdge);
         });
     }
+    const Question question{picture, click, subject};
     card_->offerNearestEdge(0);
+    card_->showCell(subjectText(question));
     card_->showExplanation(tr("Finding the reason …"));
-    why_.ask({picture, click});
+    why_.ask(question);
+}
+
+/// "Cell: line 12, beam 40 (the pinned target)".
+QString Explanation::subjectText(const Question& question) const {
+    const auto beams = static_cast<std::uint32_t>(question.picture->detection->scan->beams());
+    const auto cell = [beams](std::uint32_t k) { return tr("line %1, beam %2").arg(k / beams).arg(k % beams); };
+    const inspect::MeantCell& click = question.click;
+    const auto what = [&] {
+        switch (question.subject) {
+        case Subject::Pointer:
+            return !views_.pinned()                ? tr("under the pointer")
+                   : views_.pinned() == click.cell ? tr("the pinned target, under the pointer")
+                                                   : tr("under the pointer, not the pinned target");
+        case Subject::Pin:
+            return tr("the pinned target");
+        case Subject::NearestEdge:
+            return tr("the nearest edge");
+        case Subject::Click:
+            break;
+        }
+        return click.moved() ? tr("the near side of your click at %1").arg(cell(click.clicked)) : tr("the cell that you clicked");
+    };
+    const QString place = cell(click.cell);
+    return tr("Cell: %1 (%2)").arg(place, what());
 }
 
 bool Explanation::closeCard() {
@@ -136,7 +162,7 @@ void Explanation::explainMarked() {
     if (!cell)
         return notice_.showNotice(NoticeBar::Kind::Warning,
                                   tr("Point at a cell or click one first. Why then shows what decides whether it is an edge."));
-    explain(views_.pinned() ? inspect::exactly(*cell) : views_.meant(*cell));
+    explain(inspect::exactly(*cell), views_.hovered() ? Subject::Pointer : Subject::Pin);
 }
 
 } // namespace edgescan::ui

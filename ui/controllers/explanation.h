@@ -21,9 +21,11 @@ class Explanation : public QObject {
 public:
     Explanation(LinkedViews& views, NoticeBar& notice);
 
+    /// What the explained cell is to the operator; the card says it.
+    enum class Subject { Pointer, Pin, Click, NearestEdge };
     /// `click`: the text says if it was moved.
-    void explain(const inspect::MeantCell& click);
-    /// Explains the cell under the mouse or the clicked cell.
+    void explain(const inspect::MeantCell& click, Subject subject);
+    /// Explains the cell in the status bar: under the pointer, else the pin.
     void explainMarked();
     void forgetTrail();
     /// False: the card was not open.
@@ -35,7 +37,9 @@ private:
     struct Question {
         std::shared_ptr<const Picture> picture;
         inspect::MeantCell click;
+        Subject subject = Subject::Click;
     };
+    [[nodiscard]] QString subjectText(const Question& question) const;
     void show(const Question& question, bool still, const edges::Why& why);
     void showTrail(const edges::Why& why);
 

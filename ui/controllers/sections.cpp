@@ -68,7 +68,8 @@ void Sections::throughMeasurement() {
                            tr("A section goes through the two ends of the last measurement: measure a distance between two cells first."));
         return;
     }
-    const std::vector<std::uint32_t> ends{measures.back().cells.front(), measures.back().cells[1]};
+    const auto [from, to] = inspect::linksOf(measures.back().kind).front();
+    const std::vector<std::uint32_t> ends{measures.back().cells[from], measures.back().cells[to]};
     ask(inspect::planeThrough(*engine_.picture()->detection->scan, ends[0], ends[1]), ends);
 }
 
@@ -124,6 +125,7 @@ void Sections::showLength(const inspect::SectionVertex& from, const inspect::Sec
     const RangeNoise noise = detection.surface ? inspect::noiseOf(detection) : RangeNoise{};
     const inspect::MeasuredLength length = inspect::sectionLength(*detection.scan, noise, from, to);
     card_->plot().setLength(shownText(inspect::lengthText(length)));
+    targets_.keepMeasure({inspect::MeasureKind::Section, {from.cell, from.other, to.cell, to.other}, {}, {from.share, to.share}});
 }
 
 void Sections::askExport() {

@@ -29,6 +29,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace edgescan::ui {
@@ -184,7 +185,13 @@ void CabMode::showScan() {
     const Scan& scan = *picture->detection->scan;
     const int expected = std::max(picture->source.growth.expectedLines, scan.lines());
     const auto missing = std::ranges::count_if(scan.state.cells, [](CellState state) { return state != CellState::Valid; });
-    QString facts = tr("%1 of %2 lines").arg(countText(scan.lines()), countText(expected));
+    // Lines that arrived whole, as in the strip and in the warnings.
+    int arrived = 0;
+    for (int line = 0; line < scan.lines(); ++line) {
+        const auto* first = scan.state.cells.data() + static_cast<std::ptrdiff_t>(line) * scan.beams();
+        arrived += std::find(first, first + scan.beams(), CellState::Lost) == first + scan.beams() ? 1 : 0;
+    }
+    QString facts = tr("%1 of %2 lines").arg(countText(arrived), countText(expected));
     facts +=
         tr(" · %1 % no return")
             .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);

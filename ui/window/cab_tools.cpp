@@ -96,7 +96,8 @@ void CabMode::addTools() {
 
 void CabMode::addMeasures(QMenu& menu) {
     for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
-        menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });
+        if (each.inViews)
+            menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });
     }
     menu.addSeparator();
     menu.addAction(tr("Take the last click back"), this, [this] {
@@ -149,9 +150,10 @@ void CabMode::showSettings() {
 TargetNumbers CabMode::numbers() const {
     TargetNumbers values;
     const Targets& targets = window_.viewer().targets;
+    const auto& all = targets.notebook().targets;
+    values.targets = static_cast<int>(all.size());
     const inspect::PinnedTarget* target = targets.active();
     if (target == nullptr) return values;
-    const auto& all = targets.notebook().targets;
     values.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
     values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
     const auto known = targets.known().targets.find(target->cell);

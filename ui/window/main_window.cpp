@@ -34,6 +34,7 @@
 #include "ui/window/legend_place.h"
 #include "ui/window/manual.h"
 #include "ui/window/menus.h"
+#include "ui/window/notice_place.h"
 #include "ui/window/pane_notes.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/session_menu.h"
@@ -178,9 +179,10 @@ void MainWindow::layOutViews() {
     auto* top = new QVBoxLayout;
     column->addLayout(top);
     column->addWidget(&viewer_.livePanel);
-    column->addWidget(&viewer_.notice);
     column->addWidget(splitter_, 1);
     column->addWidget(&viewer_.timeline);
+    viewer_.notice.setParent(centre);
+    keepOverViews(viewer_.notice, *splitter_);
     cab_ = new CabMode(*this, centre);
     addTour(*this, *top);
     addManualKey(*this);
@@ -225,7 +227,7 @@ void MainWindow::layOutTools() {
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });
     connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation,
-            [this](std::size_t cell) { viewer_.explanation.explain(inspect::exactly(cell)); });
+            [this](std::size_t cell) { viewer_.explanation.explain(inspect::exactly(cell), Explanation::Subject::Pin); });
     connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);
     const ScannerLink& scanner = viewer_.live.scanner();
     for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
@@ -263,7 +265,9 @@ void MainWindow::connectEngine() {
     viewer_.statusLine.showSettings(viewer_.engine.settings());
     connect(&viewer_.engine, &Engine::failed, this,
             [this](const QString& sentence) { viewer_.notice.showNotice(NoticeBar::Kind::Error, sentence); });
-    connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, &StatusLine::showProbe);
+    connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, [this](const std::optional<edges::Probe>& probe) {
+        viewer_.statusLine.showProbe(probe, viewer_.views.hovered() ? StatusLine::Cell::Pointer : StatusLine::Cell::Pin);
+    });
     connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
         const edges::Detection& detection = *viewer_.engine.picture()->detection;

@@ -134,6 +134,7 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {
         health.lines = linesOf(lines, health.liveness);
+        health.sweep = lines.number + 1;
         health.row = lines.lines;
         health.rows = lines.expected;
         health.lostRows = lines.lost;

@@ -18,12 +18,13 @@ namespace edgescan::inspect {
 namespace {
 
 constexpr std::array<MeasureTraits, kMeasureKinds> kMeasures{{
-    {MeasureKind::Distance, "distance", "Distance", 2},
-    {MeasureKind::Vertical, "vertical", "Vertical Difference", 2},
-    {MeasureKind::Angle, "angle", "Angle", 3},
-    {MeasureKind::Spans, "spans", "Spans a × b", 4},
-    {MeasureKind::Path, "path", "Along the Surface", 2},
-    {MeasureKind::Throat, "throat", "Throat Width", 2},
+    {MeasureKind::Distance, "distance", "Distance", 2, true},
+    {MeasureKind::Vertical, "vertical", "Vertical Difference", 2, true},
+    {MeasureKind::Angle, "angle", "Angle", 3, true},
+    {MeasureKind::Spans, "spans", "Spans a × b", 4, true},
+    {MeasureKind::Path, "path", "Along the Surface", 2, true},
+    {MeasureKind::Throat, "throat", "Throat Width", 2, true},
+    {MeasureKind::Section, "section", "Length in a Section", 4, false},
 }};
 
 struct PickedEnd {
@@ -100,6 +101,24 @@ void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, Meas
     if (measured.kind != MeasureKind::Throat) measured.inFrontM = std::max({measured.inFrontM, first, last});
 }
 
+std::optional<MeasuredCells> measureInSection(const Scan& scan, const RangeNoise& noise, std::span<const std::uint32_t> cells,
+                                              std::span<const double> shares) {
+    const bool measured =
+        std::ranges::all_of(cells, [&](std::uint32_t k) { return k < scan.cells() && scan.state[k] == CellState::Valid; });
+    if (!measured || shares.size() != 2) return std::nullopt;
+    const CartesianTables tables(scan);
+    const auto pointAt = [&](std::size_t n) {
+        const double share = shares[n];
+        return SurfacePoint{(1.0 - share) * tables.point(cells[2 * n]) + share * tables.point(cells[2 * n + 1]), cells[2 * n]};
+    };
+    const std::array<SurfacePoint, 2> ends{pointAt(0), pointAt(1)};
+    MeasuredCells known;
+    known.kind = MeasureKind::Section;
+    known.lengths = {lengthBetween(scan, noise, ends[0], ends[1])};
+    for (const SurfacePoint& end : ends) known.rangesM.push_back((end.pointM - tables.sensor()).norm());
+    return known;
+}
+
 std::string millimetres(double metres) { return fixedText(std::ceil(metres * 1000.0 - 1e-9), 0) + " mm"; }
 
 } // namespace
@@ -116,6 +135,7 @@ std::optional<MeasureKind> measureKindNamed(std::string_view key) {
 std::vector<std::pair<std::size_t, std::size_t>> linksOf(MeasureKind kind) {
     if (kind == MeasureKind::Angle) return {{0, 1}, {1, 2}};
     if (kind == MeasureKind::Spans) return {{0, 1}, {2, 3}};
+    if (kind == MeasureKind::Section) return {{0, 2}};
     return {{0, 1}};
 }
 
@@ -126,9 +146,30 @@ Eigen::Matrix3d placeCovariance(const Eigen::Vector3d& direction, double sigmaRa
     return sigmaRangeM * sigmaRangeM * along + acrossM2 * (Eigen::Matrix3d::Identity() - along);
 }
 
-std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& noise, MeasureKind kind,
-                                          std::span<const std::uint32_t> cells) {
+MeasuredLength lengthBetween(const Scan& scan, const RangeNoise& noise, const SurfacePoint& a, const SurfacePoint& b) {
+    const CartesianTables tables(scan);
+    MeasuredLength length;
+    const Eigen::Vector3d way = b.pointM - a.pointM;
+    length.valueM = way.norm();
+    const Eigen::Vector3d along = length.valueM > 0.0 ? Eigen::Vector3d(way / length.valueM) : Eigen::Vector3d::UnitX();
+    double variance = 0.0;
+    for (const SurfacePoint& end : {a, b}) {
+        const auto resolution = resolutionAt(scan, tables, end.cell);
+        if (!resolution) continue;
+        const Eigen::Vector3d ray = end.pointM - tables.sensor();
+        const Eigen::Matrix3d covariance = placeCovariance(ray.normalized(), noise.at(ray.norm()) / 1000.0, {0.0, resolution->beamM});
+        variance += along.dot(covariance * along);
+        length.smallestM = std::max(length.smallestM, resolution->smallestM());
+    }
+    length.toleranceM = kReportedSigmas * std::sqrt(variance);
+    length.isBelow = length.valueM < length.smallestM;
+    return length;
+}
+
+std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& noise, MeasureKind kind, std::span<const std::uint32_t> cells,
+                                          std::span<const double> shares) {
     if (cells.size() != traitsOf(kind).cells) return std::nullopt;
+    if (kind == MeasureKind::Section) return measureInSection(scan, noise, cells, shares);
     const CartesianTables tables(scan);
     std::vector<PickedEnd> ends;
     MeasuredCells measured;
@@ -166,6 +207,9 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
         break;
     case MeasureKind::Spans:
         measured.lengths = {distanceOf(all.subspan(0, 2)), distanceOf(all.subspan(2, 2))};
+        break;
+    case MeasureKind::Section: // see measureInSection()
+        break;
     }
     for (const auto& [from, to] : linksOf(kind)) takeJumpsUnder(scan, cells[from], cells[to], measured);
     return measured;

@@ -21,14 +21,16 @@ enum class MeasureKind : std::uint8_t {
     Spans,    ///< a x b: the distance of the first two cells, and that of the other two
     Path,     ///< along the surface, below the straight line of cells between two
     Throat,   ///< the narrowest free distance between two rims; its cells are those of narrowestBetween() (throat.h)
+    Section,  ///< between two points of a section (section.h), each between two neighbouring cells: the nearer one first
 };
-inline constexpr int kMeasureKinds = 6;
+inline constexpr int kMeasureKinds = 7;
 
 struct MeasureTraits {
     MeasureKind kind;
     const char* key;   ///< key in files
     const char* label; ///< label in the window
     std::size_t cells; ///< number of cells
+    bool inViews;      ///< its cells are clicked in the views
 };
 /// One row per kind.
 [[nodiscard]] std::span<const MeasureTraits> measureTraits();
@@ -62,10 +64,18 @@ struct MeasuredCells {
 /// anywhere within the width of the beam, and the intended point is anywhere up to half a cell away.
 [[nodiscard]] Eigen::Matrix3d placeCovariance(const Eigen::Vector3d& direction, double sigmaRangeM, const Resolution& resolution);
 
-/// Empty if a cell does not exist, is not valid or has no neighbour with a direction; if the number of cells is wrong for the kind; or if a
-/// side of the angle has no length.
+/// A point of the surface, and the cell nearest to it.
+struct SurfacePoint {
+    Eigen::Vector3d pointM;
+    std::uint32_t cell;
+};
+/// How their distance is known: as between two picked cells, but without the way to the next cell, because the points are between cells.
+[[nodiscard]] MeasuredLength lengthBetween(const Scan& scan, const RangeNoise& noise, const SurfacePoint& a, const SurfacePoint& b);
+
+/// `shares`: for Section only, of the way from the first cell of each point to its second. Empty if a cell does not exist, is not valid or
+/// has no neighbour with a direction; if the number of cells is wrong for the kind; or if a side of the angle has no length.
 [[nodiscard]] std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& noise, MeasureKind kind,
-                                                        std::span<const std::uint32_t> cells);
+                                                        std::span<const std::uint32_t> cells, std::span<const double> shares = {});
 
 /// "0.512 m ± 0.034", "< 88 mm".
 [[nodiscard]] std::string lengthText(const MeasuredLength& length);

@@ -83,14 +83,26 @@ std::vector<std::uint32_t> cellsFrom(JsonFields& fields, const char* key, Measur
     return list;
 }
 
+std::vector<double> sharesFrom(JsonFields& fields) {
+    std::vector<double> shares;
+    const nlohmann::json& list = fields.value("shares");
+    const auto isShare = [](const nlohmann::json& share) { return share.is_number() && share >= 0.0 && share <= 1.0; };
+    if (!list.is_array() || list.size() != 2 || !std::ranges::all_of(list, isShare))
+        fields.refuse("shares", "must be two numbers from 0 to 1");
+    else
+        for (const nlohmann::json& share : list) shares.push_back(share.get<double>());
+    return shares;
+}
+
 StoredMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
     StoredMeasure measure;
     const std::string key = fields.text("kind");
     const auto kind = measureKindNamed(key);
-    if (!kind) fields.refuse("kind", "must be distance, vertical, angle, spans, path or throat");
+    if (!kind) fields.refuse("kind", "must be distance, vertical, angle, spans, path, throat or section");
     measure.kind = kind.value_or(MeasureKind::Distance);
     measure.cells = cellsFrom(fields, "cells", measure.kind, scan);
     if (fields.has("clicked")) measure.clicked = cellsFrom(fields, "clicked", measure.kind, scan);
+    if (measure.kind == MeasureKind::Section) measure.shares = sharesFrom(fields);
     return measure;
 }
 
@@ -137,6 +149,7 @@ std::string notebookText(const Notebook& notebook, const NotebookScan& scan) {
     for (const StoredMeasure& measure : notebook.measures) {
         measures.push_back({{"kind", traitsOf(measure.kind).key}, {"cells", cellsJson(measure.cells, scan.beams)}});
         if (!measure.clicked.empty()) measures.back()["clicked"] = cellsJson(measure.clicked, scan.beams);
+        if (!measure.shares.empty()) measures.back()["shares"] = measure.shares;
     }
     const Json whole{{"format", kNotebookFormat},
                      {"scan", {{"sha256", scan.sha256}, {"name", scan.name}, {"lines", scan.lines}, {"beams", scan.beams}}},

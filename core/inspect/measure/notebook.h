@@ -35,6 +35,7 @@ struct StoredMeasure {
     MeasureKind kind = MeasureKind::Distance;
     std::vector<std::uint32_t> cells;
     std::vector<std::uint32_t> clicked{}; ///< the cells of the clicks; empty if all of them are `cells`
+    std::vector<double> shares{};         ///< for Section only, see measureCells()
 
     bool operator==(const StoredMeasure&) const = default;
 };

@@ -114,8 +114,9 @@ private:
         vertex.pointM = (1.0 - share) * tables_.point(side.first) + share * tables_.point(side.second);
         vertex.atM = {(vertex.pointM - plane_.originM).dot(plane_.across), (vertex.pointM - plane_.originM).dot(plane_.up)};
         vertex.cell = share < 0.5 ? side.first : side.second;
-        const std::uint32_t other = share < 0.5 ? side.second : side.first;
-        for (const std::uint32_t k : {other, vertex.cell}) {
+        vertex.other = share < 0.5 ? side.second : side.first;
+        vertex.share = std::min(share, 1.0 - share);
+        for (const std::uint32_t k : {vertex.other, vertex.cell}) {
             if ((*detection_.mask)[k] == 0) continue;
             vertex.edge = true;
             if (detection_.classes) vertex.kind = (*detection_.classes)[k];
@@ -187,23 +188,7 @@ Section sectionOf(const edges::Detection& detection, const SectionPlane& plane, 
 }
 
 MeasuredLength sectionLength(const Scan& scan, const RangeNoise& noise, const SectionVertex& a, const SectionVertex& b) {
-    const CartesianTables tables(scan);
-    MeasuredLength length;
-    const Eigen::Vector3d way = b.pointM - a.pointM;
-    length.valueM = way.norm();
-    const Eigen::Vector3d along = length.valueM > 0.0 ? Eigen::Vector3d(way / length.valueM) : Eigen::Vector3d::UnitX();
-    double variance = 0.0;
-    for (const SectionVertex& end : {a, b}) {
-        const auto resolution = resolutionAt(scan, tables, end.cell);
-        if (!resolution) continue;
-        const Eigen::Vector3d ray = end.pointM - tables.sensor();
-        const Eigen::Matrix3d covariance = placeCovariance(ray.normalized(), noise.at(ray.norm()) / 1000.0, {0.0, resolution->beamM});
-        variance += along.dot(covariance * along);
-        length.smallestM = std::max(length.smallestM, resolution->smallestM());
-    }
-    length.toleranceM = kReportedSigmas * std::sqrt(variance);
-    length.isBelow = length.valueM < length.smallestM;
-    return length;
+    return lengthBetween(scan, noise, {a.pointM, a.cell}, {b.pointM, b.cell});
 }
 
 } // namespace edgescan::inspect

@@ -31,6 +31,8 @@ struct SectionVertex {
     Eigen::Vector2d atM = Eigen::Vector2d::Zero();    ///< across and up
     Eigen::Vector3d pointM = Eigen::Vector3d::Zero(); ///< frame of the scan
     std::uint32_t cell = 0;                           ///< the nearer of the two cells between which it is
+    std::uint32_t other = 0;                          ///< the other one
+    double share = 0.0;                               ///< of the way from `cell` to `other`, up to 0.5
     bool edge = false;                                ///< one of these two cells is an edge
     edges::DepthEdge kind = edges::DepthEdge::None;   ///< class of that edge, if the method distinguishes classes
     std::uint32_t rock = 0;                           ///< label of the rock at `cell`; 0: none
@@ -48,8 +50,7 @@ struct Section {
 /// beams, 0 = no rock; null: no rocks are marked.
 [[nodiscard]] Section sectionOf(const edges::Detection& detection, const SectionPlane& plane, const Grid<std::uint32_t>* rockOf = nullptr);
 
-/// The distance of two vertices, and how it is known: as between two picked cells, but without the way to the next cell, because a vertex
-/// is between cells.
+/// The distance of two vertices: lengthBetween().
 [[nodiscard]] MeasuredLength sectionLength(const Scan& scan, const RangeNoise& noise, const SectionVertex& a, const SectionVertex& b);
 
 } // namespace edgescan::inspect

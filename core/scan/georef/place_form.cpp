@@ -28,7 +28,7 @@ const std::vector<PlaceField>& poseTable() {
     static const std::vector<PlaceField> rows{
         {"talin", "easting_m", "Easting E [m]", Kind::Number, nullptr},
         {"talin", "northing_m", "Northing N [m]", Kind::Number, nullptr},
-        {"talin", "elevation_m", "RL [m]", Kind::Number, nullptr},
+        {"talin", "elevation_m", "RL, positive up [m]", Kind::Number, nullptr},
         {"talin", "heading_deg", "Heading, clockwise from north [degrees]", Kind::Number, nullptr},
         {"talin", "heading_ref", "North of the heading", Kind::Word, "grid", kNorths},
         {"inclinometer", "tilt_x_deg", "Tilt: pitch, nose up [degrees]", Kind::Number, "0"},

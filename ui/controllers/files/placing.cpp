@@ -49,7 +49,7 @@ Json scannersIn(const Preferences& preferences) {
 }
 
 QString spanOf(const QString& name, double from, double to) {
-    return QString("%1 %2 … %3").arg(name, shownText(fixedText(from, 2)), shownText(fixedText(to, 2)));
+    return QString("%1 %2 … %3 m").arg(name, shownText(fixedText(from, 2)), shownText(fixedText(to, 2)));
 }
 
 /// The scanner and the span of its points in the mine grid.
@@ -67,7 +67,7 @@ QString placeWords(const Scan& scan) {
         least = least.cwiseMin(p);
         most = most.cwiseMax(p);
     }
-    return Placing::tr("Scanner at E %1, N %2, RL %3. Its points: ")
+    return Placing::tr("Scanner at E %1, N %2, RL %3 m. Its points: ")
                .arg(shownText(fixedText(sensor.x(), 3)), shownText(fixedText(sensor.y(), 3)), shownText(fixedText(sensor.z(), 3))) +
            spanOf("E", least.x(), most.x()) + ", " + spanOf("N", least.y(), most.y()) + ", " + spanOf("RL", least.z(), most.z());
 }

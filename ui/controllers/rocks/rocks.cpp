@@ -208,6 +208,8 @@ void Rocks::followPin(std::optional<std::size_t> cell) {
     if (was && selected_ == std::vector{*was}) select(cell ? std::vector{*cell} : std::vector<std::size_t>());
 }
 
+void Rocks::setNames(const RockNames& names) { table_.setNames(names); }
+
 void Rocks::select(std::vector<std::size_t> cells) {
     if (cells.empty()) useTool(RockTool::None);
     selected_ = std::move(cells);

@@ -76,6 +76,8 @@ public:
 
     /// Selects rocks by cells: labels change with every setting, so a rock is identified by one of its cells. The card shows the last one.
     void select(std::vector<std::size_t> cells);
+    /// Names of targets, for the table; by cell.
+    void setNames(const RockNames& names);
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
     [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::MeantCell& click) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }

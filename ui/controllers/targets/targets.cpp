@@ -58,6 +58,7 @@ void Targets::connectPanel() {
     connect(&panel_, &TargetsPanel::targetChosen, this, [this](int place) {
         if (place < static_cast<int>(notebook_.targets.size())) views_.pin(notebook_.targets[static_cast<std::size_t>(place)].cell);
     });
+    connect(&panel_, &TargetsPanel::copyAllRequested, this, &Targets::copyAll);
     connect(&panel_, &TargetsPanel::removeAllRequested, this, &Targets::removeAll);
     connect(&panel_, &TargetsPanel::measureRemoved, this, [this](int place) { removeMeasure(static_cast<std::size_t>(place)); });
     TargetCard& card = panel_.card();
@@ -287,7 +288,7 @@ KnownTargets Targets::workOut(const Question& question) {
         if (target.cell < detection.scan->cells()) known.targets.emplace(target.cell, inspect::targetAt(detection, noise_, target.cell));
     }
     for (const inspect::StoredMeasure& measure : question.notebook.measures)
-        known.measures.emplace_back(measure, inspect::measureCells(*detection.scan, noise_, measure.kind, measure.cells));
+        known.measures.emplace_back(measure, inspect::measureCells(*detection.scan, noise_, measure.kind, measure.cells, measure.shares));
     return known;
 }
 

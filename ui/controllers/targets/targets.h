@@ -88,6 +88,8 @@ public:
     void setConfidence(const KnownConfidence& confidence);
     /// Copies the card as text to the clipboard.
     void copyCard();
+    /// Copies the positions of all targets as a table.
+    void copyAll();
 
     /// Shows marks of another controller like targets; replaces earlier ones.
     void showExtraMarks(std::vector<TargetMark> marks);

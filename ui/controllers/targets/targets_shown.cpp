@@ -26,6 +26,7 @@ std::optional<inspect::MeantCell> clickAtEnd(const Scan& scan, const inspect::St
 
 /// True if a nearer surface is within reach of a click.
 bool isDoubtful(const Scan& scan, const inspect::StoredMeasure& measure) {
+    if (!inspect::traitsOf(measure.kind).inViews) return false;
     for (std::size_t n = 0; n < measure.cells.size(); ++n) {
         const auto click = clickAtEnd(scan, measure, n);
         if (click && click->alsoNear) return true;
@@ -88,8 +89,10 @@ CellMarks Targets::marks() const {
         const inspect::MeasuredCells* now = knownOf(measure);
         const bool warned = now != nullptr && (mountingAssumed(*known_.picture->detection->scan) || now->behindM > 0.0 ||
                                                isDoubtful(*known_.picture->detection->scan, measure));
-        marks.measures.push_back({{measure.cells.begin(), measure.cells.end()},
-                                  inspect::linksOf(measure.kind),
+        const bool ofSection = measure.kind == inspect::MeasureKind::Section; // its points are shown at the nearest cells
+        marks.measures.push_back({ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
+                                            : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
+                                  inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
                                   (warned ? "▲ " : "") + (now != nullptr ? shownText(inspect::measureText(*now)) : QString("–")),
                                   {measure.clicked.begin(), measure.clicked.end()}});
     }
@@ -102,13 +105,17 @@ void Targets::show() {
     views_.setMarks(marks());
     const inspect::PinnedTarget* shown = active();
     std::vector<TargetLine> lines;
+    RockNames names;
     for (const inspect::PinnedTarget& target : notebook_.targets) {
+        if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
         const inspect::CellTarget* now = knownOf(target.cell);
         QString words = QString::number(target.number) + (target.name.empty() ? QString() : "  " + shownName(exactText(target.name)));
         if (now != nullptr) words += "   " + distanceText(*now);
         if (target.locked) words += "   " + tr("locked");
+        if (const QString place = now != nullptr ? positionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
         lines.push_back({words, tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown});
     }
+    rocks_.setNames(names);
     panel_.showTargets(lines);
     lines.clear();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
@@ -141,7 +148,7 @@ void Targets::goTo(int by) {
     const auto count = static_cast<int>(notebook_.targets.size());
     if (count == 0) return;
     const inspect::PinnedTarget* shown = active();
-    const int at = shown != nullptr ? static_cast<int>(shown - notebook_.targets.data()) : 0;
+    const int at = shown != nullptr ? static_cast<int>(shown - notebook_.targets.data()) : by > 0 ? -1 : 0;
     views_.pin(notebook_.targets[static_cast<std::size_t>(((at + by) % count + count) % count)].cell);
 }
 
@@ -162,6 +169,13 @@ void Targets::setSource(const QString& source) {
 
 void Targets::copyCard() {
     if (active() != nullptr) QGuiApplication::clipboard()->setText(panel_.card().text());
+}
+
+void Targets::copyAll() {
+    QStringList rows{tableHeading()};
+    for (const inspect::PinnedTarget& target : notebook_.targets)
+        rows << tableRow(target.number, shownName(exactText(target.name)), knownOf(target.cell));
+    QGuiApplication::clipboard()->setText(rows.join('\n') + "\n");
 }
 
 } // namespace edgescan::ui

@@ -64,7 +64,7 @@ void CellCursor::moveBy(ImageView& view, QPoint step) {
     const QPointF middle = QPointF(to) + QPointF(0.5, 0.5);
     if (!QRectF(view.rect()).contains(view.viewPort()->toPixel(middle, view.size()))) view.viewPort()->centreOn(middle);
     emit view.hovered(to.y(), to.x());
-    view.setMarkedCell(to); // in the other views the ring marks the pinned cell, if there is one
+    view.setMarkedCell(to); // the other views have it already
 }
 
 } // namespace edgescan::ui

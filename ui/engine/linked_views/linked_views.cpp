@@ -268,7 +268,7 @@ void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
     if (!shown()) return;
     hovered_ = cell;
     const auto mark = marked();
-    for (ImageView* view : images_) view->setMarkedCell(mark && (pinned_ || view != from) ? std::optional(placeOf(*mark)) : std::nullopt);
+    for (ImageView* view : images_) view->setMarkedCell(mark && view != from ? std::optional(placeOf(*mark)) : std::nullopt);
     cloud_.setMarkedCell(mark ? std::optional(static_cast<std::uint32_t>(*mark)) : std::nullopt);
     emit probed(mark ? std::optional(edges::probeCell(*shown()->detection, *mark)) : std::nullopt);
 }

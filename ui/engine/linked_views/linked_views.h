@@ -40,8 +40,9 @@ public:
     [[nodiscard]] ImageView& edges() { return *images_[1]; }
     [[nodiscard]] CloudView& cloud() { return cloud_; }
 
-    /// The clicked cell until it is cleared; else the cell under the mouse.
-    [[nodiscard]] std::optional<std::size_t> marked() const { return pinned_ ? pinned_ : hovered_; }
+    /// The cell in the status bar: under the mouse, else the pinned one.
+    [[nodiscard]] std::optional<std::size_t> marked() const { return hovered_ ? hovered_ : pinned_; }
+    [[nodiscard]] std::optional<std::size_t> hovered() const { return hovered_; }
     [[nodiscard]] std::optional<std::size_t> pinned() const { return pinned_; }
     [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
     /// Sets the cell of the crosshair.

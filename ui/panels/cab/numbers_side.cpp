@@ -135,7 +135,6 @@ NumbersSide::NumbersSide(QWidget* parent)
       tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
       sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)), coordinates_(new QGridLayout),
       rows_(new QGridLayout), main_(new Stepper(QString())), foot_(new QGridLayout) {
-    hint_->setText(tr("Touch a rock in the cloud: its distance and its size are shown here."));
     for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, pose_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
@@ -206,9 +205,13 @@ QWidget* NumbersSide::makeSettings() {
 void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     const bool some = !numbers.title.isEmpty();
     hint_->setVisible(!some);
+    hint_->setText(numbers.targets > 0 ? tr("Touch a target, or an arrow above: its distance and its size are shown here.")
+                                       : tr("Touch a rock in the cloud: its distance and its size are shown here."));
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_, rock_, size_}) each->setVisible(some);
-    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(some);
-    title_->setText(some ? numbers.title + '\n' + numbers.place : tr("No target"));
+    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(numbers.targets > 0);
+    title_->setText(some                  ? numbers.title + '\n' + numbers.place
+                    : numbers.targets > 0 ? tr("%1 targets").arg(numbers.targets)
+                                          : tr("No target"));
     distance_->showText(numbers.distance);
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);

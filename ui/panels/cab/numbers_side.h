@@ -18,7 +18,7 @@ namespace edgescan::ui {
 class FittedLabel;
 class Stepper;
 
-/// The text about a target. Empty title: no target.
+/// The text about a target. Empty title: no target is chosen.
 struct TargetNumbers {
     QString title, place;                                 ///< "Target 1", "of 3"
     QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
@@ -26,6 +26,7 @@ struct TargetNumbers {
     std::vector<std::pair<QString, QString>> coordinates; ///< in large type as well
     QString pose;                                         ///< "▲ no pose"; empty if the scan has a pose
     std::vector<std::pair<QString, QString>> rows;
+    int targets = 0; ///< of the scan
 };
 
 /// One setting. `key`: its key in the parameter table.

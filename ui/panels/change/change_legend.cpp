@@ -130,7 +130,7 @@ QLabel* wordsOf(QWidget* parent, const char* name) {
 } // namespace
 
 ChangeLegend::ChangeLegend(QWidget* parent)
-    : ViewPlate(parent), title_(wordsOf(this, "change-title")), how_(wordsOf(this, "change-how")),
+    : ViewPlate(parent), title_(wordsOf(this, "change-title")), unit_(wordsOf(this, "change-unit")), how_(wordsOf(this, "change-how")),
       covered_(wordsOf(this, "change-covered")), region_(wordsOf(this, "change-region")),
       byDistance_(new QCheckBox(tr("colour by distance from A"), this)), histogram_(new DistanceView(this)),
       distances_(wordsOf(this, "change-distances")), next_(new QToolButton(this)) {
@@ -145,6 +145,8 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     bold.setBold(true);
     title_->setFont(bold);
     grid->addWidget(title_, 0, 0, 1, 2);
+    unit_->setText(tr("cells"));
+    grid->addWidget(unit_, 1, 1, Qt::AlignRight);
     for (int n = 0; n < kChangeRows; ++n) {
         const auto row = static_cast<ChangeRow>(n);
         Row& made = rows_[static_cast<std::size_t>(n)];
@@ -156,24 +158,24 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         swatch.fill(changeColour(row));
         made.box->setIconSize(swatch.size());
         made.box->setIcon(QIcon(swatch));
-        grid->addWidget(made.box, n + 1, 0);
-        grid->addWidget(made.count, n + 1, 1, Qt::AlignRight);
+        grid->addWidget(made.box, n + 2, 0);
+        grid->addWidget(made.count, n + 2, 1, Qt::AlignRight);
         connect(made.box, &QCheckBox::toggled, this, &ChangeLegend::emitRows);
     }
     byDistance_->setObjectName("change-by-distance");
     byDistance_->setFocusPolicy(Qt::TabFocus);
     connect(byDistance_, &QCheckBox::toggled, this, &ChangeLegend::distancesRequested);
-    grid->addWidget(how_, kChangeRows + 1, 0, 1, 2);
+    grid->addWidget(how_, kChangeRows + 2, 0, 1, 2);
     setWords(*covered_, tr("Rocks cover them in the cloud"));
     covered_->hide();
-    grid->addWidget(covered_, kChangeRows + 2, 0, 1, 2);
+    grid->addWidget(covered_, kChangeRows + 3, 0, 1, 2);
     next_->setText(tr("Next changed region"));
     next_->setFocusPolicy(Qt::TabFocus);
-    grid->addWidget(byDistance_, kChangeRows + 3, 0, 1, 2);
-    grid->addWidget(histogram_, kChangeRows + 4, 0, 1, 2);
-    grid->addWidget(distances_, kChangeRows + 5, 0, 1, 2);
-    grid->addWidget(next_, kChangeRows + 6, 0, 1, 2);
-    grid->addWidget(region_, kChangeRows + 7, 0, 1, 2);
+    grid->addWidget(byDistance_, kChangeRows + 4, 0, 1, 2);
+    grid->addWidget(histogram_, kChangeRows + 5, 0, 1, 2);
+    grid->addWidget(distances_, kChangeRows + 6, 0, 1, 2);
+    grid->addWidget(next_, kChangeRows + 7, 0, 1, 2);
+    grid->addWidget(region_, kChangeRows + 8, 0, 1, 2);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
     hide();
 }
@@ -188,6 +190,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
         for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(shown && rowsShown_);
         row.count->setText(shown ? countText(comparison->count(static_cast<ChangeRow>(n))) : QString());
     }
+    unit_->setVisible(comparison != nullptr && rowsShown_);
     QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nchange a setting, or open another scan");
     if (comparison != nullptr && !working) {
         how = shownText(inspect::registrationText(comparison->change.earlier.how)).replace("; ", "\n");

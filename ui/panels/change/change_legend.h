@@ -57,7 +57,7 @@ private:
     void fit();
     void emitRows();
 
-    QLabel *title_, *how_, *covered_, *region_;
+    QLabel *title_, *unit_, *how_, *covered_, *region_;
     std::array<Row, kChangeRows> rows_;
     QCheckBox* byDistance_;
     DistanceView* histogram_;

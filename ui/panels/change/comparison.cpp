@@ -103,10 +103,17 @@ std::uint32_t pointColour(const QColor& colour) {
     return 0xff000000U | half(colour.blue()) << 16U | half(colour.green()) << 8U | half(colour.red());
 }
 
+inspect::RegistrationRequest registrationOf(const ComparisonAsked& asked) {
+    inspect::RegistrationRequest wish;
+    if (asked.onePlace) wish.poses = std::array<RigidTransform, 2>{};
+    return wish;
+}
+
 /// Of the points of the current scan from those of A, after registration.
 std::shared_ptr<const SurfaceDistances> distancesOf(const Comparison& made) {
     auto found = std::make_shared<SurfaceDistances>();
-    const auto both = inspect::inOneFrame(made.asked.now->detection->scan, made.earlier->detection->scan, made.change.earlier.how);
+    const auto both = inspect::inOneFrame(made.asked.now->detection->scan, made.earlier->detection->scan, made.change.earlier.how,
+                                          registrationOf(made.asked));
     found->metres = inspect::cloudDistances(both[0].pointsM, inspect::PointIndex(both[1].pointsM), kFarthestM);
     found->histogram = inspect::distanceHistogram(found->metres, kFarthestM, kDistanceSteps);
     std::vector<float> known;
@@ -199,7 +206,7 @@ Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked,
         made->change = inspect::withEdges(last->change, now);
         made->before = last->before;
     } else {
-        auto change = inspect::sceneChange(now, {made->earlier->detection->scan, made->earlier->detection->mask});
+        auto change = inspect::sceneChange(now, {made->earlier->detection->scan, made->earlier->detection->mask}, registrationOf(asked));
         if (!change) return change.error();
         made->change = std::move(*change);
         made->before = beforeOf(made->earlier, made->change.earlier);

@@ -25,6 +25,7 @@ using ChangeRows = std::array<bool, kChangeRows>;
 struct ComparisonAsked {
     std::shared_ptr<const Picture> before, now;
     ChangeRows rows{true, true, true, true, true, true};
+    bool onePlace = false;   ///< the scanner did not move between the two scans; else their poses or surfaces decide
     bool byDistance = false; ///< points are coloured by their distance from the surfaces of A
 };
 

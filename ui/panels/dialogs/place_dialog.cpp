@@ -69,7 +69,9 @@ PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidge
 QWidget* PlaceDialog::posePage() {
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
-    column->addWidget(wrappedLabel(tr("A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them")));
+    column->addWidget(
+        wrappedLabel(tr("A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL "
+                        "the height above the mine's zero: a higher place has a larger RL.")));
     line_ = new QLineEdit;
     line_->setObjectName("survey-line");
     line_->setPlaceholderText("P7; 498765.432; 5150123.456; 287.654");

@@ -72,9 +72,11 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 WhyCard::WhyCard(QWidget* parent)
-    : QDialog(parent), verdict_(words()), numbers_(words()), below_(new QLabel), beside_(new QPushButton), picture_(new ProfileView) {
+    : QDialog(parent), cell_(words()), verdict_(words()), numbers_(words()), below_(new QLabel), beside_(new QPushButton),
+      picture_(new ProfileView) {
     setObjectName("why-card");
     setWindowTitle(tr("Why is this cell an edge or not?"));
+    cell_->setObjectName("why-cell");
     verdict_->setObjectName("why-verdict");
     QFont bold = verdict_->font();
     bold.setBold(true);
@@ -90,12 +92,15 @@ WhyCard::WhyCard(QWidget* parent)
     buttons->addButton(beside_, QDialogButtonBox::ActionRole);
     connect(beside_, &QPushButton::clicked, this, &WhyCard::nearestEdgeRequested);
     auto* layout = new QVBoxLayout(this);
+    layout->addWidget(cell_);
     layout->addWidget(verdict_);
     layout->addWidget(picture_);
     layout->addWidget(below_);
     layout->addWidget(numbers_);
     layout->addWidget(buttons);
 }
+
+void WhyCard::showCell(const QString& words) { cell_->setText(words); }
 
 void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers) {
     verdict_->setText(verdict);
@@ -120,6 +125,7 @@ void WhyCard::offerNearestEdge(int cells) {
 QString WhyCard::text() const { return numbers_->text().isEmpty() ? verdict_->text() : numbers_->text() + "\n" + verdict_->text(); }
 
 QString WhyCard::verdict() const { return verdict_->text(); }
+QString WhyCard::cell() const { return cell_->text(); }
 
 } // namespace edgescan::ui
 

@@ -32,6 +32,8 @@ class WhyCard : public QDialog {
 public:
     explicit WhyCard(QWidget* parent);
 
+    /// Which cell is explained.
+    void showCell(const QString& words);
     void showExplanation(const QString& text) { showExplanation(text, {}, {}); }
     /// Shows the verdict, the picture and the numbers; each may be empty.
     void showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers);
@@ -40,13 +42,14 @@ public:
     /// The verdict and the numbers.
     [[nodiscard]] QString text() const;
     [[nodiscard]] QString verdict() const;
+    [[nodiscard]] QString cell() const;
     [[nodiscard]] const ProfileView& picture() const { return *picture_; }
 
 signals:
     void nearestEdgeRequested();
 
 private:
-    QLabel *verdict_, *numbers_, *below_;
+    QLabel *cell_, *verdict_, *numbers_, *below_;
     QPushButton* beside_;
     ProfileView* picture_;
 };

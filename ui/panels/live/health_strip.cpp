@@ -60,7 +60,10 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
           : picture == Picture::Held ? tr("HELD").toStdString()
                                      : tr("CONNECTED, another picture is shown").toStdString());
     if (brief_ && !notFollowing && health.badge == "LIVE") badge_->hide(); // the badge at the head says LIVE
-    showText(lines_, health.lines);
+    // Another picture counts the lines of its own sweep.
+    const QString lines = coreWords(health.lines);
+    lines_->setText(picture == Picture::Follows || lines.isEmpty() ? lines : tr("sweep %1: %2").arg(health.sweep).arg(lines));
+    lines_->setVisible(!lines.isEmpty());
     bar_->showRows(health.row, health.rows, health.lostRows);
     showText(lost_, health.lost);
     lost_->setToolTip(tr("Lines whose telegrams did not arrive: dashes in the images"));

@@ -11,12 +11,16 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace edgescan::ui {
 
 /// Colour of points that belong to no rock: bytes red, green, blue, 255.
 inline constexpr std::uint32_t kOutsideRocks = 0xff5c5c5cU;
+
+/// Names that the operator gave to targets, by the cell of the target.
+using RockNames = std::vector<std::pair<std::size_t, QString>>;
 
 /// Immutable after construction. In the window all members are replaced together.
 struct RockPicture {

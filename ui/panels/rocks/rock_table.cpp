@@ -141,6 +141,11 @@ void RockTable::show(const std::shared_ptr<const RockPicture>& picture, const QS
     showCount();
 }
 
+void RockTable::setNames(const RockNames& names) {
+    model_->setNames(names);
+    fitColumns();
+}
+
 void RockTable::showCount() {
     const int all = model_->rowCount();
     const int shown = shown_->rowCount();

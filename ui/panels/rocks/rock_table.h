@@ -28,6 +28,7 @@ public:
 
     /// Null: no rocks. `remark`: the part of the scan that they cover, and whether they belong to the shown picture.
     void show(const std::shared_ptr<const RockPicture>& picture, const QString& remark);
+    void setNames(const RockNames& names);
     /// Selects rows by label. Emits no signal.
     void select(const std::vector<std::uint32_t>& labels);
     [[nodiscard]] std::vector<std::uint32_t> selected() const;

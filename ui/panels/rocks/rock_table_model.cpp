@@ -44,6 +44,21 @@ void RockTableModel::show(std::shared_ptr<const RockPicture> picture) {
     endResetModel();
 }
 
+void RockTableModel::setNames(const RockNames& names) {
+    if (names == names_) return;
+    names_ = names;
+    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
+}
+
+/// Of several targets on one rock the last one.
+QString RockTableModel::nameOf(std::uint32_t label) const {
+    QString name;
+    for (const auto& [cell, given] : names_) {
+        if (picture_->labelAt(cell) == label) name = given;
+    }
+    return name;
+}
+
 int RockTableModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() || !picture_ ? 0 : static_cast<int>(picture_->study.rocks.size());
 }
@@ -54,7 +69,9 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     if (!picture_ || !index.isValid()) return {};
     const rocks::Rock& rock = picture_->study.rocks[static_cast<std::size_t>(index.row())];
     const rocks::RockColumn& column = columns()[static_cast<std::size_t>(index.column())];
-    if (role == Qt::DisplayRole) return shownText(column.text({&rock}));
+    const QString name = index.column() == 0 && (role == Qt::DisplayRole || role == Qt::ToolTipRole) ? nameOf(rock.label) : QString();
+    if (role == Qt::ToolTipRole && !name.isEmpty()) return name;
+    if (role == Qt::DisplayRole) return shownText(column.text({&rock})) + (name.isEmpty() ? QString() : " " + name);
     if (role == kNumberRole) return rocks::sortingNumber(column.value({&rock}));
     if (role == Qt::TextAlignmentRole) return static_cast<int>(index.column() == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
     if (role == Qt::DecorationRole && index.column() == 0) return rockSwatch(*picture_, rock, kSwatch);

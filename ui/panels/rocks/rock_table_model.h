@@ -21,6 +21,8 @@ public:
     /// Null: no rocks.
     void show(std::shared_ptr<const RockPicture> picture);
     [[nodiscard]] const std::shared_ptr<const RockPicture>& picture() const { return picture_; }
+    /// Names that the operator gave, by the cell of their target.
+    void setNames(const RockNames& names);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -29,8 +31,10 @@ public:
 
 private:
     [[nodiscard]] static QString inTwoLines(const QString& head);
+    [[nodiscard]] QString nameOf(std::uint32_t label) const;
 
     std::shared_ptr<const RockPicture> picture_;
+    RockNames names_;
 };
 
 /// The rocks that are large and certain enough, in the order of a column.

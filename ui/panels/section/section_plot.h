@@ -31,6 +31,7 @@ public:
     [[nodiscard]] const inspect::SectionVertex* marked() const { return marked_; }
     /// Of the length between the two clicked vertices.
     void setLength(const QString& words);
+    [[nodiscard]] const QString& lengthShown() const { return length_; }
     [[nodiscard]] QPointF placeOf(const Eigen::Vector2d& atM) const;
     [[nodiscard]] QSize sizeHint() const override { return {640, 420}; }
 

@@ -142,7 +142,7 @@ void TargetCard::setRow(std::size_t row, const TargetRow& words, const QString& 
         lines_->addLayout(line);
     }
     const auto& [name, value] = rows_[row];
-    name->setText(words.name);
+    name->setText(*words.unit == '\0' ? words.name : QString("%1 [%2]").arg(words.name, words.unit));
     value->setText(was.isEmpty() ? words.value : words.value + "\n" + was);
     for (QLabel* label : {name, value}) {
         label->setToolTip(words.tip);

@@ -8,6 +8,7 @@
 #include "ui/base/shown_text.h"
 
 #include <QObject>
+#include <QStringList>
 
 #include <cmath>
 
@@ -20,12 +21,17 @@ QString noPose() { return QObject::tr("▲ no pose"); }
 QString inMillimetres(double metres) { return QObject::tr("%1 mm").arg(fixed(std::ceil(1000.0 * metres - 1e-9), 0)); }
 
 TargetRow placeRow(const inspect::CellTarget& target) {
-    return {QObject::tr("X, Y, Z"), triple(target.probe.pointM), QObject::tr("Metres in the frame of the scan")};
+    return {.name = QObject::tr("X, Y, Z"),
+            .value = triple(target.probe.pointM),
+            .tip = QObject::tr("Metres in the frame of the scan"),
+            .unit = "m"};
 }
 
 TargetRow mineRow(const inspect::CellTarget& target) {
-    return {QObject::tr("E, N, RL"), target.probe.mineM ? triple(*target.probe.mineM) : noPose(),
-            QObject::tr("Easting, Northing and RL (height) in the mine grid, in metres")};
+    return {.name = QObject::tr("E, N, RL"),
+            .value = target.probe.mineM ? triple(*target.probe.mineM) : noPose(),
+            .tip = QObject::tr("Easting, Northing and RL (height) in the mine grid, in metres"),
+            .unit = target.probe.mineM ? "m" : ""};
 }
 
 TargetRow rockRow(const TargetSurroundings& around) {
@@ -144,6 +150,43 @@ QString toleranceText(const inspect::CellTarget& target) {
     if (target.probe.state != CellState::Valid) return {};
     return target.toleranceM > 0.0 ? QStringLiteral("± %1").arg(fixed(shownTolerance(target.toleranceM, 3), 3))
                                    : QObject::tr("± not known");
+}
+
+QString positionText(const inspect::CellTarget& target) {
+    if (target.probe.state != CellState::Valid) return {};
+    const Eigen::Vector3d& at = target.probe.mineM ? *target.probe.mineM : target.probe.pointM;
+    return (target.probe.mineM ? QObject::tr("E %1  N %2  RL %3 m") : QObject::tr("x %1  y %2  z %3 m"))
+        .arg(fixed(at.x(), 3), fixed(at.y(), 3), fixed(at.z(), 3));
+}
+
+QString tableHeading() {
+    return QStringList{QObject::tr("Target"),
+                       QObject::tr("Name"),
+                       QObject::tr("Distance [m]"),
+                       "± [m]",
+                       "X [m]",
+                       "Y [m]",
+                       "Z [m]",
+                       "E [m]",
+                       "N [m]",
+                       "RL [m]",
+                       QObject::tr("Line"),
+                       QObject::tr("Beam")}
+        .join('\t');
+}
+
+QString tableRow(int number, const QString& name, const inspect::CellTarget* target) {
+    QStringList row{QString::number(number), name};
+    const bool some = target != nullptr && target->probe.state == CellState::Valid;
+    const auto add = [&](bool known, double metres) { row << (known ? fixed(metres, 3) : QString()); };
+    add(some, some ? target->distanceM : 0.0);
+    add(some && target->toleranceM > 0.0, some ? shownTolerance(target->toleranceM, 3) : 0.0);
+    for (int axis = 0; axis < 3; ++axis) add(some, some ? target->probe.pointM[axis] : 0.0);
+    const bool placed = some && target->probe.mineM;
+    for (int axis = 0; axis < 3; ++axis) add(placed, placed ? (*target->probe.mineM)[axis] : 0.0);
+    for (const bool line : {true, false})
+        row << (target == nullptr ? QString() : QString::number(line ? target->probe.line : target->probe.beam));
+    return row.join('\t');
 }
 
 std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around) {

@@ -33,8 +33,9 @@ inline constexpr const char* kConfidenceRow = QT_TRANSLATE_NOOP("QObject", "Conf
 struct TargetRow {
     QString name, value;
     QString tip{};
-    bool measured = true; ///< a slider can change it: then the card also shows the earlier value
-    bool known = true;    ///< false: not computed yet, not to be stored
+    bool measured = true;  ///< a slider can change it: then the card also shows the earlier value
+    bool known = true;     ///< false: not computed yet, not to be stored
+    const char* unit = ""; ///< shown after the name; not stored
 };
 
 /// "8.13 m behind an edge; measured on its near side, 2 cells away". Empty if the click was not moved and no
@@ -44,6 +45,12 @@ struct TargetRow {
 [[nodiscard]] QString distanceText(const inspect::CellTarget& target);
 /// "± 0.009"; empty if the cell is not valid.
 [[nodiscard]] QString toleranceText(const inspect::CellTarget& target);
+/// "E 498765.432  N 5150123.456  RL 287.654 m", without a pose "x 1.234  y 5.678  z 9.012 m"; empty if the cell is not valid.
+[[nodiscard]] QString positionText(const inspect::CellTarget& target);
+/// A row of the table of all targets: number, name, distance, X Y Z, E N RL, line, beam; tabs between the columns. Null: not computed yet.
+[[nodiscard]] QString tableRow(int number, const QString& name, const inspect::CellTarget* target);
+/// Its heading, with units.
+[[nodiscard]] QString tableHeading();
 /// All rows except the distance.
 [[nodiscard]] std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around);
 

@@ -26,8 +26,9 @@ void fitHeight(QListWidget& list) {
 
 TargetsPanel::TargetsPanel(QWidget* parent)
     : QWidget(parent), hint_(new QLabel(tr("Click a cell in any view to pin it."))), targets_(new QListWidget),
-      letGoOfAll_(new QPushButton(tr("Remove All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
-      measures_(new QListWidget), removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
+      copyAll_(new QPushButton(tr("Copy All"))), letGoOfAll_(new QPushButton(tr("Remove All"))), card_(new TargetCard),
+      measuresTitle_(new QLabel(tr("Measured"))), measures_(new QListWidget), removeMeasure_(new QPushButton(tr("Remove"))),
+      note_(new QLabel) {
     setObjectName("targets-panel");
     targets_->setObjectName("target-list");
     measures_->setObjectName("measure-list");
@@ -35,6 +36,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
         list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         list->setTextElideMode(Qt::ElideRight);
     }
+    copyAll_->setToolTip(tr("The positions of all targets as a table with units, for a spreadsheet"));
     letGoOfAll_->setToolTip(tr("All but those that are locked"));
     removeMeasure_->setToolTip(tr("The selected measurement"));
     for (QLabel* label : {hint_, note_}) label->setWordWrap(true);
@@ -50,7 +52,11 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     column->addWidget(hint_);
     column->addWidget(card_);
     column->addWidget(targets_);
-    column->addWidget(letGoOfAll_, 0, Qt::AlignRight);
+    auto* ofAll = new QHBoxLayout;
+    ofAll->addStretch(1);
+    ofAll->addWidget(copyAll_);
+    ofAll->addWidget(letGoOfAll_);
+    column->addLayout(ofAll);
     column->addLayout(titleOfMeasures);
     column->addWidget(measures_);
     column->addWidget(note_);
@@ -58,6 +64,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     // Not currentRowChanged: a list that gets the focus sets a current row itself.
     for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated})
         connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
+    connect(copyAll_, &QPushButton::clicked, this, &TargetsPanel::copyAllRequested);
     connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::removeAllRequested);
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {
         if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
@@ -86,6 +93,7 @@ void TargetsPanel::showTargets(const std::vector<TargetLine>& lines) {
     fill(*targets_, shownTargets_, lines);
     hint_->setVisible(lines.empty());
     targets_->setVisible(!lines.empty());
+    copyAll_->setVisible(!lines.empty());
     letGoOfAll_->setVisible(!lines.empty());
 }
 

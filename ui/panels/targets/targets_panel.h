@@ -38,6 +38,7 @@ public:
     [[nodiscard]] TargetCard& card() const { return *card_; }
     [[nodiscard]] QListWidget* targets() const { return targets_; }
     [[nodiscard]] QListWidget* measures() const { return measures_; }
+    [[nodiscard]] QPushButton* copyAllButton() const { return copyAll_; }
     [[nodiscard]] QPushButton* removeAllButton() const { return letGoOfAll_; }
     [[nodiscard]] QPushButton* removeMeasure() const { return removeMeasure_; }
     [[nodiscard]] QString note() const;
@@ -45,6 +46,7 @@ public:
 signals:
     /// Indices into the lists.
     void targetChosen(int place);
+    void copyAllRequested();
     void removeAllRequested();
     void measureRemoved(int place);
 
@@ -53,6 +55,7 @@ private:
 
     QLabel* hint_;
     QListWidget* targets_;
+    QPushButton* copyAll_;
     QPushButton* letGoOfAll_;
     TargetCard* card_;
     QLabel* measuresTitle_;

@@ -203,9 +203,10 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     return QStatusBar::eventFilter(watched, event);
 }
 
-void StatusLine::showProbe(const std::optional<edges::Probe>& probe) {
+void StatusLine::showProbe(const std::optional<edges::Probe>& probe, Cell cell) {
     const ProbeTexts words = probe ? probeWords(*probe) : ProbeTexts{};
-    probeMain_ = words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
+    probeMain_ =
+        (probe && cell == Cell::Pin ? tr("Pinned:") + " " : QString()) + words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
     probeMore_ = words.cell;
     // Widgets at the right must not appear and disappear with mouse movements.
     longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
@@ -234,7 +235,7 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
                                     .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
     showFact(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, place.outOfSpec);
     QStringList about{tr("Placed by %1").arg(shownText(place.source)), text};
-    for (const std::string& warning : place.warnings) about << shownText(warning);
+    for (const std::string& warning : place.warnings) about << coreSentence(warning);
     label.setToolTip(about.join("\n"));
 }
 

@@ -33,7 +33,9 @@ public:
 
     /// Adds a widget that is shown at every width.
     void addPinned(QWidget* widget);
-    void showProbe(const std::optional<edges::Probe>& probe);
+    enum class Cell { Pointer, Pin };
+    /// The text says if it is the pin's.
+    void showProbe(const std::optional<edges::Probe>& probe, Cell cell = Cell::Pointer);
     /// The content of the selected box; empty: no box.
     void showBox(const QString& words);
     void showCounts(const edges::Detection& detection);

@@ -122,6 +122,23 @@ CameraPose lookingAt(const Box3f& box, const Vector3d& forward, const Vector3d& 
     return out;
 }
 
+CameraPose lookingAtFrom(const Vector3d& place, const Box3f& box, const Vector3d& up, const CameraPose& lens, double widthByHeight) {
+    const Vector3d away = box.center().cast<double>() - place;
+    if (!(away.norm() > kNearestM)) return lookingAt(box, lens.forward(), up, lens, widthByHeight);
+    const Vector3d forward = away.normalized();
+    CameraPose out = lookingAt(box, forward, up, lens, widthByHeight);
+    if (lens.parallel || out.distance() <= away.norm()) return out;
+    out.position = place;
+    double widest = 0.0; // tangent of half the angle
+    for (int i = 0; i < 8; ++i) {
+        const Vector3d d = box.corner(static_cast<Box3f::CornerType>(i)).cast<double>() - place;
+        const double depth = std::max(kNearestM, d.dot(forward));
+        widest = std::max({widest, std::abs(d.dot(out.right())) / depth / widthByHeight, std::abs(d.dot(out.up)) / depth});
+    }
+    out.viewAngleDeg = std::clamp(2.0 * std::atan(widest) * 180.0 / std::numbers::pi, kUsualViewAngleDeg, kWidestViewAngleDeg);
+    return out;
+}
+
 CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, double widthByHeight) {
     CameraPose out = lens;
     const Vector3d sensor = cloud.sensor.cast<double>();

@@ -43,6 +43,10 @@ struct CameraPose {
 /// Looks along `forward`, at the distance at which the box fits a view of this width / height.
 [[nodiscard]] CameraPose lookingAt(const Box3f& box, const Eigen::Vector3d& forward, const Eigen::Vector3d& up, const CameraPose& lens,
                                    double widthByHeight);
+/// The same, along the line of sight from a place and not from behind it: what is seen from there stays in sight. A box that is too large
+/// for the usual lens gets a wider one.
+[[nodiscard]] CameraPose lookingAtFrom(const Eigen::Vector3d& place, const Box3f& box, const Eigen::Vector3d& up, const CameraPose& lens,
+                                       double widthByHeight);
 /// The scanner's view: from the sensor along the mean direction. View angle and distance are just large enough for 99 % of the points,
 /// within the limits of a flat picture. Row 0 is at the top if the geometry allows it.
 [[nodiscard]] CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, double widthByHeight);

@@ -6,6 +6,8 @@
 #include <QPaintEvent>
 #include <QPainter>
 
+#include <utility>
+
 namespace edgescan::ui {
 namespace {
 
@@ -41,7 +43,19 @@ QRect CloudOverlay::covered(const OverlayMarks& marks) const {
     return area.toAlignedRect().intersected(rect());
 }
 
+/// Legends, scale and cube: what else is over the view.
+std::vector<QRectF> CloudOverlay::platesOver() const {
+    std::vector<QRectF> plates;
+    for (const QWidget* other : parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (other != this && other->isVisible()) plates.emplace_back(other->geometry());
+    }
+    return plates;
+}
+
 void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
+    // A plate that moved uncovers only its old place: the tags that avoid it are somewhere else.
+    auto plates = platesOver();
+    if (std::exchange(plates_, std::move(plates)) != plates_ && !marks_.marks.empty()) update();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
@@ -49,7 +63,7 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         const QPen light(QColor(255, 90, 80), 1.4, marks_.hidden ? Qt::DashLine : Qt::SolidLine);
         strokeTwice(painter, QPen(QColor(0, 0, 0, 120), 3.0), light, [&] { painter.drawLine(*marks_.ray); });
     }
-    drawScreenMarks(painter, rect(), marks_.marks);
+    tags_ = drawScreenMarks(painter, rect(), marks_.marks, plates_);
     painter.setBrush(Qt::NoBrush);
     if (!marks_.dragged.isEmpty())
         strokeTwice(painter, QPen(QColor(0, 0, 0, 170), 3.0), QPen(Qt::white, 1.0, Qt::DashLine),

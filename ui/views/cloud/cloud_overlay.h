@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 namespace edgescan::ui {
 
@@ -40,6 +41,8 @@ public:
     explicit CloudOverlay(QWidget* parent);
     void setMarks(const OverlayMarks& marks);
     [[nodiscard]] const OverlayMarks& marks() const { return marks_; }
+    /// The tags of targets and measurements, where they were drawn last.
+    [[nodiscard]] const std::vector<QRectF>& tags() const { return tags_; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -47,7 +50,10 @@ protected:
 private:
     [[nodiscard]] QRect covered(const OverlayMarks& marks) const;
 
+    [[nodiscard]] std::vector<QRectF> platesOver() const;
+
     OverlayMarks marks_;
+    std::vector<QRectF> plates_, tags_;
 };
 
 } // namespace edgescan::ui

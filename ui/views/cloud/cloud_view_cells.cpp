@@ -31,8 +31,7 @@ void CloudView::lookAtCells(const CellIndices& cells) {
     }
     const Eigen::Vector3f around = Eigen::Vector3f::Constant(static_cast<float>(kAround) * std::max(0.1F, (most - least).maxCoeff()));
     const Box3f box(least - around, most + around);
-    const Eigen::Vector3d forward = (box.center().cast<double>() - fromScanner(*cloud_, pose_, aspect()).position).normalized();
-    pose_ = lookingAt(box, forward, cloud_->axes.up, pose_, aspect());
+    pose_ = lookingAtFrom(cloud_->sensor.cast<double>(), box, cloud_->axes.up, pose_, aspect());
     centre_ = pose_.focus;
     applyCamera();
 }

@@ -20,6 +20,7 @@ Notebook someNotebook() {
     notebook.measures.push_back({MeasureKind::Spans, {1, 2, 3, 599}});
     notebook.measures.push_back({MeasureKind::Angle, {5, 6, 7}});
     notebook.measures.push_back({MeasureKind::Distance, {31, 40}, {32, 40}});
+    notebook.measures.push_back({MeasureKind::Section, {31, 32, 70, 100}, {}, {0.25, 0.4375}});
     notebook.targets.back().clicked = 598;
     return notebook;
 }
@@ -58,6 +59,9 @@ TEST(Notebook, HostileContentIsRefusedWithASentence) {
         }
     };
     refused([](Json& j) { j["format"] = "edgescan-targets/2"; });
+    refused([](Json& j) { j["measures"].back().erase("shares"); });
+    refused([](Json& j) { j["measures"].back()["shares"] = {0.25, 1.5}; });
+    refused([](Json& j) { j["measures"].front()["shares"] = {0.25, 0.5}; });
     refused([](Json& j) { j["more"] = 1; });
     refused([](Json& j) { j["scan"]["more"] = 1; });
     refused([](Json& j) { j["targets"][0]["more"] = 1; });

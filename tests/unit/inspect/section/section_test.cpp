@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -62,6 +63,15 @@ TEST(Section, OfAWallIsOneStraightLineOfItsLength) {
     const MeasuredLength length = sectionLength(scan, {5.5, 0.25}, section.lines[0].front(), section.lines[0].back());
     EXPECT_NEAR(length.valueM, (section.lines[0].front().atM - section.lines[0].back().atM).norm(), 1e-9);
     EXPECT_GT(length.toleranceM, 0.0);
+    // As a stored measurement it is the same length.
+    const SectionVertex &a = section.lines[0].front(), &b = section.lines[0].back();
+    const std::vector<std::uint32_t> cells{a.cell, a.other, b.cell, b.other};
+    const auto stored = measureCells(scan, {5.5, 0.25}, MeasureKind::Section, cells, std::array{a.share, b.share});
+    ASSERT_TRUE(stored);
+    EXPECT_NEAR(stored->lengths.at(0).valueM, length.valueM, 1e-9);
+    EXPECT_NEAR(stored->lengths.at(0).toleranceM, length.toleranceM, 1e-9);
+    EXPECT_EQ(measureText(*stored), lengthText(length));
+    EXPECT_FALSE(measureCells(scan, {5.5, 0.25}, MeasureKind::Section, cells)) << "without shares";
 }
 
 TEST(Section, HasAVertexWhereverThePlanePassesBetweenNeighbours) {

@@ -1,0 +1,155 @@
+// Several pins in the real window: their positions together, their tags next to the plates over the cloud, and the cab's side while none of
+// them is chosen.
+#include "core/scan/georef/placed_points.h"
+#include "tests/support/placements.h"
+#include "tests/support/scans.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/views/cloud/cloud_overlay.h"
+#include "ui/views/cloud/scale_plate.h"
+#include "ui/window/cab_mode.h"
+
+#include <QClipboard>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class PinsTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string bare_, placed_;
+
+    static bool pin(WindowFixture& on, const std::vector<std::size_t>& cells) {
+        for (const std::size_t cell : cells) on.viewer.views.pin(cell);
+        return on.settled() && eventually([&] { return on.viewer.targets.settled(); }) &&
+               on.viewer.targets.notebook().targets.size() == cells.size();
+    }
+    /// Cells with a range, apart from each other.
+    static std::vector<std::size_t> someCells(const Scan& scan, std::size_t count) {
+        std::vector<std::size_t> cells;
+        for (std::size_t k = 3 * static_cast<std::size_t>(scan.beams()) + 17; k < scan.cells() && cells.size() < count; k += 1711) {
+            if (scan.state[k] == CellState::Valid) cells.push_back(k);
+        }
+        return cells;
+    }
+
+private slots:
+    void initTestCase() {
+        Scan scan = test::boxesScan(120, 160, 3, 0.02);
+        bare_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(files::saveScan(scan, bare_)));
+        scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
+        placed_ = (folder_ / "placed.json").string();
+        QVERIFY(bool(files::saveScan(scan, placed_)));
+    }
+
+    void thePositionsOfAllPinsAreSeenAndCopiedWithUnits() {
+        for (const bool placed : {false, true}) {
+            WindowFixture on;
+            on.window.resize(1280, 800);
+            QVERIFY(on.showWith(placed ? placed_ : bare_) && on.activate());
+            const Scan& scan = *on.picture().detection->scan;
+            const auto cells = someCells(scan, 3);
+            QVERIFY(pin(on, cells));
+            on.viewer.targets.rename(2, "keystone");
+            QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
+            const QListWidget& list = *on.viewer.targetsPanel.targets();
+            on.viewer.targetsPanel.copyAllButton()->click();
+            const QStringList rows = QGuiApplication::clipboard()->text().trimmed().split('\n');
+            QCOMPARE(rows.size(), 4);
+            QVERIFY2(rows[0].startsWith("Target\tName\tDistance [m]\t± [m]\tX [m]\tY [m]\tZ [m]\tE [m]\tN [m]\tRL [m]"),
+                     qPrintable(rows[0]));
+            for (int n = 0; n < 3; ++n) {
+                const edges::Probe probe = edges::probeCell(*on.picture().detection, cells[static_cast<std::size_t>(n)]);
+                const Eigen::Vector3d& at = placed ? *probe.mineM : probe.pointM;
+                const QStringList row = rows[n + 1].split('\t');
+                QCOMPARE(row[0], QString::number(n + 1));
+                QCOMPARE(row[1], n == 1 ? QString("keystone") : QString());
+                for (int axis = 0; axis < 3; ++axis) {
+                    const QString number = QString::number(at[axis], 'f', 3);
+                    QCOMPARE(row[(placed ? 7 : 4) + axis], number);
+                    QVERIFY2(list.item(n)->text().contains(number), qPrintable(list.item(n)->text()));
+                }
+                QVERIFY2(list.item(n)->text().endsWith(" m"), qPrintable(list.item(n)->text()));
+                QCOMPARE(row[10].toInt(), probe.line);
+                QCOMPARE(row[11].toInt(), probe.beam);
+            }
+        }
+    }
+
+    // Each pin in turn is moved under the scale, a legend, the cube: its tag is drawn where none of them covers it.
+    void noTagIsUnderAPlate() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bare_) && on.activate());
+        CloudView& cloud = on.viewer.views.cloud();
+        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 8)));
+        const auto* overlay = cloud.findChild<CloudOverlay*>();
+        const auto atRest = [&] {
+            QCoreApplication::processEvents();
+            return eventually([&] { return cloud.atRest(); });
+        };
+        const auto* scale = cloud.findChild<ScalePlate*>();
+        int near = 0, nearest = 0;
+        for (const inspect::PinnedTarget& target : on.viewer.targets.notebook().targets) {
+            for (const QWidget* plate : std::initializer_list<const QWidget*>{scale, &on.viewer.legend}) {
+                QVERIFY(atRest() && plate->isVisible());
+                const auto at = cloud.pixelOf(target.cell);
+                if (!at) continue;
+                // Its tag would be over the plate.
+                const QPointF way = QPointF(plate->geometry().topLeft() + QPoint(-20, plate->height() / 2)) - *at;
+                const CameraPose pose = cloud.camera();
+                cloud.setCamera(panned(pose, cloud.geometryOfCloud()->point(target.cell).cast<double>(), way.x(), way.y(), cloud.height()));
+                QVERIFY(atRest());
+                // A legend that moves off a pin makes the tags move, too.
+                QString covering;
+                const auto free = [&] {
+                    covering.clear();
+                    near = 0;
+                    for (const QRectF& tag : overlay->tags()) {
+                        for (const auto* other : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+                            if (!other->isVisible()) continue;
+                            near += QRectF(other->geometry()).adjusted(-60, -60, 60, 60).intersects(tag) ? 1 : 0;
+                            if (QRectF(other->geometry()).intersects(tag)) covering = other->objectName();
+                        }
+                    }
+                    return covering.isEmpty();
+                };
+                QVERIFY2(eventually(free), qPrintable(covering));
+                nearest = std::max(nearest, near);
+                cloud.setCamera(pose);
+            }
+        }
+        QVERIFY2(nearest > 0, "the test can fail: tags come near the plates");
+    }
+
+    // Pins of the last time are there, and none of them is chosen: the cab's side says so, and its arrows go to them.
+    void theCabSaysHowManyPinsThereAre() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_) && on.activate());
+        on.window.cab().set(true);
+        const auto* title = on.window.findChild<QLabel*>("cab-target");
+        auto* next = on.window.findChild<QToolButton*>("cab-next");
+        QCOMPARE(title->text(), QString("No target"));
+        QVERIFY(!next->isEnabled());
+        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 2)));
+        for (const int number : {1, 2}) on.viewer.targets.lock(number, true);
+        on.viewer.views.clearPin(); // as Esc: locked targets stay
+        QTRY_COMPARE(title->text(), QString("2 targets"));
+        QVERIFY(next->isEnabled());
+        QTest::mouseClick(next, Qt::LeftButton);
+        QTRY_VERIFY2(title->text().startsWith("Target "), qPrintable(title->text()));
+        on.window.cab().set(false);
+    }
+};
+
+int pins_test(int argc, char** argv) { return runWindowTest<PinsTest>(argc, argv); }
+
+#include "pins_test.moc"
