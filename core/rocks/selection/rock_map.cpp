@@ -31,6 +31,7 @@ constexpr double kFlat = 0.05; // one in 300 rocks is as flat as this
 constexpr double kPerFlat = 200.0;
 constexpr double kScoreOffset = -37.0;
 constexpr double kMostZ = 6.0;
+constexpr double kLeastConfidence = 0.15;
 constexpr double kDeviations = 4.0; // a size is this many standard deviations
 
 // From the spread of the points about their mean.
@@ -97,7 +98,9 @@ void judge(Region& region, const RockSettings& settings) {
 void setConfidence(RegionMap& map) {
     const std::vector<ConfidenceInputs> inputs = confidenceInputs(map);
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
-        if (map.regions[n].kind != RegionKind::Fines) map.regions[n].confidence = confidenceOf(inputs[n], confidenceWeights());
+        Region& region = map.regions[n];
+        if (region.kind != RegionKind::Fines) region.confidence = confidenceOf(inputs[n], confidenceWeights());
+        if (region.kind == RegionKind::Rock && region.confidence < kLeastConfidence) region.kind = RegionKind::NotRock;
     }
 }
 
