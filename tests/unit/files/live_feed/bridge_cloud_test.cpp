@@ -33,7 +33,7 @@ scanner::EmulatedScannerSettings clouds(double perSecond) {
     return settings;
 }
 
-std::unique_ptr<scanner::EmulatedBridge> bridgeOf(const Scan& scan, const scanner::EmulatedScannerSettings& settings) {
+std::unique_ptr<scanner::EmulatedBridge> cloudBridgeOf(const Scan& scan, const scanner::EmulatedScannerSettings& settings) {
     auto bridge = scanner::serveBridge(scanner::bridgeCloudOf(scan), settings);
     EXPECT_TRUE(bridge) << bridge.error().sentence();
     return std::move(*bridge);
@@ -58,7 +58,7 @@ void expectSameCells(const Scan& a, const Scan& b) {
 
 TEST(BridgeCloud, EachMessageIsAScanAndTheRecordingOpensAsTheSame) {
     const Scan scan = scanOfRobot();
-    const auto bridge = bridgeOf(scan, clouds(50));
+    const auto bridge = cloudBridgeOf(scan, clouds(50));
     const TemporaryFolder folder;
     LiveFeed feed(settingsAt(*bridge), scanner::assumedSweep(), [] {}, {.lines = 5});
     ASSERT_TRUE(feed.startRecording(folder / "robot.mcap"));
@@ -91,7 +91,7 @@ TEST(BridgeCloud, CloudsThatAreCutOffAreCountedAndABrokenConnectionComesBack) {
     scanner::EmulatedScannerSettings settings = clouds(50);
     settings.faults.corruptEvery = 2;
     settings.faults.dropEvery = 9;
-    const auto bridge = bridgeOf(scanOfRobot(), settings);
+    const auto bridge = cloudBridgeOf(scanOfRobot(), settings);
     LiveFeed feed(settingsAt(*bridge), scanner::assumedSweep(), [] {});
     ASSERT_TRUE(waitUntil([&] { return feed.status().undecodable > 2 && feed.status().statistics.reconnects > 0 && feed.snapshot(); }));
     EXPECT_EQ(feed.snapshot()->lines(), kCloudLines);
@@ -102,7 +102,7 @@ TEST(BridgeCloud, CloudsThatAreCutOffAreCountedAndABrokenConnectionComesBack) {
 TEST(BridgeCloud, WhereNoMessageMakesAScanItIsSaidWhy) {
     scanner::EmulatedScannerSettings settings = clouds(50);
     settings.faults.corruptEvery = 1;
-    const auto bridge = bridgeOf(scanOfRobot(), settings);
+    const auto bridge = cloudBridgeOf(scanOfRobot(), settings);
     LiveFeed feed(settingsAt(*bridge), scanner::assumedSweep(), [] {});
     ASSERT_TRUE(waitUntil([&] { return feed.status().connection.problem.has_value(); }));
     const std::string sentence = feed.status().connection.sentence;
@@ -114,7 +114,7 @@ TEST(BridgeCloud, APictureThatGetsNoMoreCloudsIsStale) {
     scanner::EmulatedScannerSettings settings = clouds(50);
     settings.faults.stallEvery = 10;
     settings.faults.stallS = 600;
-    const auto bridge = bridgeOf(scanOfRobot(), settings);
+    const auto bridge = cloudBridgeOf(scanOfRobot(), settings);
     LiveFeed feed(settingsAt(*bridge), scanner::assumedSweep(), [] {});
     ASSERT_TRUE(waitUntil([&] { return feed.snapshot() && healthOf(feed.status()).liveness == Liveness::Live; }));
     ASSERT_TRUE(waitUntil([&] { return healthOf(feed.status()).liveness == Liveness::Stale; }));
@@ -154,13 +154,13 @@ TEST(BridgeCloud, OfManyCloudsTheNewestIsShownWithItsRingsAndFirings) {
     EXPECT_EQ(std::max(opened->lines(), opened->beams()), kFirings / 2 + 39);
 }
 
-scanner::BridgeChannelPtr channel(const char* topic, const char* type) {
+scanner::BridgeChannelPtr cloudChannel(const char* topic, const char* type) {
     return std::make_shared<const scanner::BridgeChannel>(scanner::BridgeChannel{1, topic, "cdr", type, {}, {}});
 }
 
 TEST(BridgeCloud, ATopicOfCloudsIsTakenByNameOrWhereThereIsNoneOfLines) {
-    const auto points = channel("/ouster/points", "sensor_msgs/msg/PointCloud2"), scan = channel("/scan", "sensor_msgs/msg/LaserScan"),
-               tf = channel("/tf", "tf2_msgs/msg/TFMessage");
+    const auto points = cloudChannel("/ouster/points", "sensor_msgs/msg/PointCloud2"),
+               scan = cloudChannel("/scan", "sensor_msgs/msg/LaserScan"), tf = cloudChannel("/tf", "tf2_msgs/msg/TFMessage");
     const auto alone = chooseTopics({points, tf}, "", "robot:8765");
     ASSERT_TRUE(alone);
     EXPECT_EQ(alone->lines, points);
