@@ -1,5 +1,5 @@
-// Several pins in the real window: their positions together, their tags next to the plates over the cloud, and the cab's side while none of
-// them is chosen.
+// Several pins in the real window: their positions together, their tags next to the plates over the cloud, and the cab's side while no
+// target is chosen.
 #include "core/scan/georef/placed_points.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
@@ -84,7 +84,7 @@ private slots:
         }
     }
 
-    // Each pin in turn is moved under the scale, a legend, the cube: its tag is drawn where none of them covers it.
+    // Each pin in turn is moved under the scale, a legend, the cube: its tag is drawn where nothing covers it.
     void noTagIsUnderAPlate() {
         WindowFixture on;
         on.window.resize(1280, 800);
@@ -130,7 +130,7 @@ private slots:
         QVERIFY2(nearest > 0, "the test can fail: tags come near the plates");
     }
 
-    // Pins of the last time are there, and none of them is chosen: the cab's side says so, and its arrows go to them.
+    // Pins of the last time are there, but no target is chosen: the cab's side says so, and its arrows go to them.
     void theCabSaysHowManyPinsThereAre() {
         WindowFixture on;
         QVERIFY(on.showWith(bare_) && on.activate());

@@ -21,7 +21,7 @@ Result<Done> addConfidenceSamples(const sim::Simulation& simulation, std::vector
     const rocks::RegionMap map = rocks::rocksAt(segments, rocks::mergeTree(segments.count(), segments.borders), {});
     const std::vector<rocks::ConfidenceInputs> inputs = rocks::confidenceInputs(map);
     std::vector<std::uint8_t> isRock;
-    for (const rocks::Region& region : map.regions) isRock.push_back(region.kind == rocks::RegionKind::Rock ? 1 : 0);
+    for (const rocks::Region& region : map.regions) isRock.push_back(rocks::looksLikeRock(region, map.settings) ? 1 : 0);
     const RockMatch match =
         matchRocks(overlapsOf(scene->counts, scene->truth.rock, rocks::regionLabels(segments, map)), isRock, {.strict = true});
     for (const RockVerdict& rock : match.rocks) {

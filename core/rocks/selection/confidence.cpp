@@ -26,7 +26,7 @@ double ofAllRocks(const RegionMap& map) {
     double sum = 0.0;
     double rocks = 0.0;
     for (const Region& region : map.regions) {
-        if (region.kind != RegionKind::Rock) continue;
+        if (!looksLikeRock(region, map.settings)) continue;
         sum += chance(kOwnOffset + kOwnPerEvidence * region.evidence + kOwnPerScore * clippedScore(region));
         rocks += 1.0;
     }

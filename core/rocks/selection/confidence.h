@@ -14,7 +14,7 @@ namespace edgescan::rocks {
 inline constexpr std::size_t kConfidenceInputs = 4;
 using ConfidenceInputs = std::array<double, kConfidenceInputs>;
 
-/// By region of `map`, of which borders, scores and kinds are known.
+/// By region of `map`, of which borders and scores are known.
 [[nodiscard]] std::vector<ConfidenceInputs> confidenceInputs(const RegionMap& map);
 
 /// The constant, then one factor per input.

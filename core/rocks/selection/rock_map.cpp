@@ -90,8 +90,7 @@ void judge(Region& region, const RockSettings& settings) {
                    kPerMetreTooLong * std::max(0.0, region.longM - settings.largestM) + kPerEdges * region.edgeShare +
                    kPerDepth * region.depthRatio - kPerFlat * std::max(0.0, kFlat - region.depthRatio) + kPerFill * region.boxShare +
                    kScoreOffset;
-    const double awayM = (region.sums.sumM / static_cast<double>(region.sums.cells)).norm();
-    region.kind = region.score > 0 && awayM < settings.farthestM ? RegionKind::Rock : RegionKind::NotRock;
+    region.kind = looksLikeRock(region, settings) ? RegionKind::Rock : RegionKind::NotRock;
 }
 
 // From what the scan shows: neither a region of interest nor a decision by hand changes it.
@@ -150,6 +149,10 @@ const char* regionKindName(RegionKind kind) {
         break;
     }
     return "outside";
+}
+
+bool looksLikeRock(const Region& region, const RockSettings& settings) {
+    return region.score > 0 && (region.sums.sumM / static_cast<double>(region.sums.cells)).norm() < settings.farthestM;
 }
 
 RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings, std::span<const RockCall> called) {

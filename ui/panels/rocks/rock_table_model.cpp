@@ -78,7 +78,7 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     return {};
 }
 
-/// Broken in two at the blank nearest to its middle, so that a column is no wider than its longest word needs.
+/// Broken in two at the blank nearest to its middle, so that the longest word decides how wide a column is.
 QString RockTableModel::inTwoLines(const QString& head) {
     const auto middle = head.size() / 2;
     const auto before = head.lastIndexOf(' ', middle), after = head.indexOf(' ', middle);

@@ -86,7 +86,7 @@ TEST(PlaceForm, EachWrongTextHasItsSentence) {
     EXPECT_EQ(poseFault("easting_m", ""), "Easting E is missing.");
     EXPECT_EQ(poseFault("easting_m", "here"), "Easting E: \"here\" is not a number.");
     EXPECT_EQ(poseFault("easting_m", "498765 5150123"), "Easting E: \"498765 5150123\" is not a number.");
-    EXPECT_EQ(poseFault("elevation_m", "5150123"), "RL is 5150123 and must be from -20000 to 20000.");
+    EXPECT_EQ(poseFault("elevation_m", "5150123"), "RL, positive up is 5150123 and must be from -20000 to 20000.");
     EXPECT_EQ(poseFault("heading_deg", "400"), "Heading, clockwise from north is 400 and must be from -360 to 360.");
     EXPECT_EQ(poseFault("tilt_x_deg", "91"), "Tilt: pitch, nose up is 91 and must be from -90 to 90.");
     const TypedPlace place = typed(kPose, {{"in_robot_m", "400, 0, 0"}, {"scale", "2"}, {"mount_m", "1 2"}});
