@@ -65,7 +65,7 @@ private slots:
         QCOMPARE(window.viewer().statusLine.placeShown(), QString::fromUtf8("▲ no pose: no mine coordinates"));
         QCOMPARE(window.viewer().statusLine.recordedShown(), QString());
         emit window.viewer().views.gray().clicked(30, 40);
-        QVERIFY(window.viewer().statusLine.probeShown().startsWith("x "));
+        QVERIFY2(window.viewer().statusLine.probeShown().startsWith("Pinned: x "), qPrintable(window.viewer().statusLine.probeShown()));
     }
 
     void withoutAPoseTheMineGridCannotBeChosen() {

@@ -150,7 +150,7 @@ private slots:
             QVERIFY(shown(on, placed ? placed_ : boxes_));
             QTest::keyClick(&on.window, Qt::Key_H, Qt::ShiftModifier);
             QVERIFY(rested(on));
-            QCOMPARE(plate(on).scaleTitle().contains("Elevation"), placed);
+            QCOMPARE(plate(on).scaleTitle().contains("RL"), placed);
             QCOMPARE(plate(on).axisNames()[2] == "RL", placed);
             // Of two cells the higher one is further along the scale.
             const edges::Detection& detection = *on.picture().detection;

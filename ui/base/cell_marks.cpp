@@ -4,6 +4,9 @@
 #include "ui/base/marks.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -44,29 +47,35 @@ public:
     [[nodiscard]] const std::vector<QRectF>& drawn() const { return drawn_; }
 
 private:
-    /// The usual place if all are taken.
+    /// The free place nearest to the usual one: at either side of the mark or next to what is taken. The usual one if all are taken.
     [[nodiscard]] QRectF freePlace(const QPointF& at, double beside, double above, const QSizeF& size) const {
-        const auto boxAt = [&](bool right, int step) {
-            QRectF box({right ? at.x() + beside : at.x() - beside - size.width(), at.y() - above - size.height()}, size);
-            box.translate(0, step * (size.height() + kBetweenTags));
-            keepWithin(box);
-            return box;
-        };
-        for (int n = 0; n <= 2 * kMostSteps; ++n) {
-            const int step = n % 2 == 1 ? (n + 1) / 2 : -n / 2; // 0, 1, -1, 2, ...
-            for (const bool right : {true, false}) {
-                const QRectF box = boxAt(right, step);
-                if (std::ranges::none_of(taken_, [&](const QRectF& other) { return other.intersects(box); })) return box;
+        const QPointF usual(at.x() + beside, at.y() - above - size.height());
+        std::vector<double> lefts{usual.x(), at.x() - beside - size.width()}, tops{usual.y()};
+        for (const QRectF& other : taken_) {
+            tops.insert(tops.end(), {other.bottom() + kBetweenTags, other.top() - size.height() - kBetweenTags});
+            lefts.insert(lefts.end(), {other.right() + kBetweenTags, other.left() - size.width() - kBetweenTags});
+        }
+        std::optional<QRectF> nearest;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t n = 0; n < lefts.size() && (n < 2 || !nearest); ++n) { // next to the mark, if it can be
+            for (const double top : tops) {
+                QRectF box({lefts[n], top}, size);
+                keepWithin(box);
+                const double away = QLineF(box.topLeft(), usual).length();
+                if (away >= least || std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); })) continue;
+                least = away;
+                nearest = box;
             }
         }
-        return boxAt(true, 0);
+        QRectF box(usual, size);
+        keepWithin(box);
+        return nearest.value_or(box);
     }
     void keepWithin(QRectF& box) const {
         box.moveLeft(std::clamp(box.left(), place_.left() + 2.0, std::max(place_.left() + 2.0, place_.right() - 2.0 - box.width())));
         box.moveTop(std::clamp(box.top(), place_.top() + 2.0, std::max(place_.top() + 2.0, place_.bottom() - 2.0 - box.height())));
     }
 
-    static constexpr int kMostSteps = 12;
     static constexpr double kBetweenTags = 2.0; // px
     QPainter& painter_;
     QRectF place_;
