@@ -897,6 +897,7 @@ mantenga \ para verla</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: muy pocas celdas para mostrarlos como una roca</translation></message>
 <message><source>outside the region of interest</source><translation>fuera de la región de interés</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada a mano como no roca</translation></message>
+<message><source>too uncertain to be shown as a rock</source><translation>demasiado incierto para mostrarse como roca</translation></message>
 <message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
 <message><source>Merge</source><translation>Fusionar</translation></message>

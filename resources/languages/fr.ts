@@ -897,6 +897,7 @@ tenez \ pour la voir</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>fines : trop peu de cellules pour être montrées comme un bloc</translation></message>
 <message><source>outside the region of interest</source><translation>hors de la région d'intérêt</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marqué à la main comme non-bloc</translation></message>
+<message><source>too uncertain to be shown as a rock</source><translation>trop incertain pour être montré comme un bloc</translation></message>
 <message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
 <message><source>Split</source><translation>Scinder</translation></message>
 <message><source>Merge</source><translation>Fusionner</translation></message>

@@ -897,6 +897,7 @@ segure \ para vê-la</translation></message>
 <message><source>fines: too few cells to be shown as a rock</source><translation>finos: células de menos para mostrá-los como uma rocha</translation></message>
 <message><source>outside the region of interest</source><translation>fora da região de interesse</translation></message>
 <message><source>marked by hand as not a rock</source><translation>marcada à mão como não rocha</translation></message>
+<message><source>too uncertain to be shown as a rock</source><translation>incerto demais para ser mostrado como rocha</translation></message>
 <message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
 <message><source>Merge</source><translation>Mesclar</translation></message>

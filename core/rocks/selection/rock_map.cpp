@@ -31,7 +31,6 @@ constexpr double kFlat = 0.05; // one in 300 rocks is as flat as this
 constexpr double kPerFlat = 200.0;
 constexpr double kScoreOffset = -37.0;
 constexpr double kMostZ = 6.0;
-constexpr double kLeastConfidence = 0.15;
 constexpr double kDeviations = 4.0; // a size is this many standard deviations
 
 // From the spread of the points about their mean.

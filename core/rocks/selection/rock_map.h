@@ -63,7 +63,10 @@ struct RockCall {
 [[nodiscard]] RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings,
                                 std::span<const RockCall> called = {});
 
-/// Whether the region alone looks like a rock: R > 0, and its centre is near enough. rocksAt() also asks for a least confidence.
+/// What rocksAt() asks of the confidence of a rock; docs/developer/lab-notebook.md has the trials.
+inline constexpr double kLeastConfidence = 0.15;
+
+/// Whether the region alone looks like a rock: R > 0, and its centre is near enough.
 [[nodiscard]] bool looksLikeRock(const Region& region, const RockSettings& settings);
 
 /// Whether there are enough clear valleys along the border to say that its two sides touch.

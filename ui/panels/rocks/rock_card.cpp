@@ -54,7 +54,9 @@ QString whyNoRock(const rocks::Region* region) {
     case rocks::RegionKind::NotRock:
         break;
     }
-    return region->byHand ? RockCard::tr("marked by hand as not a rock") : RockCard::tr("wall, floor, or too far away");
+    if (region->byHand) return RockCard::tr("marked by hand as not a rock");
+    return region->score > 0 && region->confidence < rocks::kLeastConfidence ? RockCard::tr("too uncertain to be shown as a rock")
+                                                                             : RockCard::tr("wall, floor, or too far away");
 }
 
 } // namespace

@@ -78,7 +78,7 @@ TEST(RockMap, WhatIsARockIsSaidByItsSums) {
                     22 * r.bulge + 8.4 * r.nearShare + 33 * r.edgeShare + 11.7 * r.depthRatio + 9.3 * r.boxShare - 1.1 * tooLong -
                         200 * flat - 37,
                     1e-9);
-        EXPECT_EQ(r.kind == RegionKind::Rock, r.score > 0 && r.confidence >= 0.15 && (r.sums.sumM / r.sums.cells).norm() < 15);
+        EXPECT_EQ(r.kind == RegionKind::Rock, r.score > 0 && r.confidence >= kLeastConfidence && (r.sums.sumM / r.sums.cells).norm() < 15);
         double covered = 0;
         for (const RegionBorder& border : map.borders)
             covered += border.a == n || border.b == n ? static_cast<double>(border.sumE2) / 65536 : 0;
