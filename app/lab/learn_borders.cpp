@@ -1,6 +1,7 @@
 // edgescan-lab learn-borders: makes the weights of the network of borders from simulated scans.
 #include "core/lab/learning/learn_borders.h"
 #include "app/lab/commands.h"
+#include "app/lab/lesson_flags.h"
 #include "app/shared/options.h"
 #include "app/shared/usage.h"
 #include "core/base/number_text.h"
@@ -16,8 +17,7 @@ namespace {
 struct LearnBorders {
     std::string output;
     int rounds = 3;
-    int firstSeed = 8101;
-    int lines = 500, beams = 571;
+    LessonFlags scans{.firstSeed = 8101};
 };
 
 // The scans of the lesson. A fine one has twice the lines and beams.
@@ -52,14 +52,14 @@ const std::vector<LessonScan>& lessonScans() {
 
 Result<Done> learn(const LearnBorders& asked) {
     std::vector<lab::BorderLesson> lessons;
-    auto seed = static_cast<std::uint64_t>(asked.firstSeed);
+    auto seed = static_cast<std::uint64_t>(asked.scans.firstSeed);
     for (const LessonScan& row : lessonScans()) {
         for (int n = 0; n < row.scans; ++n) {
             sim::SimulationSettings settings;
             settings.scene = row.scene;
             settings.seed = seed++;
-            settings.lines = row.fine * asked.lines;
-            settings.beams = row.fine * (asked.beams - 1) + 1;
+            settings.lines = row.fine * asked.scans.lines;
+            settings.beams = row.fine * (asked.scans.beams - 1) + 1;
             settings.truth = true;
             row.set(settings);
             const auto simulation = sim::simulate(settings);
@@ -77,10 +77,8 @@ Result<Done> learn(const LearnBorders& asked) {
         printResult("round " + std::to_string(round) + ": " + std::to_string(samples.count()) + " samples, " +
                     fixedText(100 * lab::rightShare(network, samples), 1) + " % right\n");
     }
-    const std::string madeBy = "edgescan-lab learn-borders --seed " + std::to_string(asked.firstSeed) + " --rounds " +
-                               std::to_string(asked.rounds) + " --lines " + std::to_string(asked.lines) + " --beams " +
-                               std::to_string(asked.beams);
-    return writeWholeFile(asked.output, lab::borderWeightsText(network, madeBy));
+    const std::string command = madeBy("learn-borders", asked.scans, " --rounds " + std::to_string(asked.rounds));
+    return writeWholeFile(asked.output, lab::borderWeightsText(network, command));
 }
 
 } // namespace
@@ -94,15 +92,7 @@ void addLearnBorders(CLI::App& app, int& code) {
     command.add_option("--rounds", asked->rounds, "Trainings; each one after the first also sees the borders that the one before leaves")
         ->check(CLI::Range(1, 10))
         ->capture_default_str();
-    command.add_option("--seed", asked->firstSeed, "The first seed; each scan has the next one")
-        ->check(CLI::Range(0, 1000000))
-        ->capture_default_str();
-    command.add_option("--lines", asked->lines, "Scan lines; four of the scans have twice as many")
-        ->check(CLI::Range(20, 1000))
-        ->capture_default_str();
-    command.add_option("--beams", asked->beams, "Beams; four of the scans have twice as many")
-        ->check(CLI::Range(20, 1141))
-        ->capture_default_str();
+    addLessonFlags(command, asked->scans, "four of the scans have");
     command.callback([asked, &code] {
         const Result<Done> result = learn(*asked);
         code = result ? kDone : kRefused;

@@ -1,6 +1,7 @@
 // edgescan-lab learn-confidence: makes the weights of the confidence of rocks from simulated scans.
 #include "core/lab/learning/learn_confidence.h"
 #include "app/lab/commands.h"
+#include "app/lab/lesson_flags.h"
 #include "app/shared/options.h"
 #include "app/shared/usage.h"
 #include "core/base/whole_file.h"
@@ -14,14 +15,13 @@ namespace {
 
 struct LearnConfidence {
     std::string output;
-    int firstSeed = 8201;
-    int lines = 500, beams = 571;
+    LessonFlags scans{.firstSeed = 8201};
 };
 
 using Change = std::function<void(sim::SimulationSettings&)>;
 
 // Both scenes with rocks, as they are and with their failings; then each kind of wall with and without rocks.
-std::vector<sim::SimulationSettings> lessonScans(const LearnConfidence& asked) {
+std::vector<sim::SimulationSettings> lessonScans(const LessonFlags& asked) {
     std::vector<sim::SimulationSettings> scans;
     const auto add = [&](const char* scene, const Change& change) {
         sim::SimulationSettings settings;
@@ -59,16 +59,15 @@ std::vector<sim::SimulationSettings> lessonScans(const LearnConfidence& asked) {
 
 Result<Done> learn(const LearnConfidence& asked) {
     std::vector<lab::ConfidenceLesson> samples;
-    for (const sim::SimulationSettings& settings : lessonScans(asked)) {
+    for (const sim::SimulationSettings& settings : lessonScans(asked.scans)) {
         const auto simulation = sim::simulate(settings);
         if (!simulation) return simulation.error();
         if (const auto added = lab::addConfidenceSamples(*simulation, samples); !added) return added.error();
     }
     if (samples.empty()) return Error{"nothing is called a rock in these scans", "--lines --beams", "give finer scans"};
     printResult(std::to_string(samples.size()) + " rocks");
-    const std::string madeBy = "edgescan-lab learn-confidence --seed " + std::to_string(asked.firstSeed) + " --lines " +
-                               std::to_string(asked.lines) + " --beams " + std::to_string(asked.beams);
-    return writeWholeFile(asked.output, lab::confidenceWeightsText(lab::fittedConfidence(samples), madeBy));
+    return writeWholeFile(asked.output,
+                          lab::confidenceWeightsText(lab::fittedConfidence(samples), madeBy("learn-confidence", asked.scans)));
 }
 
 } // namespace
@@ -78,15 +77,7 @@ void addLearnConfidence(CLI::App& app, int& code) {
     CLI::App& command =
         *app.add_subcommand("learn-confidence", "Makes the weights by which the confidence of a rock is reported, from simulated scans");
     command.add_option("-o,--output", asked->output, "File of the weights (core/rocks/selection/confidence_weights.inc)")->required();
-    command.add_option("--seed", asked->firstSeed, "The first seed; each scan has the next one")
-        ->check(CLI::Range(0, 1000000))
-        ->capture_default_str();
-    command.add_option("--lines", asked->lines, "Scan lines; one of the scans has twice as many")
-        ->check(CLI::Range(20, 1000))
-        ->capture_default_str();
-    command.add_option("--beams", asked->beams, "Beams; one of the scans has twice as many")
-        ->check(CLI::Range(20, 1141))
-        ->capture_default_str();
+    addLessonFlags(command, asked->scans, "one of the scans has");
     command.callback([asked, &code] {
         const Result<Done> result = learn(*asked);
         code = result ? kDone : kRefused;

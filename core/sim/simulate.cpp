@@ -107,6 +107,13 @@ constexpr std::array kNumbers{
                      EDGESCAN_NUMBER(SimulationSettings, threads)},
 };
 
+/// "plain, rough": of the rows of a table.
+std::string namesOf(const auto& table) {
+    std::string names;
+    for (const auto& row : table) names += (names.empty() ? "" : ", ") + std::string(row.name);
+    return names;
+}
+
 std::optional<Error> refusal(const SimulationSettings& s) {
     for (const SimulationNumber& number : simulationNumbers()) {
         const double value = number.get(s);
@@ -122,11 +129,7 @@ std::optional<Error> refusal(const SimulationSettings& s) {
     if (s.afterBlast && s.scene != "hangup")
         return Error{"there is nothing to blast in the scene \"" + s.scene + "\"", "simulate", "use the scene hangup"};
     const WallKind* wall = wallKindNamed(s.wallKind);
-    if (wall == nullptr) {
-        std::string names;
-        for (const WallKind& kind : wallKinds()) names += (names.empty() ? "" : ", ") + std::string(kind.name);
-        return Error{"there is no kind of wall \"" + s.wallKind + "\"", "simulate", "use one of " + names};
-    }
+    if (wall == nullptr) return Error{"there is no kind of wall \"" + s.wallKind + "\"", "simulate", "use one of " + namesOf(wallKinds())};
     if (!wall->archFits && s.scene == "hangup")
         return Error{"there is no room for an arch of rocks in a " + s.wallKind, "simulate",
                      "use the scene empty or pile, or another kind of wall"};
@@ -153,9 +156,7 @@ Result<Scene> sceneOf(const SimulationSettings& settings) {
         for (Eigen::Vector3f& p : points) p *= static_cast<float>(settings.surfaceScale);
         return rescanScene(points, settings.distanceM);
     }
-    std::string names;
-    for (const SimulationScene& scene : simulationScenes()) names += (names.empty() ? "" : ", ") + std::string(scene.name);
-    return Error{"there is no scene \"" + settings.scene + "\"", "simulate", "use one of " + names};
+    return Error{"there is no scene \"" + settings.scene + "\"", "simulate", "use one of " + namesOf(simulationScenes())};
 }
 
 PolarGeometry nominalGeometry(const SimulationSettings& s) {

@@ -2,6 +2,7 @@
 #include "core/files/recording/writer.h"
 #include "core/scanner/emulator/emulator.h"
 #include "core/scanner/emulator/telegram.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
@@ -58,12 +59,9 @@ class LiveMannersTest : public QObject {
 
 private slots:
     void initTestCase() {
-        sim::SimulationSettings settings;
-        settings.lines = kLines;
-        settings.beams = 381;
-        auto simulation = sim::simulate(settings);
-        QVERIFY(simulation);
-        scan_ = simulation->scan;
+        const auto bell = test::simulatedBell(kLines, 381);
+        QVERIFY(bell);
+        scan_ = *bell;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(bool(files::saveScan(scan_, bell_)));
     }

@@ -7,6 +7,7 @@
 #include "core/scanner/emulator/telegram.h"
 #include "tests/support/own_sockets.h"
 #include "tests/support/served_program.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/live/live_panel.h"
@@ -116,12 +117,9 @@ private slots:
     }
 
     void initTestCase() {
-        sim::SimulationSettings settings;
-        settings.lines = kLines;
-        settings.beams = kBeams;
-        auto simulation = sim::simulate(settings);
-        QVERIFY(simulation);
-        scan_ = simulation->scan;
+        const auto bell = test::simulatedBell(kLines, kBeams);
+        QVERIFY(bell);
+        scan_ = *bell;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(files::saveScan(scan_, bell_));
     }

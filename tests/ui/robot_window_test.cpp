@@ -5,6 +5,7 @@
 #include "tests/support/ros_sweeps.h"
 #include "tests/support/scans.h"
 #include "tests/support/served_program.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/live/live_panel.h"
@@ -47,12 +48,9 @@ class RobotWindowTest : public QObject {
 private slots:
     void initTestCase() {
         QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-        sim::SimulationSettings settings;
-        settings.lines = kLines;
-        settings.beams = kBeams;
-        auto simulation = sim::simulate(settings);
-        QVERIFY(simulation);
-        scan_ = simulation->scan;
+        const auto bell = test::simulatedBell(kLines, kBeams);
+        QVERIFY(bell);
+        scan_ = *bell;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(files::saveScan(scan_, bell_));
     }

@@ -1,6 +1,6 @@
 // Rocks in the real window with real events: faces in all views, slider, pointing, table, the operator's edits, undo, a growing sweep.
 #include "core/base/whole_file.h"
-#include "core/sim/simulate.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/rocks/rock_card.h"
@@ -90,13 +90,9 @@ class RocksWindowTest : public QObject {
 private slots:
     void initTestCase() {
         qRegisterMetaType<exports::ExportContent>("edgescan::ExportContent");
-        sim::SimulationSettings settings;
-        settings.seed = 4711;
-        settings.lines = 400;
-        settings.beams = 457;
-        auto simulation = sim::simulate(settings);
-        QVERIFY(simulation);
-        scan_ = simulation->scan;
+        const auto bell = test::simulatedBell(400, 457, 4711);
+        QVERIFY(bell);
+        scan_ = *bell;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(files::saveScan(scan_, bell_));
     }

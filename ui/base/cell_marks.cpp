@@ -33,10 +33,10 @@ public:
     Tags& operator=(const Tags&) = delete;
     ~Tags() { painter_.restore(); }
 
-    /// `beside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`.
-    void draw(const QPointF& at, double beside, double above, const QString& text, bool active) {
+    /// `aside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`.
+    void draw(const QPointF& at, double aside, double above, const QString& text, bool active) {
         if (text.isEmpty()) return;
-        const QRectF box = freePlace(at, beside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
+        const QRectF box = freePlace(at, aside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
         taken_.push_back(box);
         drawn_.push_back(box);
         painter_.setPen(active ? Qt::black : QColor(232, 232, 232));
@@ -48,9 +48,9 @@ public:
 
 private:
     /// The free place nearest to the usual one: at either side of the mark or next to what is taken. The usual one if all are taken.
-    [[nodiscard]] QRectF freePlace(const QPointF& at, double beside, double above, const QSizeF& size) const {
-        const QPointF usual(at.x() + beside, at.y() - above - size.height());
-        std::vector<double> lefts{usual.x(), at.x() - beside - size.width()}, tops{usual.y()};
+    [[nodiscard]] QRectF freePlace(const QPointF& at, double aside, double above, const QSizeF& size) const {
+        const QPointF usual(at.x() + aside, at.y() - above - size.height());
+        std::vector<double> lefts{usual.x(), at.x() - aside - size.width()}, tops{usual.y()};
         for (const QRectF& other : taken_) {
             tops.insert(tops.end(), {other.bottom() + kBetweenTags, other.top() - size.height() - kBetweenTags});
             lefts.insert(lefts.end(), {other.right() + kBetweenTags, other.left() - size.width() - kBetweenTags});

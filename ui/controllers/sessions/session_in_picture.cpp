@@ -35,8 +35,7 @@ std::string sessionIn(const QString& picture) {
     return QByteArray::fromBase64(QByteArray::fromStdString(text)).toStdString();
 }
 
-std::optional<Result<inspect::ReadSession>> sessionOf(const QString& path) {
-    if (isSessionFile(path)) return inspect::readSession(exactBytes(path));
+std::optional<Result<inspect::ReadSession>> sessionOfPicture(const QString& path) {
     const std::string text = sessionIn(path);
     if (text.empty()) return std::nullopt;
     return inspect::sessionFromText(text, exactBytes(QFileInfo(absolutePath(path)).path()), exactBytes(path));

@@ -17,7 +17,7 @@ namespace edgescan::ui {
 [[nodiscard]] QImage withSession(QImage picture, const std::string& text);
 /// The session text in a picture; empty: none. For any thread.
 [[nodiscard]] std::string sessionIn(const QString& picture);
-/// Reads a session file or a picture with a session; empty: the file is neither. For any thread.
-[[nodiscard]] std::optional<Result<inspect::ReadSession>> sessionOf(const QString& path);
+/// The session of a picture; empty: it has none. For any thread.
+[[nodiscard]] std::optional<Result<inspect::ReadSession>> sessionOfPicture(const QString& path);
 
 } // namespace edgescan::ui

@@ -208,9 +208,10 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
     inBackground(
         this,
         [this, paths, options, first, number = ++readings_]() -> std::function<void()> {
-            auto read = sessionOf(first);
-            const QString own = isSessionFile(first) ? first : QString(); // a picture is not written to
-            if (read && *read) {                                          // those that exist
+            const bool isFile = isSessionFile(first);
+            auto read = isFile ? inspect::readSession(exactBytes(first)) : sessionOfPicture(first);
+            const QString own = isFile ? first : QString(); // a picture is not written to
+            if (read && *read) {                            // those that exist
                 std::error_code none;
                 std::erase_if((*read)->places, [&](const std::filesystem::path& place) { return !std::filesystem::exists(place, none); });
             }
