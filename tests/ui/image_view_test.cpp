@@ -160,6 +160,32 @@ private slots:
         }
     }
 
+    void linesToComeAreHatchedAtEveryZoom() {
+        for (const int lines : {40, 300, 3000}) {
+            auto image = std::make_shared<QImage>(400, lines, QImage::Format_RGB32);
+            image->fill(qRgb(30, 30, 30));
+            view_->setImage(image);
+            view_->setToCome(QRect(0, lines / 2, 400, lines - lines / 2));
+            const QImage shown = grab(*view_);
+            const QRectF measured(port_->toPixel({100, 0}, view_->size()), port_->toPixel({300, lines / 2.0}, view_->size()));
+            const QRectF toCome(port_->toPixel({100, lines / 2.0}, view_->size()), port_->toPixel({300, 1.0 * lines}, view_->size()));
+            const auto bright = [&](const QRectF& area) {
+                const QRect pixels = QRectF(area.topLeft() * view_->devicePixelRatioF(), area.size() * view_->devicePixelRatioF())
+                                         .toRect()
+                                         .adjusted(2, 2, -2, -2);
+                int count = 0;
+                for (int y = pixels.top(); y <= pixels.bottom(); ++y) {
+                    for (int x = pixels.left(); x <= pixels.right(); ++x) count += qGray(shown.pixel(x, y)) > 45 ? 1 : 0;
+                }
+                return 1.0 * count / (pixels.width() * pixels.height());
+            };
+            QCOMPARE(bright(measured), 0.0);
+            const double share = bright(toCome);
+            QVERIFY2(share > 0.05 && share < 0.5, qPrintable(QString("%1 lines: %2").arg(lines).arg(share)));
+        }
+        view_->setToCome(QRect());
+    }
+
     void theSameImageAgainCostsNothing() {
         const auto image = ramp(200, 100);
         view_->setImage(image);

@@ -8,6 +8,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/themes.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/panels/tuning/warning_button.h"
 
@@ -257,6 +258,21 @@ private slots:
             QVERIFY(!on.viewer.warnings.isVisible());
             QCOMPARE(on.window.screenshot().height(), static_cast<int>(on.window.height() * with.devicePixelRatio()));
         }
+    }
+
+    // The picture of the cloud is painted afterwards, and must not cover what is over the cloud.
+    void aScreenshotHasTheWholeNoticeOverTheCloud() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        on.viewer.notice.showNotice(NoticeBar::Kind::Error, QString("it failed\n").repeated(8));
+        on.viewer.notice.unfold(true);
+        const CloudView& cloud = on.viewer.cloud;
+        const auto lowest = [&](const QWidget& widget) { return widget.mapTo(&on.window, QPoint(0, widget.height() - 1)).y(); };
+        QTRY_VERIFY(lowest(on.viewer.notice) > cloud.mapTo(&on.window, QPoint(0, 0)).y() + 20);
+        const QImage shot = on.window.screenshot();
+        const QPoint last(cloud.mapTo(&on.window, QPoint(cloud.width() / 2, 0)).x(), lowest(on.viewer.notice) - 2);
+        QCOMPARE(shot.pixelColor(last * shot.devicePixelRatio()), themeInUse().panel);
+        QCOMPARE(shot.pixelColor((last + QPoint(0, 4)) * shot.devicePixelRatio()), QColor(48, 48, 48));
     }
 
     void aScreenshotThatIsNotWrittenIsTold() {

@@ -89,6 +89,22 @@ QString titleOf(const Scan& scan) {
     return shownName(exactText(file.starts_with(scan.name + '.') ? file : scan.name));
 }
 
+/// Visible widgets that cover a part of `below`, the lowest first: stacked above it or above one of its parents up to `window`.
+std::vector<QWidget*> shownOver(QWidget& below, const QWidget& window) {
+    std::vector<QWidget*> over;
+    const QRect place(below.mapTo(&window, QPoint(0, 0)), below.size());
+    for (QWidget* part = &below; part != &window; part = part->parentWidget()) {
+        const QObjectList& stack = part->parentWidget()->children(); // the highest at the end
+        for (auto n = stack.indexOf(part) + 1; n < stack.size(); ++n) {
+            auto* widget = qobject_cast<QWidget*>(stack[n]);
+            if (widget != nullptr && widget->isVisible() && !widget->isWindow() &&
+                place.intersects(QRect(widget->mapTo(&window, QPoint(0, 0)), widget->size())))
+                over.push_back(widget);
+        }
+    }
+    return over;
+}
+
 } // namespace
 
 MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(parent), viewer_(preferences), rail_(new DockRail) {
@@ -292,7 +308,6 @@ void MainWindow::showTitle() {
 
 void MainWindow::showWarnings() { viewer_.warnings.showWarnings(warningsOf(*viewer_.engine.picture())); }
 
-/// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged.
 QImage MainWindow::screenshot() {
     const QImage cloud = viewer_.cloud.grabFrame(CloudView::Points::All);
     panes_.back()->setRemark(QString()); // its text describes a frame and is wrong for this picture
@@ -300,6 +315,7 @@ QImage MainWindow::screenshot() {
     // The result of grab() for an OpenGL child depends on the platform: the view's own picture replaces it.
     QPainter painter(&image);
     painter.drawImage(QRect(viewer_.cloud.mapTo(this, QPoint(0, 0)), viewer_.cloud.size()), cloud);
+    for (QWidget* widget : shownOver(viewer_.cloud, *this)) widget->render(&painter, widget->mapTo(this, QPoint(0, 0)));
     painter.end();
     return withWarnings(image, coreSentence(viewer_.warnings.warnings().join('\n')).split('\n', Qt::SkipEmptyParts), font());
 }

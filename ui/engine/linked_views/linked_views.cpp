@@ -179,6 +179,7 @@ void LinkedViews::applyScene() {
     for (ImageView* view : images_) {
         view->setFaces(scene_.faces, scene_.facesFaded);
         view->setLost(scene_.picture->lost);
+        view->setToCome(linesToCome(*scene_.picture));
     }
     showCaption();
     if (cloud_.edgeColours() != scene_.colours) cloud_.setEdgeColours(scene_.colours);

@@ -184,6 +184,11 @@ std::vector<QRect> lostAreas(const Scan& scan) {
     return areas;
 }
 
+QRect linesToCome(const Picture& picture) {
+    const int lines = picture.detection->scan->lines();
+    return {0, lines, picture.gray->width(), picture.gray->height() - lines};
+}
+
 std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::Detection>& detection, const PictureSource& source,
                                            const edges::Settings& asked, const std::shared_ptr<const CloudGeometry>& cloud,
                                            const std::shared_ptr<const Picture>& last) {

@@ -67,6 +67,9 @@ struct Picture {
 /// Rectangles that together are the lost cells, from the first line on; at most a few thousand.
 [[nodiscard]] std::vector<QRect> lostAreas(const Scan& scan);
 
+/// Rows of the images that the scan does not have yet; empty: the scan does not grow.
+[[nodiscard]] QRect linesToCome(const Picture& picture);
+
 /// Images of `detection`; unchanged parts are reused from `last` (may be null).
 [[nodiscard]] std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::Detection>& detection,
                                                          const PictureSource& source, const edges::Settings& asked,

@@ -17,6 +17,7 @@ namespace {
 constexpr double kRing = 7.0;     // radius, px
 constexpr int kRoomForTags = 420; // px of the view: in a smaller view targets show only their numbers
 const QColor kLostDash(242, 181, 74);
+const QColor kToComeHatch(62, 65, 70);
 constexpr double kFaded = 0.45;      // opacity of faces of an older picture
 const QColor kTrail(86, 180, 233);   // its frames separate it from edges as well
 constexpr double kLeastFramed = 4.0; // px of a cell: frames round smaller cells would cover them
@@ -129,6 +130,10 @@ void ImageView::setLost(std::vector<QRect> areas) {
     update();
 }
 
+void ImageView::setToCome(const QRect& area) {
+    if (std::exchange(toCome_, area) != area) update();
+}
+
 void ImageView::setTaken(int pixels) {
     if (std::exchange(taken_, pixels) != pixels) update();
 }
@@ -186,6 +191,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), background_);
     drawPyramid(painter, picture_);
+    if (!toCome_.isEmpty()) painter.fillRect(toPixels(QRectF(toCome_)), QBrush(kToComeHatch, Qt::BDiagPattern));
     drawLost(painter);
     if (!faces_.empty()) {
         painter.setOpacity(facesFaded_ ? kFaded : 1.0);

@@ -83,6 +83,8 @@ public:
 
     /// Areas of lost cells: amber dashes over them, of the same size at every zoom.
     void setLost(std::vector<QRect> areas);
+    /// Area of lines that a growing sweep still brings, x = beam, y = line: hatched. Empty: none.
+    void setToCome(const QRect& area);
     void setTitle(const QString& title);
     /// Pixels at the top right that another widget covers: the texts avoid them.
     void setTaken(int pixels);
@@ -166,6 +168,7 @@ private:
     QString title_, note_, stale_;
     int taken_ = 0;
     std::vector<QRect> lost_;
+    QRect toCome_;
     QColor background_{48, 48, 48};
 
     Drag drag_ = Drag::None;
