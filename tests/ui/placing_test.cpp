@@ -2,6 +2,7 @@
 #include "core/files/open_save/pose_sidecar.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/run_program.h"
+#include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/files/placing.h"
@@ -213,7 +214,7 @@ private slots:
         QVERIFY(on.placing.dialog()->minimumSizeHint().height() <= 600);
         QVERIFY(on.placing.dialog()->minimumSizeHint().width() <= 640);
         const std::string other = (folder_ / "other.json").string();
-        QVERIFY(bool(files::saveScan(sim::simulate({.lines = 60, .beams = 80})->scan, other)));
+        QVERIFY(bool(files::saveScan(*test::simulatedBell(60, 80), other)));
         QVERIFY(on.open(other));
         QVERIFY(!on.placing.dialog()->isVisible());
         QVERIFY(on.place() == nullptr);

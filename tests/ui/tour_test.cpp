@@ -19,8 +19,6 @@
 using namespace edgescan;
 using namespace edgescan::ui;
 
-namespace {
-
 struct FirstStart : WindowFixture {
     explicit FirstStart(const QString& ini = {}) : WindowFixture(ini), tour(*window.findChild<Tour*>("tour")) {}
 
@@ -34,8 +32,6 @@ struct FirstStart : WindowFixture {
     Tour& tour;
     StartPage* page = nullptr;
 };
-
-} // namespace
 
 class TourTest : public QObject {
     Q_OBJECT

@@ -17,7 +17,8 @@ namespace edgescan::ui {
 
 Command themeMenu(QObject& parent, Preferences& preferences) {
     constexpr const char* kKey = "view/theme";
-    const Theme& remembered = themeOf(preferences.text(kKey));
+    const QString key = preferences.text(kKey);
+    const Theme& remembered = themeOf(key);
     if (&remembered != &themeInUse()) useColours(remembered);
     auto* group = new QActionGroup(&parent);
     Command menu = submenu("&Theme", {});

@@ -108,9 +108,9 @@ TEST(RecordSchema, EveryFormatsRecordsFollowIt) {
             const auto sidecar = SchemaJson::parse(readText(files::sidecarPath(one.path)));
             EXPECT_EQ(schemaProblem(sidecar, schema(), schema()), "");
             EXPECT_EQ(sidecar["export"]["sha256"], sha256Hex(std::as_bytes(std::span(bytes))));
-            std::size_t cells = 0;
-            for (const auto& [state, count] : sidecar["record"]["cells"].items()) cells += count.get<std::size_t>();
-            EXPECT_EQ(cells, 12U * 16U);
+            std::size_t counted = 0;
+            for (const auto& [state, count] : sidecar["record"]["cells"].items()) counted += count.get<std::size_t>();
+            EXPECT_EQ(counted, 12U * 16U);
             if (one.content != ExportContent::WholeScan) {
                 const auto& set = sidecar["record"]["default_settings"];
                 EXPECT_EQ(set["name"], edges::kDefaultSet.name);

@@ -108,7 +108,9 @@ TEST(EdgeConfidence, BandsHoldEveryPercentageOnce) {
         const std::size_t band = confidenceBand(percent);
         ASSERT_LT(band, kConfidenceBands.size());
         EXPECT_GE(percent, kConfidenceBands[band]);
-        if (band > 0) EXPECT_LT(percent, kConfidenceBands[band - 1]);
+        if (band > 0) {
+            EXPECT_LT(percent, kConfidenceBands[band - 1]);
+        }
     }
 }
 

@@ -64,8 +64,8 @@ TEST(Laz, WhatLaszipPackedIsTheGridThatWasSaved) {
     EXPECT_EQ(laz->state, las->state);
     EXPECT_EQ(las->rangeMm, scan.rangeMm); // by the columns line, beam and range_mm, which both hold as extra bytes
     // Every byte of the file was read; what follows it is reported.
-    const auto said = [](const auto& scan) {
-        return std::ranges::any_of(scan->warnings, [](const auto& w) { return w.find("were not read") != std::string::npos; });
+    const auto said = [](const auto& opened) {
+        return std::ranges::any_of(opened->warnings, [](const auto& w) { return w.find("were not read") != std::string::npos; });
     };
     EXPECT_FALSE(said(laz));
     const auto longer = readBytes(readText(folder / "cloud.laz") + "twelve bytes", ".laz");

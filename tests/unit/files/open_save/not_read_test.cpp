@@ -109,14 +109,14 @@ TEST(NotRead, PaddingWithZerosIsSilent) {
 
 TEST(NotRead, ASecondArrayIsReported) {
     const auto seeds = everyReader();
-    const SeedFile& array = seedOf(seeds, ".npy");
+    const SeedFile array = seedOf(seeds, ".npy");
     EXPECT_NE(joined(newWarnings(array.bytes + array.bytes, array)).find("more than one array"), std::string::npos);
 }
 
 #ifdef EDGESCAN_WITH_TIFF
 TEST(NotRead, ASecondPageAndAnOrientationOfATiffAreReported) {
     const auto seeds = everyReader();
-    const SeedFile& tiff = seedOf(seeds, ".tif");
+    const SeedFile tiff = seedOf(seeds, ".tif");
     EXPECT_NE(joined(newWarnings(withEntry(tiff.bytes, tiffEntry(274, 6)), tiff)).find("orientation 6"), std::string::npos);
     EXPECT_EQ(joined(newWarnings(withEntry(tiff.bytes, tiffEntry(274, 1)), tiff)), "");
     std::string twoPages = tiff.bytes;
@@ -130,7 +130,7 @@ TEST(NotRead, ASecondPageAndAnOrientationOfATiffAreReported) {
 
 TEST(NotRead, AnOrientationOfAPngIsReported) {
     const auto seeds = everyReader();
-    const SeedFile& png = seedOf(seeds, ".png");
+    const SeedFile png = seedOf(seeds, ".png");
     for (const int orientation : {1, 3, 8}) {
         std::string exif("II*\0\x08\0\0\0\x01\0", 10);
         exif += tiffEntry(274, static_cast<std::uint16_t>(orientation)) + std::string(4, '\0');

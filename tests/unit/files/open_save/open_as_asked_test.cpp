@@ -20,9 +20,11 @@ TEST(OpenAsAsked, AnglesAreCorrectedOnlyWhereThatIsAsked) {
     const auto path = folder / "interlaced.json";
     ASSERT_TRUE(saveScan(sim::simulate(settings)->scan, path));
 
-    const auto bare = openScan(path, {.straighten = true});
+    ReadingOptions asked;
+    asked.straighten = true;
+    const auto bare = openScan(path, asked);
     const auto told = openAsAsked(path);
-    const auto straight = openAsAsked(path, {.straighten = true});
+    const auto straight = openAsAsked(path, asked);
     ASSERT_TRUE(bare && told && straight);
     EXPECT_TRUE(bare->warnings.empty());
     EXPECT_EQ(bare->openedWith, "");

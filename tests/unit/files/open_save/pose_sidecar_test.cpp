@@ -27,6 +27,8 @@ std::string poseAt(const char* easting) {
     return typedPlace({pose}, {nominalMounting(Axis::Spin)}).file;
 }
 
+} // namespace
+
 struct PoseSidecar : ::testing::Test {
     test::TemporaryFolder folder;
     std::string scan = (folder / "wall.json").string();
@@ -34,8 +36,6 @@ struct PoseSidecar : ::testing::Test {
         ASSERT_TRUE(saveScan(test::makeScan({.axis = Axis::Spin, .lines = 10, .beams = 8, .lineStart = 0, .lineStep = 0.18}), scan));
     }
 };
-
-} // namespace
 
 TEST_F(PoseSidecar, PlacesTheScanWhoeverOpensIt) {
     EXPECT_EQ(openScan(scan)->placement, nullptr);

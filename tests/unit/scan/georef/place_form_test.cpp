@@ -99,24 +99,24 @@ TEST(PlaceForm, EachWrongTextHasItsSentence) {
 }
 
 TEST(PlaceForm, EveryNumberOfACalibrationComesBack) {
-    for (const std::string& json : {test::calibrationText(test::exampleCalibration()), test::calibrationText([] {
-                                        Calibration c;
-                                        c.viewing = Viewing::Matrix;
-                                        c.viewingMatrix << 0, 1, 0, -1, 0, 0, 0, 0, 1;
-                                        c.headInRobotM = {1, 2, 3};
-                                        c.armM = {3, 0, 0.1};
-                                        c.slewAboutRobotZ = true;
-                                        c.tilt = TiltReading::PitchRoll;
-                                        c.direction = -1;
-                                        c.zeroDeg = 90.000000000001;
-                                        c.poseAgeLimitS = 5;
-                                        return c;
-                                    }())}) {
-        const auto texts = placeTexts(mountingFields(), json, "robot.json");
+    for (const std::string& robot : {test::calibrationText(test::exampleCalibration()), test::calibrationText([] {
+                                         Calibration c;
+                                         c.viewing = Viewing::Matrix;
+                                         c.viewingMatrix << 0, 1, 0, -1, 0, 0, 0, 0, 1;
+                                         c.headInRobotM = {1, 2, 3};
+                                         c.armM = {3, 0, 0.1};
+                                         c.slewAboutRobotZ = true;
+                                         c.tilt = TiltReading::PitchRoll;
+                                         c.direction = -1;
+                                         c.zeroDeg = 90.000000000001;
+                                         c.poseAgeLimitS = 5;
+                                         return c;
+                                     }())}) {
+        const auto texts = placeTexts(mountingFields(), robot, "robot.json");
         ASSERT_TRUE(texts) << texts.error().sentence();
         const auto file = typedMounting({*texts});
         ASSERT_TRUE(file) << file.error().what;
-        const auto before = parseCalibration(json, "before"), after = parseCalibration(*file, "after");
+        const auto before = parseCalibration(robot, "before"), after = parseCalibration(*file, "after");
         ASSERT_TRUE(before && after);
         EXPECT_EQ(*after, *before);
     }
@@ -149,9 +149,9 @@ TEST(PlaceForm, APoseFileMayHoldItsCalibration) {
     ASSERT_TRUE(poses->calibration);
     EXPECT_EQ(poses->calibration->talinInRobotM, Vector3d(-0.85, 0.1, 1.15));
     EXPECT_EQ(poses->calibration->tilt, TiltReading::PitchRoll);
-    auto json = nlohmann::json::parse(place.file);
-    json["calibration"]["grid"]["scale"] = 2;
-    const auto wrong = parsePoses(json.dump(), "pose.json");
+    auto changed = nlohmann::json::parse(place.file);
+    changed["calibration"]["grid"]["scale"] = 2;
+    const auto wrong = parsePoses(changed.dump(), "pose.json");
     ASSERT_FALSE(wrong);
     EXPECT_NE(wrong.error().sentence().find("\"grid.scale\" is 2"), std::string::npos);
 }
