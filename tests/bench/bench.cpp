@@ -16,8 +16,10 @@
 #include "core/scan/grid/cartesian.h"
 #include "core/scan/grid/opencv_view.h"
 #include "core/sim/simulate.h"
+#include "tests/bench/goals.h"
 #include "tests/bench/naive_thesis.h"
 #include "tests/bench/programs.h"
+#include "tests/bench/sliders.h"
 #include "tests/bench/timing.h"
 #include "tests/support/folders.h"
 #include "tests/support/run_program.h"
@@ -44,25 +46,9 @@ struct Wanted {
     std::string previous;
 };
 
-enum class Good : std::uint8_t { AtMost, AtLeast };
-
-// One row of the table. `measured`: the ratio on record, which `--short` guards with a third of play.
-struct Goal {
-    const char* what;
-    Good direction;
-    double goal, measured;
-
-    [[nodiscard]] bool isReached(double ratio) const { return direction == Good::AtMost ? ratio <= goal : ratio >= goal; }
-    [[nodiscard]] double limit() const { return direction == Good::AtMost ? measured / 0.75 : measured * 0.75; }
-    [[nodiscard]] bool isHeld(double ratio) const { return direction == Good::AtMost ? ratio <= limit() : ratio >= limit(); }
-    [[nodiscard]] const char* words() const { return direction == Good::AtMost ? "at most" : "at least"; }
-};
-
 constexpr Goal kPlusToThesis{"EdgeScan+, one thread / thesis's recipe in plain OpenCV", Good::AtMost, 4, 5.7};
 constexpr Goal kPlusWallToThesis{"EdgeScan+, two threads / thesis's recipe in plain OpenCV, wall", Good::AtMost, 2.3, 3.3};
 constexpr Goal kTwoThreads{"EdgeScan+, one thread / two threads, wall", Good::AtLeast, 1.6, 1.7};
-constexpr Goal kSlider{"slider that measures again / full EdgeScan+", Good::AtMost, 0.5, 0.8};
-constexpr Goal kDecision{"slider that only decides / full EdgeScan+", Good::AtMost, 0.08, 0.07};
 constexpr Goal kCurve{"edge-count curve / full EdgeScan+", Good::AtMost, 2, 1.4};
 constexpr Goal kNaive{"naive / thesis's recipe, ranges to index + XYZ + label", Good::AtLeast, 60, 22};
 constexpr Goal kOpenCvAvx2{"plain OpenCV / edge map, avx2", Good::AtLeast, 4, 2.2};
@@ -81,22 +67,6 @@ const Goal& openCvGoal(const std::string& name) {
     }
     return kOpenCvAny;
 }
-
-// Prints rows and remembers whether no ratio became worse than the one on record.
-class Table {
-public:
-    void begin(const char* title) const { std::printf("\n## %s\n\n| ratio | measured | goal | reached |\n|---|---|---|---|\n", title); }
-    void row(const Goal& goal, double ratio) {
-        std::printf("| %s | %.2f | %s %g | %s |\n", goal.what, ratio, goal.words(), goal.goal, goal.isReached(ratio) ? "yes" : "no");
-        if (goal.isHeld(ratio)) return;
-        held_ = false;
-        std::fprintf(stderr, "edgescan-bench: %s: %.2f, and %s %.2f is demanded\n", goal.what, ratio, goal.words(), goal.limit());
-    }
-    [[nodiscard]] bool areAllHeld() const { return held_; }
-
-private:
-    bool held_ = true;
-};
 
 // A sweep of scale^2 million cells: the bell and its mirror images next to each other, so that a seam is never an edge.
 Scan enlarged(const Scan& scan, int scale) {
@@ -121,13 +91,6 @@ Scan enlarged(const Scan& scan, int scale) {
         }
     }
     return large;
-}
-
-void runPlus(const Scan& scan, int threads) {
-    const edges::Settings settings;
-    const edges::DepthEdges found = edges::decideDepthEdges(
-        edges::depthResponses(edges::depthSurface(scan, true, threads), settings, nullptr, threads), settings, threads);
-    (void)edges::edgeCells(found.mask);
 }
 
 Grid<std::uint8_t> thesisMask(const Scan& scan, const edges::Settings& thesis) {
@@ -217,37 +180,25 @@ LabelledCloud labelledCloud(const Scan& scan, const edges::Settings& thesis) {
     return cloud;
 }
 
-// Bytes that one thread copies per millisecond: bytes read plus bytes written.
-double bytesPerMs() {
-    std::vector<char> from(std::size_t{128} << 20U, 1), to(from.size());
-    std::vector<Candidate> copy{{"copy", [&] { std::memcpy(to.data(), from.data(), from.size()); }}};
-    measureInTurn(copy, 5);
-    return 2.0 * static_cast<double>(from.size()) / medianOf(copy[0].cpuMs);
-}
-
-// Measures full runs, sliders and the gray path at one size.
+// Measures full runs and the gray path at one size.
 void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
     const edges::Settings thesis = edges::findPreset("thesis")->settings;
     const edges::Settings plus;
-    const edges::DepthSurface surface = edges::depthSurface(scan, true);
-    const edges::DepthResponses responses = edges::depthResponses(surface, plus);
     const Grid<std::uint8_t> blurred = edges::smooth(edges::grayImage(scan, thesis).levels, thesis);
     const auto detection = edges::detectEdges(std::make_shared<const Scan>(scan), thesis);
     const edges::SweptEdges swept(edges::thresholdMapOf(*detection));
     const auto plusDetection = edges::detectEdges(std::make_shared<const Scan>(scan), plus);
-    enum { kThesis, kOneThread, kTwo, kMeasure, kDecide, kPlain, kSweptCanny, kSweptOurs, kCloud, kCounts };
-    std::vector<Candidate> runs{
-        {"thesis's recipe, ours", [&] { (void)edges::edgeCells(thesisMask(scan, thesis)); }},
-        {"EdgeScan+, one thread", [&] { runPlus(scan, 1); }},
-        {"EdgeScan+, two threads", [&] { runPlus(scan, 2); }},
-        {"its slider that measures", [&] { (void)edges::decideDepthEdges(edges::depthResponses(surface, plus, nullptr, 1), plus); }},
-        {"its slider that decides", [&] { (void)edges::decideDepthEdges(responses, plus); }},
-        {"plain OpenCV", [&] { (void)plainOpenCv(scan, thesis); }},
-        {"cv::Canny on the cached blur", [&] { (void)cvCanny(blurred, thesis); }},
-        {"sorted threshold map at a threshold", [&] { (void)swept.at(thesis.lower); }},
-        {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }},
-        {"edge-count curve of EdgeScan+",
-         [&] { (void)edges::edgeCountCurve(*plusDetection, edges::sliderValues(edges::sweptParameter(plus.method))); }}};
+    enum { kThesis, kOneThread, kTwo, kPlain, kSweptCanny, kSweptOurs, kCloud, kCounts };
+    std::vector<Candidate> runs{{"thesis's recipe, ours", [&] { (void)edges::edgeCells(thesisMask(scan, thesis)); }},
+                                {"EdgeScan+, one thread", [&] { runPlus(scan, 1); }},
+                                {"EdgeScan+, two threads", [&] { runPlus(scan, 2); }},
+                                {"plain OpenCV", [&] { (void)plainOpenCv(scan, thesis); }},
+                                {"cv::Canny on the cached blur", [&] { (void)cvCanny(blurred, thesis); }},
+                                {"sorted threshold map at a threshold", [&] { (void)swept.at(thesis.lower); }},
+                                {"thesis's recipe, to labelled points", [&] { (void)labelledCloud(scan, thesis); }},
+                                {"edge-count curve of EdgeScan+", [&] {
+                                     (void)edges::edgeCountCurve(*plusDetection, edges::sliderValues(edges::sweptParameter(plus.method)));
+                                 }}};
     const std::size_t firstLoops = runs.size(); // by each instruction set; the limits of the ranges by the widest
     for (const InstructionSet set : kInstructionSets) {
         if (!isHere(set)) continue;
@@ -265,17 +216,11 @@ void measureSize(const Scan& scan, int rounds, bool walls, Table& table) {
         table.row(kPlusWallToThesis, wall(kTwo) / wall(kPlain));
         table.row(kTwoThreads, wall(kOneThread) / wall(kTwo));
     }
-    table.row(kSlider, cpu(kMeasure) / cpu(kOneThread));
-    table.row(kDecision, cpu(kDecide) / cpu(kOneThread));
     table.row(kCurve, cpu(kCounts) / cpu(kOneThread));
     for (std::size_t n = firstLoops; n < naive; ++n) table.row(openCvGoal(runs[n].name), cpu(kPlain) / cpu(n));
     table.row(kThreshold, cpu(kSweptCanny) / cpu(kSweptOurs));
     if (runs.size() > naive) table.row(kNaive, cpu(naive) / cpu(kCloud));
-    const double least = 7.0 * static_cast<double>(scan.cells()) / bytesPerMs(); // range and state read, mask and class written
-    std::printf("\n| candidate | thread CPU, ms | wall, ms | x memory's limit | ns per cell |\n|---|---|---|---|---|\n");
-    for (const Candidate& run : runs)
-        std::printf("| %s | %.2f | %.2f | %.1f | %.1f |\n", run.name.c_str(), medianOf(run.cpuMs), medianOf(run.wallMs),
-                    medianOf(run.cpuMs) / least, 1e6 * medianOf(run.cpuMs) / static_cast<double>(scan.cells()));
+    printCandidates(runs, scan);
 }
 
 // The loops of a process are of one instruction set: this program measures the scan of a file and prints its milliseconds.
@@ -405,7 +350,9 @@ int main(int argc, char** argv) {
     for (const int millions : wanted->isShort ? std::vector<int>{1} : wanted->millions) {
         const int scale = scaleOf(millions);
         const int rounds = std::max(std::min(3, wanted->rounds), wanted->rounds / scale);
-        measureSize(enlarged(simulated->scan, scale), rounds, !wanted->isShort, table);
+        const Scan scan = enlarged(simulated->scan, scale);
+        measureSize(scan, rounds, !wanted->isShort, table);
+        measureSliders(scan, rounds, table);
     }
     measureInstructionSets(simulated->scan, wanted->isShort ? 3 : wanted->rounds, table);
     if (!wanted->isShort && wanted->peers) measurePeers(simulated->scan, table);

@@ -89,7 +89,7 @@ void printWithThreads(const std::string& name, const Scan& scan, const edges::Se
     Hash mask, rest;
     mask.add(found.mask.cells);
     rest.add(found.kind.cells);
-    rest.add(responses.jump.cells);
+    rest.add(responses.jump->cells);
     rest.add(responses.crease.cells);
     rest.add(responses.border);
     rest.add(responses.silhouettes);
@@ -106,7 +106,7 @@ void print(const std::string& name, const Scan& scan, const edges::Settings& bas
         rest.add(*found->edges);
         if (found->classes) rest.add(found->classes->cells);
         if (found->responses) {
-            rest.add(found->responses->jump.cells);
+            rest.add(found->responses->jump->cells);
             rest.add(found->responses->crease.cells);
             rest.add(found->responses->border);
             rest.add(edges::requestedStrength(*found->responses, settings).cells);

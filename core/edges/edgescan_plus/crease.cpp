@@ -224,9 +224,22 @@ EDGESCAN_INLINE void fitBlock(const Cells& at, Count count, const DepthLimits& l
     }
 }
 
-// S_C of the cells in one direction; the slope across it tilts both planes.
+// Where the parts of S_C of some cells in one direction are written.
+struct PartsOut {
+    float *size, *all, *flatter, *noise;
+    [[nodiscard]] PartsOut from(int first) const { return {size + first, all + first, flatter + first, noise + first}; }
+    [[nodiscard]] FoldParts read() const { return {size, all, flatter, noise}; }
+};
+// The same for a block that is not stored.
+struct BlockParts {
+    Values size, all, flatter, noise;
+    [[nodiscard]] PartsOut out() { return {size.data(), all.data(), flatter.data(), noise.data()}; }
+};
+
+// The parts of S_C of the cells in one direction; the slope across it tilts both planes.
 template <class Count>
-EDGESCAN_INLINE void strengthsOf(const LineFits& along, const LineFits& across, Count count, float least, float* __restrict out) {
+EDGESCAN_INLINE void partsOf(const LineFits& along, const LineFits& across, Count count, const PartsOut& out) {
+    float* __restrict sizes = out.size, * __restrict alls = out.all, * __restrict flatters = out.flatter, * __restrict noises = out.noise;
     for (int j = 0; j < count; ++j) {
         const float a = along.before[j];
         const float b = along.after[j];
@@ -235,51 +248,88 @@ EDGESCAN_INLINE void strengthsOf(const LineFits& along, const LineFits& across, 
         const float fold = angleDeg(std::abs(a - b) * std::sqrt(tilted), a * b + tilted);
         // The limit angle times `flatter`: C0, or the angle that noise causes on a flat surface.
         const float flatter = std::min(a * a, b * b) + tilted;
-        const float floor = std::max(least * flatter, kNoiseFloor * kDegPerRad * std::sqrt(along.noise[j] * tilted));
         // How well the lines meet, by their distance across the surface, not along the beam: the square root of meet / (meet + apart).
         const float mean = 0.5F * (a + b);
         const float meet = along.meet[j] * along.meet[j] * (mean * mean + tilted);
         const float all = std::max(meet + along.apart[j] * along.apart[j], 1e-30F);
-        const float size = along.fitted[j] * fold * flatter * std::sqrt(meet * all) / (all * floor);
-        out[j] = a < b ? size : -size;
+        const float size = along.fitted[j] * fold * flatter * std::sqrt(meet * all);
+        sizes[j] = a < b ? size : -size;
+        alls[j] = all;
+        flatters[j] = flatter;
+        noises[j] = kNoiseFloor * kDegPerRad * std::sqrt(along.noise[j] * tilted);
     }
 }
 
+template <class Count>
+EDGESCAN_INLINE void strengthsOf(const FoldParts& parts, Count count, float least, float* __restrict out) {
+    for (int j = 0; j < count; ++j) {
+        const float floor = std::max(least * parts.flatter[j], parts.noise[j]);
+        out[j] = parts.size[j] / (parts.all[j] * floor);
+    }
+}
+
+EDGESCAN_INLINE void strengthsOfParts(const FoldParts& parts, int cells, float least, float* out) { strengthsOf(parts, cells, least, out); }
+
+// A line of cells in one direction: what is read, and what is written.
+struct FoldWay {
+    Cells cells;
+    float* strengths;
+    const PartsOut* parts; // null: not stored
+
+    [[nodiscard]] EDGESCAN_INLINE FoldWay from(int first) const {
+        return {{cells.u + first, cells.links + first, cells.angle + first, cells.step}, strengths + first, parts};
+    }
+};
+
+template <class Count>
+EDGESCAN_INLINE void foldWay(const FoldWay& way, const LineFits& along, const LineFits& across, Count count, int first, float creaseDeg) {
+    BlockParts own;
+    const PartsOut parts = way.parts != nullptr ? way.parts->from(first) : own.out();
+    partsOf(along, across, count, parts);
+    strengthsOf(parts.read(), count, creaseDeg, way.strengths);
+}
+
 template <class Lanes, class Count>
-EDGESCAN_INLINE void foldBlock(const Cells& beamwise, const Cells& linewise, Count count, const DepthLimits& limits, float* alongBeams,
-                               float* alongLines) {
+EDGESCAN_INLINE void foldBlock(const FoldWay& beamwise, const FoldWay& linewise, Count count, int first, const DepthLimits& limits) {
     LineFits beams, lines;
-    fitBlock<Lanes>(beamwise, count, limits, beams);
-    fitBlock<Lanes>(linewise, count, limits, lines);
-    strengthsOf(beams, lines, count, limits.creaseDeg, alongBeams);
-    strengthsOf(lines, beams, count, limits.creaseDeg, alongLines);
+    fitBlock<Lanes>(beamwise.cells, count, limits, beams);
+    fitBlock<Lanes>(linewise.cells, count, limits, lines);
+    foldWay(beamwise, beams, lines, count, first, limits.creaseDeg);
+    foldWay(linewise, lines, beams, count, first, limits.creaseDeg);
 }
 
 // Processes a line in blocks. The last block overlaps the one before, so that loops never end with single cells.
 template <class Lanes>
-EDGESCAN_INLINE void foldLine(const Cells& beamwise, const Cells& linewise, int beams, const DepthLimits& limits, float* alongBeams,
-                              float* alongLines) {
-    const auto from = [](const Cells& at, int first) { return Cells{at.u + first, at.links + first, at.angle + first, at.step}; };
-    if (beams < kBlock) return foldBlock<Lanes>(beamwise, linewise, beams, limits, alongBeams, alongLines);
+EDGESCAN_INLINE void foldLine(const FoldWay& beamwise, const FoldWay& linewise, int beams, const DepthLimits& limits) {
+    if (beams < kBlock) return foldBlock<Lanes>(beamwise, linewise, beams, 0, limits);
     for (int next = 0; next < beams; next += kBlock) {
         const int first = std::min(next, beams - kBlock);
-        foldBlock<Lanes>(from(beamwise, first), from(linewise, first), std::integral_constant<int, kBlock>(), limits, alongBeams + first,
-                         alongLines + first);
+        foldBlock<Lanes>(beamwise.from(first), linewise.from(first), std::integral_constant<int, kBlock>(), first, limits);
     }
 }
 
+PartsOut nextOf(FoldPartLines::Way& way) { return {way.size.next(), way.all.next(), way.flatter.next(), way.noise.next()}; }
+
 } // namespace
 
+void strengthsAt(const FoldParts& parts, int cells, float creaseDeg, float* strengths) {
+    vectorised<strengthsOfParts>(parts, cells, creaseDeg, strengths);
+}
+
 void foldStrengths(const Lines& u, const Links& linksAlongBeams, const Links& linksAlongLines, const AngularSteps& steps, int line,
-                   const DepthLimits& limits, FoldWork& work, FoldStrengths& strengths) {
-    const Cells beamwise{u.line(line), linksAlongBeams.line(line), anglesOf(steps, Along::Beams, line, work.angles),
-                         stepOf(u, Along::Beams)};
-    const Cells linewise{u.line(line), linksAlongLines.line(line), anglesOf(steps, Along::Lines, line, work.angles),
-                         stepOf(u, Along::Lines)};
-    float* alongBeams = strengths.alongBeams.next();
-    float* alongLines = strengths.alongLines.next();
-    vectorised<foldLine<FourLanes>, foldLine<EightLanes>, foldLine<SixteenLanes>>(beamwise, linewise, u.beams, limits, alongBeams,
-                                                                                  alongLines);
+                   const DepthLimits& limits, FoldWork& work, FoldStrengths& strengths, FoldPartLines* parts) {
+    std::array<PartsOut, 2> stored{};
+    if (parts != nullptr) stored = {nextOf(parts->alongBeams), nextOf(parts->alongLines)};
+    const auto storedOf = [&](int way) { return parts != nullptr ? &stored[static_cast<std::size_t>(way)] : nullptr; };
+    const FoldWay beamwise{
+        {u.line(line), linksAlongBeams.line(line), anglesOf(steps, Along::Beams, line, work.angles), stepOf(u, Along::Beams)},
+        strengths.alongBeams.next(),
+        storedOf(0)};
+    const FoldWay linewise{
+        {u.line(line), linksAlongLines.line(line), anglesOf(steps, Along::Lines, line, work.angles), stepOf(u, Along::Lines)},
+        strengths.alongLines.next(),
+        storedOf(1)};
+    vectorised<foldLine<FourLanes>, foldLine<EightLanes>, foldLine<SixteenLanes>>(beamwise, linewise, u.beams, limits);
 }
 
 } // namespace edgescan::edges

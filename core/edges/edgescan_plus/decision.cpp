@@ -182,7 +182,7 @@ Grid<std::uint8_t> linkedChains(const Grid<float>& strength, float high, float l
 
 std::vector<ClassCells> edgesAtVoids(const DepthResponses& responses, const Settings& settings) {
     const auto chains = [&](const std::vector<std::uint32_t>& cells) {
-        return longChains(cells, responses.jump.lines, responses.jump.beams, settings.minimumLength);
+        return longChains(cells, responses.jump->lines, responses.jump->beams, settings.minimumLength);
     };
     std::vector<ClassCells> edges;
     if (wants(settings, kClassSilhouette)) edges.push_back({DepthEdge::Silhouette, chains(responses.silhouettes)});
@@ -192,30 +192,30 @@ std::vector<ClassCells> edgesAtVoids(const DepthResponses& responses, const Sett
 }
 
 Grid<float> requestedStrength(const DepthResponses& responses, const Settings& settings) {
-    Grid<float> strength(responses.jump.lines, responses.jump.beams);
-    vectorised<strengthsOfCells>(responses.jump.cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings),
+    Grid<float> strength(responses.jump->lines, responses.jump->beams);
+    vectorised<strengthsOfCells>(responses.jump->cells.data(), responses.crease.cells.data(), strength.size(), Wanted(settings),
                                  strength.cells.data());
     return strength;
 }
 
 float requestedStrengthAt(const DepthResponses& responses, const Settings& settings, std::size_t k) {
     float strength = 0;
-    strengthsOfCells(&responses.jump[k], &responses.crease[k], 1, Wanted(settings), &strength);
+    strengthsOfCells(&(*responses.jump)[k], &responses.crease[k], 1, Wanted(settings), &strength);
     return strength;
 }
 
 DepthEdges decideDepthEdges(const DepthResponses& responses, const Settings& settings, int threads) {
-    const int lines = responses.jump.lines;
-    const int beams = responses.jump.beams;
-    const int bands = bandsFor(responses.jump.size(), threads);
+    const int lines = responses.jump->lines;
+    const int beams = responses.jump->beams;
+    const int bands = bandsFor(responses.jump->size(), threads);
     DepthEdges result{Grid<std::uint8_t>(lines, beams), Grid<DepthEdge>(lines, beams, DepthEdge::None), responses.noise};
     const Wanted wanted(settings);
     const auto high = static_cast<float>(settings.sensitivity);
     const float low = high * static_cast<float>(settings.hysteresisPercent / 100.0);
     runInBands(lines, bands, [&](int first, int last) {
         const std::size_t from = result.mask.index(first, 0);
-        vectorised<markClasses>(responses.jump.cells.data() + from, responses.crease.cells.data() + from, result.mask.index(last, 0) - from,
-                                wanted, high, low, result.mask.cells.data() + from);
+        vectorised<markClasses>(responses.jump->cells.data() + from, responses.crease.cells.data() + from,
+                                result.mask.index(last, 0) - from, wanted, high, low, result.mask.cells.data() + from);
     });
     std::vector<std::uint32_t> kept;
     std::vector<ClassCells> atVoids;

@@ -6,6 +6,8 @@
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/gap_detour.h"
 #include "core/edges/edgescan_plus/silhouettes.h"
+#include "core/edges/edgescan_plus/stored_folds.h"
+#include "core/edges/edgescan_plus/suppression.h"
 #include "core/edges/edgescan_plus/surface_lines.h"
 #include "core/scan/angle_correction/interlace.h"
 #include "core/scan/grid/marked_cells.h"
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace edgescan::edges {
@@ -41,39 +44,26 @@ double noiseShare(const RangeNoise& noise, double spacingMm, double rangeM = 5.0
     return std::clamp(noise.at(rangeM) / nominal, least, 10.0);
 }
 
-// Both directions of one line.
+// The responses of one line in both directions, and around it.
 struct BothWays {
     const float* beamwise;
     const float* linewise;
     std::ptrdiff_t stride;
-
-    /// In the direction of the stronger response a cell must not be weaker than one neighbour, and must be stronger than the other.
-    [[nodiscard]] bool isKept(int j) const {
-        const float b = std::abs(beamwise[j]);
-        const float l = std::abs(linewise[j]);
-        const bool keepB = (b >= l) & (std::abs(beamwise[j - 1]) <= b) & (std::abs(beamwise[j + 1]) < b);
-        const bool keepL = (b < l) & (std::abs(linewise[j - stride]) <= l) & (std::abs(linewise[j + stride]) < l);
-        return keepB | keepL;
+    [[nodiscard]] EDGESCAN_INLINE bool isKept(int j) const {
+        return isStrongest(beamwise[j], beamwise[j - 1], beamwise[j + 1], linewise[j], linewise[j - stride], linewise[j + stride]);
     }
-    [[nodiscard]] bool isBeamwise(int j) const { return std::abs(beamwise[j]) >= std::abs(linewise[j]); }
 };
 
-// The response of the stronger direction.
 EDGESCAN_INLINE void suppressJumps(const BothWays& jumps, const Support* support, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
-        const float value = jumps.isBeamwise(j) ? jumps.beamwise[j] : jumps.linewise[j];
+        const float value = strongerOf(jumps.beamwise[j], jumps.linewise[j]);
         out[j] = (jumps.isKept(j) & (support[j] != Support::Void)) ? value : 0.0F;
     }
 }
 
-// The root of the sum of squares where both directions have the same sign: a diagonal fold shows only a part of its angle in each
-// direction.
 EDGESCAN_INLINE void suppressFolds(const BothWays& folds, const Support* support, int beams, float* __restrict out) {
     for (int j = 0; j < beams; ++j) {
-        const float stronger = folds.isBeamwise(j) ? folds.beamwise[j] : folds.linewise[j];
-        const float weaker = folds.isBeamwise(j) ? folds.linewise[j] : folds.beamwise[j];
-        const float add = stronger * weaker > 0 ? weaker * weaker : 0.0F;
-        const float value = std::copysign(std::sqrt(stronger * stronger + add), stronger);
+        const float value = wholeFold(folds.beamwise[j], folds.linewise[j]);
         out[j] = (folds.isKept(j) & (support[j] != Support::Void)) ? value : 0.0F;
     }
 }
@@ -100,22 +90,35 @@ void copyCracks(const SurfaceLines& surface, const Band& band, DepthCracks& crac
     copyLine(surface.folds(Along::Lines), surface.foldLine(), band, cracks.foldLines);
 }
 
-void respond(const DepthSurface& surface, const DepthLimits& limits, const Band& band, DepthResponses& result, DepthCracks* cracks,
-             FoldingCells* folding) {
+// What the lines of a sweep are measured into; null: not wanted.
+struct Measured {
+    Grid<float>* jump;
+    Grid<float>* crease;
+    FoldingCells* folding;
+    DepthCracks* cracks;
+    StoredFolds* folds;
+};
+
+void measure(const DepthSurface& surface, const DepthLimits& limits, const Band& band, const Measured& to) {
     const Grid<Support>& support = surface.inverse.support;
-    SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits, std::max(0, band.first - SurfaceLines::kLinesBefore));
-    while (lines.foldLine() < band.last) {
+    const int from = std::max(0, band.first - SurfaceLines::kLinesBefore);
+    SurfaceLines lines(surface.inverse, surface.steps, surface.slips, limits, from, to.folds != nullptr);
+    std::optional<FoldRecorder> recorder;
+    if (to.folds != nullptr) recorder.emplace(*to.folds, support, from, band.first, band.last);
+    const int last = band.last + (recorder ? 1 : 0);
+    while (lines.foldLine() < last) {
         lines.advance();
-        if (cracks != nullptr) copyCracks(lines, band, *cracks);
-        if (const int line = lines.foldLine(); folding != nullptr && band.contains(line))
-            folding->note(line, lines.folds(Along::Beams).line(line), lines.folds(Along::Lines).line(line), support.line(line));
+        if (to.cracks != nullptr) copyCracks(lines, band, *to.cracks);
+        if (const int line = lines.foldLine(); to.folding != nullptr && band.contains(line))
+            to.folding->note(line, lines.folds(Along::Beams).line(line), lines.folds(Along::Lines).line(line), support.line(line));
+        if (recorder && lines.foldLine() >= from) recorder->take(lines.foldLine(), *lines.parts());
         // One line behind the newest: suppression reads the lines on both sides.
         if (const int line = lines.jumpLine() - 1; band.contains(line))
             vectorised<suppressJumps>(bothWays(lines.jumps(Along::Beams), lines.jumps(Along::Lines), line), support.line(line),
-                                      support.beams, result.jump.line(line));
+                                      support.beams, to.jump->line(line));
         if (const int line = lines.foldLine() - 1; band.contains(line))
             vectorised<suppressFolds>(bothWays(lines.folds(Along::Beams), lines.folds(Along::Lines), line), support.line(line),
-                                      support.beams, result.crease.line(line));
+                                      support.beams, to.crease->line(line));
     }
 }
 
@@ -198,10 +201,35 @@ DepthLimits depthLimits(const DepthSurface& surface, const Settings& settings) {
     return limits;
 }
 
-DepthResponses depthResponses(const DepthSurface& surface, const Settings& settings, DepthCracks* cracks, int threads) {
+namespace {
+
+std::vector<Band> bandsOf(const Grid<Support>& support, int threads) {
+    const int count = std::clamp(bandsFor(support.size(), threads), 1, std::max(1, support.lines));
+    std::vector<Band> bands;
+    for (int band = 0; band < count; ++band)
+        bands.push_back({firstLineOfBand(support.lines, count, band), firstLineOfBand(support.lines, count, band + 1)});
+    return bands;
+}
+
+// The last steps of folds, after suppression.
+void finishFolds(const DepthSurface& surface, const DepthLimits& limits, const FoldingCells* folding, DepthResponses& result) {
+    moveFoldsOffGaps(surface.inverse, result.crease);
+    if (folding != nullptr)
+        result.roughness = roughnessOf(*folding, surface.inverse.u, surface.steps, result.crease,
+                                       foldOfNoise(limits, surface.scales.rangeM, surface.spacingMm));
+    if (result.roughness.rough) {
+        result.unweighed = result.crease;
+        weighFolds(result.roughness, result.crease);
+    }
+}
+
+} // namespace
+
+DepthResponses depthResponses(const DepthSurface& surface, const Settings& settings, DepthCracks* cracks, int threads, StoredFolds* folds) {
     const DepthLimits limits = depthLimits(surface, settings);
     const Grid<Support>& support = surface.inverse.support;
-    const int bands = std::clamp(bandsFor(support.size(), threads), 1, std::max(1, support.lines));
+    const std::vector<Band> bands = bandsOf(support, threads);
+    const int together = static_cast<int>(bands.size());
     const auto clear = [&support](Grid<float>& grid) { grid = Grid<float>(support.lines, support.beams); };
     DepthResponses result;
     result.noise = limits.noise;
@@ -209,32 +237,54 @@ DepthResponses depthResponses(const DepthSurface& surface, const Settings& setti
     result.scales = surface.scales;
     result.foldNoise = limits.foldNoise;
     result.neighboursAlike = surface.memory.windowMm > 0;
-    runParts(bands, {[&] { clear(result.jump); }, [&] { clear(result.crease); }});
+    const auto jump = std::make_shared<Grid<float>>();
+    runParts(together, {[&] { clear(*jump); }, [&] { clear(result.crease); }});
     if (cracks != nullptr) {
         for (Grid<float>* grid : {&cracks->jumpBeams, &cracks->jumpLines, &cracks->smoothed, &cracks->foldBeams, &cracks->foldLines})
             clear(*grid);
     }
+    if (folds != nullptr) *folds = StoredFolds(support);
     // Bands of lines, and work that runs in parallel with them.
     FoldingCells folding(support.lines, support.beams);
     std::vector<std::function<void()>> parts;
-    for (int band = 0; band < bands; ++band)
+    for (const Band& band : bands)
         parts.emplace_back([&, band] {
-            const Band lines{firstLineOfBand(support.lines, bands, band), firstLineOfBand(support.lines, bands, band + 1)};
-            respond(surface, limits, lines, result, cracks, settings.roughScans ? &folding : nullptr);
+            measure(surface, limits, band, {jump.get(), &result.crease, settings.roughScans ? &folding : nullptr, cracks, folds});
         });
     parts.emplace_back([&] { result.silhouettes = silhouetteCells(surface.inverse, surface.steps, limits); });
     parts.emplace_back([&] { result.border = borderCells(support); });
     parts.emplace_back(
         [&] { result.rim = voidRimCells(surface.inverse, surface.steps, limits, surface.withheld, result.neighboursAlike); });
-    runParts(bands, parts);
-    moveResponsesOffGaps(surface.inverse, result.jump, result.crease);
-    if (settings.roughScans)
-        result.roughness = roughnessOf(folding, surface.inverse.u, surface.steps, result.crease,
-                                       foldOfNoise(limits, surface.scales.rangeM, surface.spacingMm));
-    if (result.roughness.rough) {
-        result.unweighed = result.crease;
-        weighFolds(result.roughness, result.crease);
-    }
+    runParts(together, parts);
+    moveJumpsOffGaps(surface.inverse, *jump);
+    result.jump = jump;
+    finishFolds(surface, limits, settings.roughScans ? &folding : nullptr, result);
+    return result;
+}
+
+DepthResponses withCreaseAngle(const DepthResponses& before, const StoredFolds& folds, const DepthSurface& surface,
+                               const Settings& settings, int threads) {
+    const DepthLimits limits = depthLimits(surface, settings);
+    const Grid<Support>& support = surface.inverse.support;
+    const std::vector<Band> bands = bandsOf(support, threads);
+    DepthResponses result{before.jump,
+                          Grid<float>(support.lines, support.beams),
+                          before.noise,
+                          before.jumpMm,
+                          before.scales,
+                          before.foldNoise,
+                          before.neighboursAlike,
+                          before.border,
+                          before.silhouettes,
+                          {},
+                          {},
+                          before.rim};
+    FoldingCells folding;
+    std::vector<std::function<void()>> parts;
+    for (const Band& band : bands) parts.emplace_back([&, band] { folds.foldsAt(limits.creaseDeg, band.first, band.last, result.crease); });
+    if (settings.roughScans) parts.emplace_back([&] { folding = folds.folding(limits.creaseDeg); });
+    runParts(static_cast<int>(bands.size()), parts);
+    finishFolds(surface, limits, settings.roughScans ? &folding : nullptr, result);
     return result;
 }
 

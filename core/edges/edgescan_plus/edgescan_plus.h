@@ -10,20 +10,22 @@
 #include "core/scan/gap_filling/gap_filling.h"
 #include "core/scan/grid/inverse_range.h"
 
+#include <memory>
+
 namespace edgescan::edges {
 
 /// The strength of jumps and creases per cell, before the decision. 1 = at the threshold; 0 where a neighbour is stronger or the cell was
 /// not measured. Depends only on jumpMm, jumpGrowth, creaseDeg, grazing, noiseMm, straighten and roughScans; if another setting changes,
 /// only decideDepthEdges() runs again.
 struct DepthResponses {
-    Grid<float> jump;                  ///< lines x beams
-    Grid<float> crease;                ///< lines x beams; positive: convex, negative: concave; weighed if the scan is rough
-    RangeNoise noise;                  ///< measured or typed, mm
-    double jumpMm = 0;                 ///< J0, automatic or typed, mm
-    NoiseScales scales;                ///< of the measured noise
-    RangeNoise foldNoise;              ///< the noise for folds; equals `noise` if the noise is white
-    bool neighboursAlike = false;      ///< the errors of neighbours are correlated: measured, or set by noiseKind
-    std::vector<std::uint32_t> border; ///< measured cells next to a void of more than 4 cells, ascending
+    std::shared_ptr<const Grid<float>> jump; ///< lines x beams
+    Grid<float> crease;                      ///< lines x beams; positive: convex, negative: concave; weighed if the scan is rough
+    RangeNoise noise;                        ///< measured or typed, mm
+    double jumpMm = 0;                       ///< J0, automatic or typed, mm
+    NoiseScales scales;                      ///< of the measured noise
+    RangeNoise foldNoise;                    ///< the noise for folds; equals `noise` if the noise is white
+    bool neighboursAlike = false;            ///< the errors of neighbours are correlated: measured, or set by noiseKind
+    std::vector<std::uint32_t> border;       ///< measured cells next to a void of more than 4 cells, ascending
     /// those of `border` and beyond that are near sides of an outline (core/edges/edgescan_plus/silhouettes.h), ascending
     std::vector<std::uint32_t> silhouettes;
     Roughness roughness;            ///< nothing if the settings do not ask for it
@@ -66,10 +68,17 @@ struct DepthCracks {
     Grid<float> foldLines; ///< the same along the lines
 };
 
-/// Steps 2 to 5. Fills `cracks` if it is not null; the responses are the same with and without it, and with any number of threads (0: as
-/// many as make it faster).
+class StoredFolds;
+
+/// Steps 2 to 5. Fills `cracks` and `folds` if they are not null; the responses are the same with and without them, and with any number of
+/// threads (0: as many as make it faster).
 [[nodiscard]] DepthResponses depthResponses(const DepthSurface& surface, const Settings& settings, DepthCracks* cracks = nullptr,
-                                            int threads = 0);
+                                            int threads = 0, StoredFolds* folds = nullptr);
+
+/// depthResponses() to the last bit, with settings that differ only in the crease angle, which StoredFolds::covers(). `before`, `folds`: of
+/// another crease angle.
+[[nodiscard]] DepthResponses withCreaseAngle(const DepthResponses& before, const StoredFolds& folds, const DepthSurface& surface,
+                                             const Settings& settings, int threads = 0);
 
 /// The values on which the decision is based: the response of the requested classes, 1 = at the threshold. Lines x beams.
 [[nodiscard]] Grid<float> requestedStrength(const DepthResponses& responses, const Settings& settings);

@@ -39,17 +39,27 @@ void move(const InverseRange& inverse, std::size_t k, Grid<float>& response, Cos
     if (place >= 0) response[static_cast<std::size_t>(place)] = value;
 }
 
-} // namespace
-
-void moveResponsesOffGaps(const InverseRange& inverse, Grid<float>& jump, Grid<float>& crease) {
-    const Support* support = inverse.support.cells.data();
-    for (std::size_t k = 0; k < inverse.support.size(); ++k) {
-        const void* next = std::memchr(support + k, static_cast<int>(Support::Filled), inverse.support.size() - k); // few cells are filled
+// Calls of(k) for every filled cell.
+template <class Of>
+void forFilled(const Grid<Support>& supports, Of of) {
+    const Support* support = supports.cells.data();
+    for (std::size_t k = 0; k < supports.size(); ++k) {
+        const void* next = std::memchr(support + k, static_cast<int>(Support::Filled), supports.size() - k); // few cells are filled
         if (next == nullptr) return;
         k = static_cast<std::size_t>(static_cast<const Support*>(next) - support);
-        move(inverse, k, jump, [](float u) { return -u; });
-        move(inverse, k, crease, [own = inverse.u[k]](float u) { return std::abs(u - own); });
+        of(k);
     }
+}
+
+} // namespace
+
+void moveJumpsOffGaps(const InverseRange& inverse, Grid<float>& jump) {
+    forFilled(inverse.support, [&](std::size_t k) { move(inverse, k, jump, [](float u) { return -u; }); });
+}
+
+void moveFoldsOffGaps(const InverseRange& inverse, Grid<float>& crease) {
+    forFilled(inverse.support,
+              [&](std::size_t k) { move(inverse, k, crease, [own = inverse.u[k]](float u) { return std::abs(u - own); }); });
 }
 
 } // namespace edgescan::edges

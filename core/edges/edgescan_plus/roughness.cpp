@@ -4,28 +4,27 @@
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/crease.h"
+#include "core/scan/grid/marked_cells.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace edgescan::edges {
 namespace {
 
-constexpr float kFolds = 0.35F;                  // of the threshold: a cell that folds
 constexpr float kNearlyEdge = 0.7F;              // of the threshold: a fold that may become an edge
 constexpr double kRoughScan = 0.46;              // median of the shares around such folds
 constexpr float kRoughFrom = 0.42F;              // share from which a fold must be stronger
 constexpr float kReachRad = 0.265F;              // 15 degrees to each side
 constexpr int kLeastReach = 10, kMostReach = 90; // cells
 constexpr int kEvery = 4;                        // lines of which one is looked at for the median
-constexpr int kBits = 64;
-constexpr int kGroupsOfWord = kBits / Roughness::kGroup;
-constexpr double kNoiseExplains = 1.2; // fold of noise in units of C0, from which on folds may be noise
-constexpr double kNoiseFloor = 4.5;    // standard deviations that a fold must exceed, as in Step 5
+constexpr double kNoiseExplains = 1.2;           // fold of noise in units of C0, from which on folds may be noise
+constexpr double kNoiseFloor = 4.5;              // standard deviations that a fold must exceed, as in Step 5
 constexpr float kWidestSpacingMm = 80; // of points: three of them, the shortest side of a fold, are as long as a small rock from here on
 
 EDGESCAN_INLINE void markFolding(const float* alongBeams, const float* alongLines, const Support* support, int beams,
@@ -33,23 +32,8 @@ EDGESCAN_INLINE void markFolding(const float* alongBeams, const float* alongLine
     for (int j = 0; j < beams; ++j) {
         const float fold = std::max(std::abs(alongBeams[j]), std::abs(alongLines[j]));
         const bool isSolid = support[j] != Support::Void;
-        folding[j] = static_cast<std::uint8_t>((fold > kFolds) & isSolid);
+        folding[j] = static_cast<std::uint8_t>((fold > kFoldingFrom) & isSolid);
         solid[j] = static_cast<std::uint8_t>(isSolid);
-    }
-}
-
-// Eight bytes of 0 or 1 as bits, the first one lowest.
-std::uint64_t bitsOf(const std::uint8_t* eight) {
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, eight, sizeof bytes);
-    return (bytes * 0x0102040810204080U) >> 56U;
-}
-
-void pack(const std::vector<std::uint8_t>& marks, std::uint64_t* words) {
-    for (std::size_t at = 0; at < marks.size(); at += kBits) {
-        std::uint64_t word = 0;
-        for (std::size_t n = 0; n < kBits; n += 8) word |= bitsOf(marks.data() + at + n) << n;
-        words[at / kBits] = word;
     }
 }
 
@@ -57,17 +41,6 @@ float middleOf(const std::vector<float>& steps) { return median(steps, 0.0F); }
 
 int reachOf(float stepRad) {
     return std::clamp(static_cast<int>(std::lround(kReachRad / std::max(stepRad, 1e-4F))), kLeastReach, kMostReach);
-}
-
-// Per line and group of beams: the number of marks.
-Grid<std::uint8_t> groupCounts(const Grid<std::uint64_t>& marks) {
-    Grid<std::uint8_t> counts(marks.lines, marks.beams * kGroupsOfWord);
-    std::uint8_t* out = counts.cells.data();
-    for (const std::uint64_t word : marks.cells) {
-        for (int g = 0; g < kGroupsOfWord; ++g)
-            *out++ = static_cast<std::uint8_t>(std::popcount(word >> static_cast<unsigned>(g * Roughness::kGroup) & 0xFFFFU));
-    }
-    return counts;
 }
 
 // The sum over the lines and groups within reach of each one.
@@ -91,14 +64,17 @@ Grid<std::uint32_t> sumsAround(const Grid<std::uint8_t>& counts, int up, int asi
     return sums;
 }
 
+EDGESCAN_INLINE void markNearlyEdges(const float* fold, int beams, std::uint8_t* __restrict marked) {
+    for (int j = 0; j < beams; ++j) marked[j] = static_cast<std::uint8_t>(std::abs(fold[j]) > kNearlyEdge);
+}
+
 // Calls of(line, beam) for the folds that are, or are nearly, edges, on every fourth line.
 template <class Of>
 void forFolds(const Grid<float>& crease, Of of) {
+    std::vector<std::uint8_t> marked(static_cast<std::size_t>(crease.beams));
     for (int i = 0; i < crease.lines; i += kEvery) {
-        const float* fold = crease.line(i);
-        for (int j = 0; j < crease.beams; ++j) {
-            if (std::abs(fold[j]) > kNearlyEdge) of(i, j);
-        }
+        vectorised<markNearlyEdges>(crease.line(i), crease.beams, marked.data());
+        forEachMarked(marked, [&](std::size_t beam) { of(i, static_cast<int>(beam)); });
     }
 }
 
@@ -111,24 +87,32 @@ float spacingOfFoldsMm(const Grid<float>& u, const AngularSteps& steps, const Gr
     return median(std::move(spacings), 0.0F);
 }
 
-double total(const Grid<std::uint64_t>& marks) {
-    std::size_t count = 0;
-    for (const std::uint64_t word : marks.cells) count += static_cast<std::size_t>(std::popcount(word));
-    return static_cast<double>(count);
+double total(const Grid<std::uint8_t>& counts) {
+    return static_cast<double>(std::accumulate(counts.cells.begin(), counts.cells.end(), std::size_t{0}));
 }
 
 } // namespace
 
+void countGroups(const std::vector<std::uint8_t>& marks, std::uint8_t* counts) {
+    constexpr auto kGroup = static_cast<std::size_t>(Roughness::kGroup);
+    constexpr std::uint64_t kOnes = 0x0101010101010101U;
+    for (std::size_t at = 0; at < marks.size(); at += kGroup) {
+        std::array<std::uint64_t, kGroup / sizeof(std::uint64_t)> eight;
+        std::memcpy(eight.data(), marks.data() + at, kGroup);
+        counts[at / kGroup] = static_cast<std::uint8_t>(((eight[0] + eight[1]) * kOnes) >> 56U);
+    }
+}
+
 FoldingCells::FoldingCells(int lines, int beamCount)
-    : folding(lines, (beamCount + kBits - 1) / kBits), solid(lines, folding.beams), beams(beamCount) {}
+    : folding(lines, (beamCount + Roughness::kGroup - 1) / Roughness::kGroup), solid(lines, folding.beams), beams(beamCount) {}
 
 void FoldingCells::note(int line, const float* alongBeams, const float* alongLines, const Support* support) {
     thread_local std::vector<std::uint8_t> folds, solids;
-    folds.assign(static_cast<std::size_t>(folding.beams) * kBits, 0);
+    folds.assign(static_cast<std::size_t>(folding.beams) * Roughness::kGroup, 0);
     solids.assign(folds.size(), 0);
     vectorised<markFolding>(alongBeams, alongLines, support, beams, folds.data(), solids.data());
-    pack(folds, folding.line(line));
-    pack(solids, solid.line(line));
+    countGroups(folds, folding.line(line));
+    countGroups(solids, solid.line(line));
 }
 
 float Roughness::factorAt(int line, int beam) const {
@@ -152,8 +136,8 @@ Roughness roughnessOf(const FoldingCells& cells, const Grid<float>& u, const Ang
     if (cells.folding.size() == 0) return result;
     result.share = total(cells.folding) / std::max(1.0, total(cells.solid));
     const int up = reachOf(middleOf(steps.line)), aside = (reachOf(middleOf(steps.beam)) + Roughness::kGroup / 2) / Roughness::kGroup;
-    const Grid<std::uint32_t> folding = sumsAround(groupCounts(cells.folding), up, aside);
-    const Grid<std::uint32_t> solid = sumsAround(groupCounts(cells.solid), up, aside);
+    const Grid<std::uint32_t> folding = sumsAround(cells.folding, up, aside);
+    const Grid<std::uint32_t> solid = sumsAround(cells.solid, up, aside);
     result.around = Grid<float>(folding.lines, folding.beams);
     for (std::size_t k = 0; k < folding.size(); ++k)
         result.around[k] = solid[k] > 0 ? static_cast<float>(folding[k]) / static_cast<float>(solid[k]) : 0.0F;

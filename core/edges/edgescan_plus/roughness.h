@@ -9,17 +9,6 @@
 
 namespace edgescan::edges {
 
-/// One bit per cell, lines x words: the cells that fold before suppression, and those that are not void.
-struct FoldingCells {
-    Grid<std::uint64_t> folding, solid;
-    int beams = 0;
-
-    FoldingCells() = default;
-    FoldingCells(int lines, int beamCount);
-    /// Notes one line. `alongBeams`, `alongLines`: S_C of its cells. Lines may be noted in any order, and by several threads.
-    void note(int line, const float* alongBeams, const float* alongLines, const Support* support);
-};
-
 /// The share of the cells within 15 degrees that fold.
 struct Roughness {
     double share = 0;       ///< of all cells of the scan
@@ -32,6 +21,23 @@ struct Roughness {
     [[nodiscard]] float aroundAt(int line, int beam) const { return around.at(line, beam / kGroup); }
     /// How many times as strong as elsewhere a fold must be: 1 where the surface is not rough.
     [[nodiscard]] float factorAt(int line, int beam) const;
+};
+
+/// |S_C| before suppression above which a cell folds.
+inline constexpr float kFoldingFrom = 0.35F;
+
+/// The sums of groups of Roughness::kGroup values of 0 or 1.
+void countGroups(const std::vector<std::uint8_t>& marks, std::uint8_t* counts);
+
+/// Lines x groups of Roughness::kGroup beams: the number of cells that fold before suppression, and of those that are not void.
+struct FoldingCells {
+    Grid<std::uint8_t> folding, solid;
+    int beams = 0;
+
+    FoldingCells() = default;
+    FoldingCells(int lines, int beamCount);
+    /// Notes one line. `alongBeams`, `alongLines`: S_C of its cells. Lines may be noted in any order, and by several threads.
+    void note(int line, const float* alongBeams, const float* alongLines, const Support* support);
 };
 
 /// The fold that noise alone may look like, divided by the smallest fold C0, at the range `rangeM` and the distance `spacingMm` of points.

@@ -29,7 +29,7 @@ EDGESCAN_INLINE void takeSolid(const Support* support, int beams, float* __restr
 } // namespace
 
 SurfaceLines::SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits,
-                           int from)
+                           int from, bool parts)
     : inverse_(inverse), steps_(steps), slips_(slips), limits_(limits), from_(from), lines_(inverse.u.lines),
       crackLine_(from - 1 - kToCracks), measured_(inverse.u.beams, 1, kMarginU, from), solid_(inverse.u.beams, kSurfaceLines, 0.0F, from),
       snappedOnce_(inverse.u.beams, kSurfaceLines, kMarginU, from), snapped_(inverse.u.beams, kSurfaceLines, kMarginU, from),
@@ -40,6 +40,8 @@ SurfaceLines::SurfaceLines(const InverseRange& inverse, const AngularSteps& step
                                                                Lines(inverse.u.beams, kAround, 0.0F, from)} {
     for (int pass = 0; pass < limits.passes; ++pass)
         passes_.push_back({Lines(inverse.u.beams, 3, kMarginU, from), Lines(inverse.u.beams, kFoldLines, kMarginU, from)});
+    const Lines none(inverse.u.beams, kAround, 0.0F, from), one(inverse.u.beams, kAround, 1.0F, from);
+    if (parts) parts_ = {{none, one, one, one}, {none, one, one, one}};
 }
 
 void SurfaceLines::advance() {
@@ -116,10 +118,10 @@ void SurfaceLines::smooth(std::size_t pass, int line) {
 
 void SurfaceLines::fitFolds(int line) {
     if (isInside(line)) {
-        foldStrengths(passes_.back().lines, linkBeams_, linkLines_, steps_, line, limits_, work_, folds_);
+        foldStrengths(passes_.back().lines, linkBeams_, linkLines_, steps_, line, limits_, work_, folds_, parts_ ? &*parts_ : nullptr);
     } else if (line >= lines_) {
-        folds_.alongBeams.nextEmpty();
-        folds_.alongLines.nextEmpty();
+        folds_.nextEmpty();
+        if (parts_) parts_->nextEmpty();
     }
 }
 

@@ -6,6 +6,7 @@
 #include "core/edges/edgescan_plus/range_field.h"
 #include "core/scan/angle_correction/interlace.h"
 
+#include <optional>
 #include <vector>
 
 namespace edgescan::edges {
@@ -17,8 +18,9 @@ public:
     /// The results of a line depend on at most this many lines before it.
     static constexpr int kLinesBefore = 32;
 
-    /// Stores the references. Begins at line `from` as if it were the first line.
-    SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits, int from = 0);
+    /// Stores the references. Begins at line `from` as if it were the first line. `parts`: also those of the folds are stored.
+    SurfaceLines(const InverseRange& inverse, const AngularSteps& steps, const SweepSlips& slips, const DepthLimits& limits, int from = 0,
+                 bool parts = false);
 
     /// Reads one more line of the sweep; after the last one, lines of the margin.
     void advance();
@@ -27,6 +29,9 @@ public:
     [[nodiscard]] const Lines& jumps(Along along) const { return along == Along::Beams ? jumpBeams_ : jumpLines_; }
     /// ... and S_C. Both have lines of 0 behind the last line of the sweep.
     [[nodiscard]] const Lines& folds(Along along) const { return along == Along::Beams ? folds_.alongBeams : folds_.alongLines; }
+
+    /// What the folds are made of, if that is stored.
+    [[nodiscard]] const std::optional<FoldPartLines>& parts() const { return parts_; }
 
     /// S_J of the cracks of the newest line of jumps; empty before the first.
     [[nodiscard]] const Lines& cracks(Along along) const { return along == Along::Beams ? crackBeams_ : crackLines_; }
@@ -70,6 +75,7 @@ private:
     std::vector<Pass> passes_;
     FoldWork work_;
     FoldStrengths folds_;
+    std::optional<FoldPartLines> parts_;
 };
 
 } // namespace edgescan::edges

@@ -2,10 +2,12 @@
 #include "core/edges/pipeline/pipeline.h"
 
 #include "core/base/instruction_set.h"
+#include "core/edges/edgescan_plus/stored_folds.h"
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/gray/smooth.h"
 #include "core/edges/pipeline/methods.h"
+#include "core/edges/pipeline/work_memory.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
 #include "core/scan/gap_filling/gap_filling.h"
@@ -83,13 +85,29 @@ void Pipeline::runStages(Detection& d) {
     const GapFilling* wanted = settings.fillEdges ? d.filled.get() : nullptr;
     d.surface = upToDate(surface_, Stage::Surface, "surface", d,
                          [&] { return withFilledGaps(depthSurface(*d.scan, settings.straighten, 0, settings.noiseKind), wanted); });
-    d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] {
-        const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
-        DepthResponses responses = depthResponses(*d.surface, settings, cracks.get());
-        cracks_ = cracks;
-        return responses;
-    });
+    d.responses = upToDate(responses_, Stage::Responses, "jumps and creases", d, [&] { return responsesOf(d); });
     d.cracks = cracks_;
+}
+
+// While only the crease angle changes, the first change stores what the next ones need, the folds at any angle, if there is memory.
+DepthResponses Pipeline::responsesOf(const Detection& d) {
+    Settings same = responses_.with;
+    same.creaseDeg = d.settings.creaseDeg;
+    const bool onlyCrease = responses_.made && sameUpTo(Stage::Responses, same, d.settings);
+    if (!onlyCrease) folds_ = nullptr;
+    if (onlyCrease && keep_ == KeepFor::Edges && StoredFolds::covers(d.settings.creaseDeg, d.scan->beams())) {
+        if (folds_) return withCreaseAngle(*responses_.made, *folds_, *d.surface, d.settings);
+        if (checkMemoryFor(Work::StoreFolds, *d.scan)) {
+            const auto folds = std::make_shared<StoredFolds>();
+            DepthResponses responses = depthResponses(*d.surface, d.settings, nullptr, 0, folds.get());
+            folds_ = folds;
+            return responses;
+        }
+    }
+    const auto cracks = keep_ == KeepFor::Rocks ? std::make_shared<DepthCracks>() : nullptr;
+    DepthResponses responses = depthResponses(*d.surface, d.settings, cracks.get());
+    cracks_ = cracks;
+    return responses;
 }
 
 // If only the threshold changed since the last run: one map, and then one comparison per cell. Classes need the decision itself.

@@ -6,6 +6,8 @@
 
 namespace edgescan::edges {
 
+class StoredFolds;
+
 /// The results that a pipeline stores in addition to the edges.
 enum class KeepFor : std::uint8_t {
     Edges, ///< no others
@@ -31,6 +33,7 @@ private:
     template <class T, class Make>
     static std::shared_ptr<const T> upToDate(Kept<T>& kept, Stage stage, const char* name, Detection& detection, Make make);
     void runStages(Detection& detection);
+    [[nodiscard]] DepthResponses responsesOf(const Detection& detection);
     void decide(Detection& detection);
 
     KeepFor keep_;
@@ -40,6 +43,7 @@ private:
     Kept<DepthSurface> surface_;
     Kept<DepthResponses> responses_;
     std::shared_ptr<const DepthCracks> cracks_; // of responses_
+    std::shared_ptr<const StoredFolds> folds_;  // of responses_ at any crease angle, once that was changed alone
     Kept<SweptEdges> thresholds_;               // used while only the threshold changes
 };
 

@@ -53,7 +53,7 @@ double surfaceThreshold(const Detection& detection, std::size_t k) {
     const auto has = [k](const ClassCells& edges) { return std::ranges::binary_search(edges.cells, k); };
     if (std::ranges::any_of(edgesAtVoids(responses, settings), has)) return std::numeric_limits<double>::infinity();
     return linkedThresholdAt(
-        responses.jump.lines, responses.jump.beams, [&](std::size_t n) { return requestedStrengthAt(responses, settings, n); },
+        responses.jump->lines, responses.jump->beams, [&](std::size_t n) { return requestedStrengthAt(responses, settings, n); },
         settings.hysteresisPercent / 100.0, settings.minimumLength, k);
 }
 
@@ -89,14 +89,14 @@ Judgement judgeSurface(const Detection& detection, std::size_t k) {
         static_cast<double>(strength) > found.lower || strength >= std::max(jumpCounts(jump.before), foldCounts(crease.before));
     const float kept = decides ? strength : 0.0F;
     const float fold = kept > 0 ? responses.crease[k] : crease.before;
-    const float jumpSize = jumpCounts(kept > 0 ? responses.jump[k] : jump.before);
+    const float jumpSize = jumpCounts(kept > 0 ? (*responses.jump)[k] : jump.before);
     const float foldSize = foldCounts(fold);
     const bool isJump = jumpSize >= foldSize;
     const float size = std::max(jumpSize, foldSize);
     found.strength = static_cast<double>(size);
     if (size > 0) found.kind = isJump ? DepthEdge::Jump : fold > 0 ? DepthEdge::Convex : DepthEdge::Concave;
     if (kept > 0)
-        found.movedFromGap = isJump ? jump.after != responses.jump[k] : crease.after != responses.crease[k];
+        found.movedFromGap = isJump ? jump.after != (*responses.jump)[k] : crease.after != responses.crease[k];
     else if (size > 0)
         found.suppressedBy = isJump ? jump.stronger : crease.stronger;
     return found;

@@ -8,7 +8,7 @@
 
 namespace edgescan::edges {
 
-enum class Work : std::uint8_t { Detect, Explain, Compare, Rocks };
+enum class Work : std::uint8_t { Detect, Explain, Compare, Rocks, StoreFolds };
 
 /// Call it before the work begins. Error: the scan has too many cells for the free memory.
 Result<Done> checkMemoryFor(Work work, const Scan& scan);

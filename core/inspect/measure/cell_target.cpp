@@ -19,7 +19,7 @@ std::optional<Dip> dipAt(const Scan& scan, const edges::Probe& probe, const Eige
 
 std::optional<double> strengthAt(const edges::Detection& detection, const edges::Probe& probe) {
     if (!detection.responses) return std::nullopt;
-    const double jump = static_cast<double>(detection.responses->jump[probe.cell]);
+    const double jump = static_cast<double>((*detection.responses->jump)[probe.cell]);
     const double fold = std::abs(static_cast<double>(detection.responses->crease[probe.cell]));
     // The class of such a cell comes from the end of the data or from the surface behind a void, not from a response of the cell.
     if (probe.kind == edges::DepthEdge::Border || probe.kind == edges::DepthEdge::Silhouette || probe.kind == edges::DepthEdge::VoidRim)

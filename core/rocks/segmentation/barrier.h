@@ -26,7 +26,7 @@ struct CellLinks {
 /// because a ridge is inside one rock.
 [[nodiscard]] inline float separationStrength(const edges::DepthResponses& responses, std::size_t k) {
     const Grid<float>& folds = responses.roughness.rough ? responses.unweighed : responses.crease;
-    return std::max({responses.jump[k], -folds[k], 0.0F});
+    return std::max({(*responses.jump)[k], -folds[k], 0.0F});
 }
 
 /// Exact distance of each cell to the nearest barrier, in cells, 0 on a barrier. Lines x beams. Barriers are chains of separating edges,

@@ -133,7 +133,7 @@ std::array<float, kBorderFeatures> BorderFeatures::of(int line, int beam, const 
     };
     const edges::DepthResponses& responses = *inputs_.responses;
     const auto jumpAt = [&](int i, int j) {
-        return responses.jump.contains(i, j) ? std::clamp(responses.jump.at(i, j), 0.0F, 5.0F) : -1.0F;
+        return responses.jump->contains(i, j) ? std::clamp(responses.jump->at(i, j), 0.0F, 5.0F) : -1.0F;
     };
     const auto foldAt = [&](int i, int j) {
         return responses.crease.contains(i, j) ? std::clamp(responses.crease.at(i, j), -5.0F, 5.0F) : 0.0F;

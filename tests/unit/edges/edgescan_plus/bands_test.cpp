@@ -20,7 +20,7 @@ void expectSameWithAnyThreads(const Scan& scan, const Settings& settings) {
         EXPECT_EQ(otherSurface.inverse.u, surface.inverse.u) << threads;
         DepthCracks otherCracks;
         const DepthResponses other = depthResponses(otherSurface, settings, &otherCracks, threads);
-        EXPECT_EQ(other.jump, responses.jump) << threads;
+        EXPECT_EQ(*other.jump, *responses.jump) << threads;
         EXPECT_EQ(other.crease, responses.crease) << threads;
         for (const auto grid :
              {&DepthCracks::smoothed, &DepthCracks::jumpBeams, &DepthCracks::jumpLines, &DepthCracks::foldBeams, &DepthCracks::foldLines})

@@ -268,7 +268,7 @@ TEST(DepthLines, WhatIsFarAwayDoesNotMatter) {
         const DepthResponses some = test::depthResponses(part, settings);
         int compared = 0;
         for (int i = kFar; i < part.lines(); ++i) {
-            ASSERT_TRUE(sameBits(some.jump.line(i) + kFar, whole.jump.line(i + lines) + kFar + beams, part.beams() - kFar)) << i;
+            ASSERT_TRUE(sameBits(some.jump->line(i) + kFar, whole.jump->line(i + lines) + kFar + beams, part.beams() - kFar)) << i;
             ASSERT_TRUE(sameBits(some.crease.line(i) + kFar, whole.crease.line(i + lines) + kFar + beams, part.beams() - kFar)) << i;
             for (int j = kFar; j < part.beams(); ++j) compared += some.crease.at(i, j) != 0 ? 1 : 0;
         }

@@ -50,7 +50,7 @@ void expectSameAsWhole(const Scan& scan, const Settings& settings, int cells) {
     std::vector<std::size_t> asked{0, static_cast<std::size_t>(scan.beams()) - 1, scan.cells() - 1};
     std::vector<std::size_t> strong;
     for (std::size_t k = 0; k < scan.cells(); ++k) {
-        if (whole.jump[k] > 0.7F || std::abs(whole.crease[k]) > 0.7F) strong.push_back(k);
+        if ((*whole.jump)[k] > 0.7F || std::abs(whole.crease[k]) > 0.7F) strong.push_back(k);
     }
     while (static_cast<int>(asked.size()) < cells)
         asked.push_back(asked.size() % 2 == 0 ? random() % scan.cells() : strong[random() % strong.size()]);
@@ -63,9 +63,9 @@ void expectSameAsWhole(const Scan& scan, const Settings& settings, int cells) {
             if (probe.support == Support::Filled) return held == 0.0F;
             return kept == held || (kept == 0.0F && probe.support == Support::Measured && besideFilled(inverse, line, beam));
         };
-        ASSERT_PRED2(same, probe.jump.after, whole.jump[k]) << line << " " << beam;
+        ASSERT_PRED2(same, probe.jump.after, (*whole.jump)[k]) << line << " " << beam;
         ASSERT_PRED2(same, probe.crease.after, whole.crease[k]) << line << " " << beam;
-        exact += probe.jump.after == whole.jump[k] && probe.crease.after == whole.crease[k] ? 1 : 0;
+        exact += probe.jump.after == (*whole.jump)[k] && probe.crease.after == whole.crease[k] ? 1 : 0;
         EXPECT_EQ(probe.noiseAt5mMm, whole.noise.at(5.0));
         double jump = 0;
         for (const DepthStepAtCell& step : probe.steps) {

@@ -63,7 +63,8 @@ TEST(GapDetour, GoesRoundAsCellByCell) {
         goRoundPlainly(inverse, expectedJump, true);
         goRoundPlainly(inverse, expectedCrease, false);
         const Grid<float> before = jump;
-        moveResponsesOffGaps(inverse, jump, crease);
+        moveJumpsOffGaps(inverse, jump);
+        moveFoldsOffGaps(inverse, crease);
         EXPECT_EQ(jump, expectedJump) << round;
         EXPECT_EQ(crease, expectedCrease) << round;
         for (std::size_t k = 0; k < jump.size(); ++k) moved += jump[k] != 0 && before[k] == 0 ? 1 : 0;

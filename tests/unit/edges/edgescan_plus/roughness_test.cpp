@@ -108,7 +108,7 @@ TEST(Roughness, OnARoughScanFoldsLoseAndRocksDoNot) {
     const Roughness& found = on->responses->roughness;
     ASSERT_TRUE(found.rough) << found.aroundFolds << " " << found.share;
     EXPECT_LT(2 * on->edges->size(), without->edges->size());
-    EXPECT_EQ(on->responses->jump, without->responses->jump);
+    EXPECT_EQ(*on->responses->jump, *without->responses->jump);
     EXPECT_EQ(on->responses->unweighed, without->responses->crease);
     for (std::size_t k = 0; k < scan->cells(); ++k) {
         ASSERT_EQ(rocks::separationStrength(*on->responses, k), rocks::separationStrength(*without->responses, k));

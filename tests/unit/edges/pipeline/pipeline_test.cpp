@@ -72,7 +72,7 @@ void expectAsFromNothing(const Detection& found, const Detection& fresh) {
     EXPECT_TRUE(equal(found.edges, fresh.edges));
     ASSERT_EQ(found.responses == nullptr, fresh.responses == nullptr);
     if (!found.responses) return;
-    EXPECT_EQ(found.responses->jump, fresh.responses->jump);
+    EXPECT_EQ(*found.responses->jump, *fresh.responses->jump);
     EXPECT_EQ(found.responses->crease, fresh.responses->crease);
     EXPECT_EQ(found.responses->border, fresh.responses->border);
     EXPECT_EQ(found.responses->jumpMm, fresh.responses->jumpMm);

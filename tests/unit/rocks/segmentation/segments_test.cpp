@@ -381,7 +381,7 @@ TEST(RockInputs, AreTheSameHoweverTheyWereMade) {
     EXPECT_EQ(one.cracks->jumpLines, other.cracks->jumpLines);
     EXPECT_EQ(one.cracks->foldBeams, other.cracks->foldBeams);
     EXPECT_EQ(one.cracks->foldLines, other.cracks->foldLines);
-    EXPECT_EQ(one.responses->jump, other.responses->jump);
+    EXPECT_EQ(*one.responses->jump, *other.responses->jump);
     EXPECT_EQ(one.responses->crease, other.responses->crease);
     edges::Settings canny;
     canny.method = edges::Method::Canny;
