@@ -179,10 +179,14 @@ rocks::BorderNetwork trainedBorders(const BorderSamples& samples, const BorderTr
 
 double rightShare(const rocks::BorderNetwork& network, const BorderSamples& samples) {
     std::size_t right = 0;
-    std::array<float, rocks::kBorderFeatures> features;
-    for (std::size_t n = 0; n < samples.count(); ++n) {
-        std::copy_n(&samples.features[n * features.size()], features.size(), features.begin());
-        right += (network.says(features) > 0) == (samples.belongs[n] > 0) ? 1 : 0;
+    rocks::BorderFeatureLanes features{};
+    for (std::size_t first = 0; first < samples.count(); first += rocks::kCellsAtOnce) {
+        const std::size_t lanes = std::min(rocks::kCellsAtOnce, samples.count() - first);
+        for (std::size_t n = 0; n < lanes; ++n) {
+            for (std::size_t f = 0; f < features.size(); ++f) features[f][n] = samples.features[(first + n) * features.size() + f];
+        }
+        const rocks::Lanes<float> said = network.says(features);
+        for (std::size_t n = 0; n < lanes; ++n) right += (said[n] > 0) == (samples.belongs[first + n] > 0) ? 1 : 0;
     }
     return samples.count() == 0 ? 0 : static_cast<double>(right) / static_cast<double>(samples.count());
 }

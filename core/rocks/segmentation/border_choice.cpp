@@ -2,12 +2,15 @@
 #include "core/rocks/segmentation/border_choice.h"
 
 #include "core/base/bands.h"
+#include "core/edges/edgescan_plus/edgescan_plus.h"
 #include "core/rocks/segmentation/border_features.h"
+#include "core/rocks/segmentation/cell_moves.h"
 #include "core/rocks/segmentation/merge_tree.h"
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <span>
+#include <utility>
 
 namespace edgescan::rocks {
 namespace {
@@ -15,9 +18,66 @@ namespace {
 constexpr double kSettledLevel = -2.0; // of two segments that are one region from here on, the border is not decided again
 constexpr int kNear = 2;               // cells around a move that are asked again
 
-struct Move {
-    int line, beam;
-    std::uint32_t to;
+// The questions of some lines, which are answered kCellsAtOnce at a time.
+class BorderQuestions {
+public:
+    BorderQuestions(const BorderFeatures& features, const BorderNetwork& network, const BorderWatch& watch, int beams)
+        : features_(features), network_(network), watch_(watch), beams_(static_cast<std::size_t>(beams)) {}
+
+    /// All questions about a cell follow each other.
+    void ask(const BorderPlace& place) {
+        places_[count_++] = place;
+        features_.readEarly(place);
+        if (count_ == places_.size()) answer();
+    }
+    /// The cells that belong to another segment, in the order of the questions.
+    [[nodiscard]] std::vector<CellMove> moves() {
+        if (count_ > 0) answer();
+        end();
+        return std::move(moves_);
+    }
+
+private:
+    void answer() {
+        const BorderFeatureLanes features = features_.of(std::span(places_).first(count_));
+        const Lanes<float> said = network_.says(features);
+        for (std::size_t n = 0; n < count_; ++n) {
+            if (watch_) show(n, features);
+            take(places_[n], said[n]);
+        }
+        count_ = 0;
+    }
+    void show(std::size_t lane, const BorderFeatureLanes& features) const {
+        const BorderPlace& place = places_[lane];
+        BorderQuestion question{static_cast<std::size_t>(place.line) * beams_ + static_cast<std::size_t>(place.beam), place.own,
+                                place.other};
+        for (std::size_t f = 0; f < features.size(); ++f) question.features[f] = features[f][lane];
+        watch_(question);
+    }
+    void take(const BorderPlace& place, float said) {
+        if (place.line != best_.line || place.beam != best_.beam) {
+            end();
+            best_ = {place.line, place.beam, place.own, place.own};
+            most_ = 0;
+        }
+        if (!(said > most_ || (said == most_ && best_.other != best_.own && place.other < best_.other))) return;
+        most_ = said;
+        best_.other = place.other;
+    }
+    void end() {
+        if (best_.other != best_.own) moves_.push_back({best_.line, best_.beam, best_.other});
+        best_ = {-1, -1, 0, 0};
+    }
+
+    const BorderFeatures& features_;
+    const BorderNetwork& network_;
+    const BorderWatch& watch_;
+    const std::size_t beams_;
+    std::array<BorderPlace, kCellsAtOnce> places_;
+    std::size_t count_ = 0;
+    BorderPlace best_{-1, -1, 0, 0}; // of the newest cell: the likeliest segment, its own if no other is likely
+    float most_ = 0;
+    std::vector<CellMove> moves_;
 };
 
 class BorderChoice {
@@ -29,46 +89,37 @@ public:
         for (int i = 0; i < segment.lines; ++i) {
             const std::size_t at = cells_.index(i, 0);
             for (std::size_t j = 0; j < static_cast<std::size_t>(segment.beams); ++j)
-                asked_.line(i)[j] = static_cast<std::uint8_t>((cells_.inner[at + j] == kNoSegment) & (cells_.solid[at + j] != kVoidCell));
+                asked_.line(i)[j] = static_cast<std::uint8_t>(cells_.touches(at + j));
         }
     }
 
     // False if nothing moved.
-    bool pass(int bands) {
-        std::vector<std::vector<Move>> moves(static_cast<std::size_t>(bands));
-        std::vector<std::function<void()>> parts;
-        for (int band = 0; band < bands; ++band)
-            parts.emplace_back([&, band] {
-                const int last = firstLineOfBand(segment_.lines, bands, band + 1);
-                for (int i = firstLineOfBand(segment_.lines, bands, band); i < last; ++i) lookAt(i, moves[static_cast<std::size_t>(band)]);
-            });
-        runParts(bands, parts);
+    bool pass(int threads) {
+        const CellMoves moves = madeOfParts(segment_.lines, threads, [this](int first, int last) { return movesOf(first, last); });
         std::fill(asked_.cells.begin(), asked_.cells.end(), std::uint8_t{0});
-        bool moved = false;
-        for (const std::vector<Move>& some : moves) {
-            for (const Move& move : some) apply(move);
-        }
-        for (const std::vector<Move>& some : moves) {
-            for (const Move& move : some) cells_.renew(move.line, move.beam, [](int, int, std::uint32_t, std::uint32_t) {});
-            moved = moved || !some.empty();
-        }
-        return moved;
+        eachMove(moves, segment_.lines, kNear, threads, [this](const CellMove& move) { apply(move); });
+        const auto unnoticed = [](int, int, std::uint32_t, std::uint32_t) {};
+        eachMove(moves, segment_.lines, 1, threads, [&](const CellMove& move) { cells_.renew(move.line, move.beam, unnoticed); });
+        return std::ranges::any_of(moves, [](const std::vector<CellMove>& some) { return !some.empty(); });
     }
 
 private:
-    void lookAt(int line, std::vector<Move>& moves) const {
-        const std::uint8_t* const asked = asked_.line(line);
-        for (int j = 0; j < segment_.beams; ++j) {
-            if (asked[j] == 0) continue;
-            const std::size_t at = cells_.index(line, j);
-            const std::uint32_t own = cells_.solid[at];
-            if (own == kVoidCell || own == kNoSegment || cells_.inner[at] != kNoSegment) continue;
-            const std::uint32_t to = choice(line, j, own);
-            if (to != own) moves.push_back({line, j, to});
+    // Of these lines.
+    [[nodiscard]] std::vector<CellMove> movesOf(int first, int last) const {
+        BorderQuestions questions(features_, network_, watch_, segment_.beams);
+        for (int i = first; i < last; ++i) {
+            const std::uint8_t* const asked = asked_.line(i);
+            for (int j = 0; j < segment_.beams; ++j) {
+                if (asked[j] != 0) askAbout(i, j, questions);
+            }
         }
+        return questions.moves();
     }
-    [[nodiscard]] std::uint32_t choice(int line, int beam, std::uint32_t own) const {
+    void askAbout(int line, int beam, BorderQuestions& questions) const {
         const std::size_t at = cells_.index(line, beam), beams = cells_.beams();
+        const std::uint32_t own = cells_.solid[at];
+        if (own == kVoidCell || own == kNoSegment || cells_.inner[at] != kNoSegment) return;
+        cells_.readBelowEarly(at);
         std::array<std::uint32_t, 8> others;
         std::size_t count = 0;
         for (const std::size_t q :
@@ -76,26 +127,14 @@ private:
             const std::uint32_t there = cells_.solid[q];
             if (there == own || there == kVoidCell || there == kNoSegment || groups_[there] == groups_[own]) continue;
             const auto end = others.begin() + static_cast<std::ptrdiff_t>(count);
-            if (std::find(others.begin(), end, there) == end) others[count++] = there;
+            if (std::find(others.begin(), end, there) != end) continue;
+            others[count++] = there;
+            questions.ask({line, beam, own, there});
         }
-        std::uint32_t best = own;
-        if (count == 0) return best;
-        const BorderSide ownSide = features_.side(line, beam, own);
-        float most = 0;
-        for (std::size_t n = 0; n < count; ++n) {
-            const auto features = features_.of(line, beam, ownSide, features_.side(line, beam, others[n]));
-            if (watch_) watch_({segment_.index(line, beam), own, others[n], features});
-            const float said = network_.says(features);
-            if (said > most || (said == most && best != own && others[n] < best)) {
-                most = said;
-                best = others[n];
-            }
-        }
-        return best;
     }
-    void apply(const Move& move) {
-        segment_.at(move.line, move.beam) = move.to;
-        cells_.assign(move.line, move.beam, move.to);
+    void apply(const CellMove& move) {
+        segment_.at(move.line, move.beam) = move.segment;
+        cells_.assign(move.line, move.beam, move.segment);
         for (int i = std::max(move.line - kNear, 0); i <= std::min(move.line + kNear, segment_.lines - 1); ++i)
             std::fill(asked_.line(i) + std::max(move.beam - kNear, 0), asked_.line(i) + std::min(move.beam + kNear, segment_.beams - 1) + 1,
                       std::uint8_t{1});
@@ -118,9 +157,9 @@ std::vector<std::uint32_t> settledGroups(const std::vector<SegmentBorder>& borde
 
 void chooseBorders(const Inputs& inputs, std::span<const std::uint32_t> groups, const BorderNetwork& network, int passes,
                    Grid<std::uint32_t>& segment, int threads, const BorderWatch& watch) {
-    const int bands = watch ? 1 : std::clamp(bandsFor(segment.size(), threads), 1, std::max(1, segment.lines));
+    threads = watch ? 1 : bandsFor(segment.size(), threads);
     BorderChoice choice(inputs, groups, network, segment, watch);
-    while (passes-- > 0 && choice.pass(bands)) {
+    while (passes-- > 0 && choice.pass(threads)) {
     }
 }
 

@@ -1,6 +1,8 @@
 // A small network that says to which of two segments a cell on their border belongs (docs/method/rocks.md, "Step 6").
 #pragma once
 
+#include "core/rocks/segmentation/lanes.h"
+
 #include <array>
 #include <cstddef>
 
@@ -9,6 +11,9 @@ namespace edgescan::rocks {
 inline constexpr std::size_t kBorderFeatures = 42;
 inline constexpr std::size_t kBorderFirst = 48; ///< neurons of the first layer
 inline constexpr std::size_t kBorderSecond = 24;
+
+/// The features of kCellsAtOnce questions.
+using BorderFeatureLanes = std::array<Lanes<float>, kBorderFeatures>;
 
 /// Weights by input, then by neuron.
 struct BorderNetwork {
@@ -20,8 +25,8 @@ struct BorderNetwork {
     std::array<float, kBorderSecond> third{};
     float thirdBias = 0;
 
-    /// The log odds of "belongs to the other segment". The same bits with every instruction set.
-    [[nodiscard]] float says(const std::array<float, kBorderFeatures>& features) const;
+    /// The log odds of "belongs to the other segment", by lane. The same bits with every instruction set.
+    [[nodiscard]] Lanes<float> says(const BorderFeatureLanes& features) const;
 };
 
 /// The network that `edgescan-lab learn-borders` made (border_weights.inc).

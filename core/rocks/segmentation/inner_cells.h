@@ -16,30 +16,39 @@ namespace edgescan::rocks {
 /// In `solid`: a cell without a range, and the margin.
 inline constexpr std::uint32_t kVoidCell = UINT32_MAX;
 
-/// The segment of each cell of a line. kNoSegment where there is no range, or where one of the 8 neighbours has a range and belongs to
-/// another segment or to no segment. `solid`: `step` cells per line.
-EDGESCAN_INLINE void markInner(const std::uint32_t* solid, std::size_t step, std::size_t beams, std::uint32_t* __restrict inner) {
+/// The segment of a cell. kNoSegment where there is no range, or where one of the 8 neighbours has a range and belongs to another segment
+/// or to no segment. `solid`: the cell in a grid with `step` cells per line.
+EDGESCAN_INLINE std::uint32_t innerSegment(const std::uint32_t* solid, std::size_t step) {
     const std::uint32_t* const above = solid - step;
     const std::uint32_t* const below = solid + step;
-    for (std::size_t j = 0; j < beams; ++j) {
-        const std::uint32_t here = solid[j];
-        std::uint32_t others = here == kVoidCell ? 1U : 0U;
-        for (const std::uint32_t there :
-             {above[j - 1], above[j], above[j + 1], solid[j - 1], solid[j + 1], below[j - 1], below[j], below[j + 1]})
-            others |= (there != here ? 1U : 0U) & (there != kVoidCell ? 1U : 0U);
-        inner[j] = others != 0 ? kNoSegment : here;
-    }
+    const std::uint32_t here = *solid;
+    std::uint32_t others = here == kVoidCell ? 1U : 0U;
+    for (const std::uint32_t there : {above[-1], above[0], above[1], solid[-1], solid[1], below[-1], below[0], below[1]})
+        others |= (there != here ? 1U : 0U) & (there != kVoidCell ? 1U : 0U);
+    return others != 0 ? kNoSegment : here;
 }
 
 /// The segments of a grid with kPlaneReach more cells on each side, and a few more behind them.
 class InnerCells {
 public:
-    InnerCells(const InverseRange& inverse, const Grid<std::uint32_t>& segment);
+    /// `threads`: 0 is as many as make it faster.
+    InnerCells(const InverseRange& inverse, const Grid<std::uint32_t>& segment, int threads = 0);
 
     /// Cells of a line with its margin.
     [[nodiscard]] std::size_t beams() const { return beams_; }
     [[nodiscard]] std::size_t index(int line, int beam) const {
         return static_cast<std::size_t>(line + kPlaneReach) * beams_ + static_cast<std::size_t>(beam + kPlaneReach);
+    }
+    /// Whether the cell has a range and touches another segment, or no segment.
+    [[nodiscard]] bool touches(std::size_t at) const { return (inner[at] == kNoSegment) & (solid[at] != kVoidCell); }
+    /// Asks the processor to read early what the window of the next line's cell reads and that of this cell does not.
+    void readBelowEarly(std::size_t at) const {
+        const std::size_t next = std::min(at + (kPlaneReach + 1) * beams_, inner.size() - kPlaneColumns);
+        for (const std::size_t k : {next - kPlaneReach, next + kPlaneReach}) {
+            __builtin_prefetch(&inner[k]);
+            __builtin_prefetch(&u[k]);
+        }
+        __builtin_prefetch(&solid[at + 2 * beams_]);
     }
     void assign(int line, int beam, std::uint32_t to) { solid[index(line, beam)] = to; }
     /// After a cell and perhaps its neighbours got other segments: `inner` of the cell and its neighbours. Calls say(line, beam, before,
@@ -49,7 +58,7 @@ public:
         for (int i = std::max(line - 1, 0); i <= std::min(line + 1, lines_ - 1); ++i) {
             for (int j = std::max(beam - 1, 0); j <= std::min(beam + 1, gridBeams_ - 1); ++j) {
                 const std::size_t at = index(i, j);
-                const std::uint32_t before = inner[at], after = innerAt(at);
+                const std::uint32_t before = inner[at], after = innerSegment(&solid[at], beams_);
                 inner[at] = after;
                 if (before != after) say(i, j, before, after);
             }
@@ -61,8 +70,6 @@ public:
     std::vector<float> u;             ///< 1/m
 
 private:
-    [[nodiscard]] std::uint32_t innerAt(std::size_t at) const;
-
     int lines_, gridBeams_;
     std::size_t beams_;
 };

@@ -1,123 +1,102 @@
 // Computes sums over windows, several columns at once.
 #include "core/rocks/segmentation/planes.h"
 
-#include "core/base/simd.h"
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 
 namespace edgescan::rocks {
 namespace {
 
-constexpr double kRidge = 0.5; // added to the spreads, so that few cells in one line do not tilt the plane
-constexpr int kFewestForPlane = 6;
-constexpr int kWide = 2 * kPlaneReach + 1;
-constexpr std::size_t kLanesAtOnce = 4;
-constexpr std::size_t kGroups = kPlaneColumns / kLanesAtOnce;
+constexpr std::size_t kWide = 2 * kPlaneReach + 1;
 
-using FourNumbers = std::uint32_t __attribute__((vector_size(16)));
-using FourWide = double __attribute__((vector_size(32)));
-
-// Sums of each column, rows counted from 0 at the top. All sums are exact in any order: u has 24 bits, a double 53.
-struct ColumnSums {
-    // number of cells, sum of their rows (from bit 9 on) and of the squared rows (from bit 17 on)
-    std::array<std::uint32_t, kPlaneColumns> counts;
-    std::array<double, kPlaneColumns> u;
-    std::array<double, kPlaneColumns> upward;  // sum of u x (kWide - row)
-    std::array<double, kPlaneColumns> squares; // sum of u^2, if it is asked for
+// Vectors for the columns of a window that are summed at once, as many as a register of doubles holds.
+struct FourColumns {
+    using Numbers = std::uint32_t __attribute__((vector_size(16)));
+    using Doubles = double __attribute__((vector_size(32)));
+    using Floats = FourLanes;
+};
+struct EightColumns {
+    using Numbers = std::uint32_t __attribute__((vector_size(32)));
+    using Doubles = double __attribute__((vector_size(64)));
+    using Floats = EightLanes;
 };
 
-template <bool kSquares>
-EDGESCAN_INLINE void addColumns(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own, ColumnSums& sums) {
-    for (std::size_t group = 0; group < kGroups; ++group) {
-        FourNumbers counts{};
-        FourWide total{}, upward{}, squares{};
-        for (std::uint32_t row = 0; row < kWide; ++row) {
-            const std::size_t at = row * beams + group * kLanesAtOnce;
-            FourNumbers there;
-            FourNumbers bits;
-            std::memcpy(&there, segment + at, sizeof there);
-            std::memcpy(&bits, u + at, sizeof bits);
-            const auto isOwn = reinterpret_cast<FourNumbers>(there == own);
-            counts += isOwn & (1U | row << 8U | row * row << 16U);
-            const FourWide own4 = __builtin_convertvector(reinterpret_cast<FourLanes>(bits & isOwn), FourWide);
-            total += own4;
-            upward += total;
-            if constexpr (kSquares) squares += own4 * own4;
-        }
-        std::memcpy(&sums.counts[group * kLanesAtOnce], &counts, sizeof counts);
-        std::memcpy(&sums.u[group * kLanesAtOnce], &total, sizeof total);
-        std::memcpy(&sums.upward[group * kLanesAtOnce], &upward, sizeof upward);
-        if constexpr (kSquares) std::memcpy(&sums.squares[group * kLanesAtOnce], &squares, sizeof squares);
+template <class T, class Vector>
+EDGESCAN_INLINE T sumOf(const Vector& vector) {
+    std::array<T, sizeof(Vector) / sizeof(T)> values;
+    std::memcpy(values.data(), &vector, sizeof vector);
+    for (std::size_t half = values.size() / 2; half > 0; half /= 2) {
+        for (std::size_t n = 0; n < half; ++n) values[n] += values[n + half];
     }
+    return values[0];
 }
 
-PlaneSums sumsOf(const ColumnSums& columns) {
-    PlaneSums plane;
-    double upward = 0;
-    for (int column = 0; column < kWide; ++column) {
-        const auto at = static_cast<std::size_t>(column);
-        const int x = column - kPlaneReach;
-        const auto n = static_cast<int>(columns.counts[at] & 0xffU);
-        const auto rows = static_cast<int>(columns.counts[at] >> 8U & 0xffU);
-        const auto squares = static_cast<int>(columns.counts[at] >> 16U);
-        const int y = rows - n * kPlaneReach;
-        plane.n += n;
-        plane.x += x * n;
-        plane.xx += x * x * n;
-        plane.y += y;
-        plane.xy += x * y;
-        plane.yy += squares - 2 * kPlaneReach * rows + n * (kPlaneReach * kPlaneReach);
-        plane.u += columns.u[at];
-        plane.xu += x * columns.u[at];
-        upward += columns.upward[at];
+// All sums but that of the squares of u are exact in any order: u has 24 bits, a double 53. The squares are added by column.
+template <class In, bool kSquares>
+EDGESCAN_INLINE void addColumns(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own, WindowSums& sums,
+                                std::size_t lane) {
+    constexpr std::size_t kCount = kLanes<typename In::Floats>, kGroups = (kWide + kCount - 1) / kCount;
+    typename In::Numbers counts{}, byColumn{}, bySquare{};
+    typename In::Doubles all{}, across{}, upwards{};
+    std::array<double, kGroups * kCount> squares;
+#pragma GCC unroll 3
+    for (std::size_t group = 0; group < kGroups; ++group) {
+        typename In::Numbers number{}, column, used;
+        typename In::Doubles total{}, upward{}, square{}, x, weight;
+        for (std::size_t n = 0; n < kCount; ++n) {
+            column[n] = static_cast<std::uint32_t>(group * kCount + n);
+            const bool isInside = group * kCount + n < kWide;
+            used[n] = isInside ? UINT32_MAX : 0;
+            weight[n] = isInside ? 1.0 : 0.0;
+            x[n] = isInside ? static_cast<double>(group * kCount + n) - kPlaneReach : 0.0;
+        }
+#pragma GCC unroll 9
+        for (std::uint32_t row = 0; row < kWide; ++row) {
+            const std::size_t at = row * beams + group * kCount;
+            typename In::Numbers there, bits;
+            std::memcpy(&there, segment + at, sizeof there);
+            std::memcpy(&bits, u + at, sizeof bits);
+            const auto isOwn = reinterpret_cast<typename In::Numbers>(there == own);
+            number += isOwn & (1U | row << kRowsFrom | row * row << kSquaresFrom);
+            const auto own4 = __builtin_convertvector(reinterpret_cast<typename In::Floats>(bits & isOwn), typename In::Doubles);
+            total += own4;
+            upward += total;
+            if constexpr (kSquares) square += own4 * own4;
+        }
+        number &= used;
+        counts += number;
+        byColumn += column * (number & ((1U << kSquaresFrom) - 1));
+        bySquare += column * column * (number & kNumberBits);
+        all += total * weight;
+        across += total * x;
+        upwards += upward * weight;
+        if constexpr (kSquares) std::memcpy(&squares[group * kCount], &square, sizeof square);
     }
-    plane.yu = (kWide - kPlaneReach) * plane.u - upward;
-    return plane;
+    sums.counts[lane] = sumOf<std::uint32_t>(counts);
+    sums.byColumn[lane] = sumOf<std::uint32_t>(byColumn);
+    sums.bySquare[lane] = sumOf<std::uint32_t>(bySquare);
+    sums.u[lane] = sumOf<double>(all);
+    sums.xu[lane] = sumOf<double>(across);
+    sums.upward[lane] = sumOf<double>(upwards);
+    if constexpr (kSquares) {
+        double sum = 0;
+        for (std::size_t n = 0; n < kWide; ++n) sum += squares[n];
+        sums.uu[lane] = sum;
+    }
 }
 
 } // namespace
 
-double PlaneSums::height() const {
-    if (n < kFewestForPlane) return u / n;
-    const double a = xx + kRidge;
-    const double d = yy + kRidge;
-    const double minor = a * d - static_cast<double>(xy) * xy;
-    const double cx = x * d - static_cast<double>(y) * xy;
-    const double cy = y * a - static_cast<double>(x) * xy;
-    const double determinant = n * minor - x * cx - y * cy;
-    return (u * minor - xu * cx - yu * cy) / determinant;
+void addWindow(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own, WindowSums& sums, std::size_t lane) {
+    vectorised<addColumns<FourColumns, false>, addColumns<FourColumns, false>, addColumns<EightColumns, false>>(segment, u, beams, own,
+                                                                                                                sums, lane);
 }
 
-PlaneSums planeSums(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own) {
-    ColumnSums columns;
-    vectorised<addColumns<false>>(segment, u, beams, own, columns);
-    return sumsOf(columns);
-}
-
-FittedPlane fittedPlane(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own) {
-    ColumnSums columns;
-    vectorised<addColumns<true>>(segment, u, beams, own, columns);
-    const PlaneSums sums = sumsOf(columns);
-    FittedPlane plane{sums.n};
-    if (sums.n == 0) return plane;
-    plane.u = sums.height();
-    if (sums.n < kFewestForPlane) return plane;
-    const double a = sums.xx + kRidge;
-    const double d = sums.yy + kRidge;
-    // The normal equations without the height: each row minus the height times its count.
-    const double xu = sums.xu - sums.x * plane.u;
-    const double yu = sums.yu - sums.y * plane.u;
-    const double minor = a * d - static_cast<double>(sums.xy) * sums.xy;
-    plane.x = (xu * d - yu * sums.xy) / minor;
-    plane.y = (yu * a - xu * sums.xy) / minor;
-    double squares = 0;
-    for (int column = 0; column < kWide; ++column) squares += columns.squares[static_cast<std::size_t>(column)];
-    const double off = squares - plane.u * sums.u - plane.x * sums.xu - plane.y * sums.yu;
-    plane.scatter = std::sqrt(std::max(0.0, off / sums.n));
-    return plane;
+void addSquaredWindow(const std::uint32_t* segment, const float* u, std::size_t beams, std::uint32_t own, WindowSums& sums,
+                      std::size_t lane) {
+    vectorised<addColumns<FourColumns, true>, addColumns<FourColumns, true>, addColumns<EightColumns, true>>(segment, u, beams, own, sums,
+                                                                                                             lane);
 }
 
 } // namespace edgescan::rocks

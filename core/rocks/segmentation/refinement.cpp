@@ -1,13 +1,14 @@
 // Assigns cells on the borders of segments to the segment whose plane fits them.
 #include "core/rocks/segmentation/refinement.h"
 
-#include "core/base/bands.h"
 #include "core/base/order_statistic.h"
 #include "core/base/simd.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
+#include "core/rocks/segmentation/cell_moves.h"
 #include "core/rocks/segmentation/equal_runs.h"
 #include "core/rocks/segmentation/inner_cells.h"
 #include "core/rocks/segmentation/planes.h"
+#include "core/rocks/segmentation/segment_choice.h"
 #include "core/scan/grid/beam_width.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <ranges>
+#include <span>
 #include <vector>
 
 namespace edgescan::rocks {
@@ -29,10 +30,7 @@ constexpr double kMostApart = 5.0;
 constexpr double kMostOverlapping = 30.0;
 constexpr double kBeyond = 0.01;
 constexpr double kPerNeighbour = 2.0;
-constexpr float kAcrossEdge = 0.5F; // weight of a neighbour behind a full jump or valley
-constexpr double kFitsOpen = 20.0;  // an open cell is assigned within this many standard deviations
-constexpr std::size_t kMostChoices = 9;
-constexpr double kLeastU = 1e-4; // 1/m
+constexpr double kFitsOpen = 20.0; // an open cell is assigned within this many standard deviations
 
 // 0..1 on the crack between each cell and the next one in the direction: strength of the jump or valley there.
 EDGESCAN_INLINE void edgesOf(const float* jump, const float* fold, std::size_t step, std::size_t cells, float* __restrict edge) {
@@ -48,73 +46,62 @@ std::uint8_t markOf(std::uint32_t segment) {
     return segment == kNoSegment || segment == kVoidCell ? std::uint8_t{0} : static_cast<std::uint8_t>(1U << (segment % 7U));
 }
 
-// A segment that a cell may choose.
-struct SegmentChoice {
-    std::uint32_t segment;
-    double neighbours; // weighted number of neighbours in it; smaller weight behind an edge
-};
-
 class Refinement {
 public:
     Refinement(const InverseRange& inverse, const edges::DepthCracks& cracks, const RangeNoise& noise, double most,
                Grid<std::uint32_t>& segment)
-        : inverse_(inverse), noise_(noise), most_(most), segment_(segment),
-          inner_(marginBeams_ * static_cast<std::size_t>(segment.lines + 2 * kPlaneReach) + kPlaneColumns),
-          solid_(inner_.size(), kVoidCell), u_(inner_.size()), edgeBeams_(inner_.size()), edgeLines_(inner_.size()),
-          looked_(segment.lines, segment.beams), weighed_(segment.lines, segment.beams, kNeighbours) {
+        : noise_(noise), most_(most), segment_(segment), cells_(inverse, segment), edgeBeams_(cells_.solid.size()),
+          edgeLines_(cells_.solid.size()), looked_(segment.lines, segment.beams), weighed_(segment.lines, segment.beams, kNeighbours) {
         const auto beams = static_cast<std::size_t>(segment.beams);
         runInBands(segment.lines, threads_, [&](int from, int end) {
             for (int i = from; i < end; ++i) {
                 const std::size_t first = segment.index(i, 0);
-                const std::size_t at = marginIndex(i, 0);
-                std::copy_n(&inverse.u[first], beams, &u_[at]);
+                const std::size_t at = cells_.index(i, 0);
                 vectorised<edgesOf>(&cracks.jumpBeams[first], &cracks.foldBeams[first], 1, beams - 1, &edgeBeams_[at]);
                 if (i + 1 < segment.lines)
                     vectorised<edgesOf>(&cracks.jumpLines[first], &cracks.foldLines[first], beams, beams, &edgeLines_[at]);
-                for (std::size_t j = 0; j < beams; ++j)
-                    solid_[at + j] = inverse.support[first + j] != Support::Void ? segment[first + j] : kVoidCell;
-            }
-        });
-        runInBands(segment.lines, threads_, [&](int from, int end) {
-            for (int i = from; i < end; ++i) {
-                const std::size_t at = marginIndex(i, 0);
-                vectorised<markInner>(&solid_[at], marginBeams_, beams, &inner_[at]);
-                for (std::size_t j = 0; j < beams; ++j)
-                    looked_.line(i)[j] = (inner_[at + j] == kNoSegment) & (solid_[at + j] != kVoidCell) ? kNeighbours : 0;
+                for (std::size_t j = 0; j < beams; ++j) looked_.line(i)[j] = cells_.touches(at + j) ? kNeighbours : 0;
             }
         });
     }
 
     void pass() {
-        const auto moves = madeOfParts(segment_.lines, threads_, [this](int first, int last) { return movesOf(first, last); });
+        const CellMoves moves = madeOfParts(segment_.lines, threads_, [this](int first, int last) { return movesOf(first, last); });
         std::fill(looked_.cells.begin(), looked_.cells.end(), std::uint8_t{0});
-        for (const Move& move : moves | std::views::join) {
+        eachMove(moves, segment_.lines, 0, threads_, [this](const CellMove& move) {
             segment_.at(move.line, move.beam) = move.segment;
-            solid_[marginIndex(move.line, move.beam)] = move.segment;
-        }
-        for (const Move& move : moves | std::views::join) {
-            look(move.line, move.beam, 1, kNeighbours);
-            renewInner(move.line, move.beam);
-        }
+            cells_.assign(move.line, move.beam, move.segment);
+        });
+        const auto look = [this](int line, int beam, std::uint32_t before, std::uint32_t after) {
+            lookAgain(line, beam, kPlaneReach, markOf(before) | markOf(after));
+        };
+        eachMove(moves, segment_.lines, kPlaneReach + 1, threads_, [&](const CellMove& move) {
+            lookAgain(move.line, move.beam, 1, kNeighbours);
+            cells_.renew(move.line, move.beam, look);
+        });
     }
 
 private:
-    struct Move {
-        int line, beam;
-        std::uint32_t segment;
+    // Cells that choose together.
+    struct Choosing {
+        ChoosingCells cells;
+        WindowSums windows;
+        std::array<CellMove, kCellsAtOnce> at; // with the segment that each cell has
+        std::size_t count = 0;
     };
     // Of these lines. Writes only what it notes for their own cells.
-    std::vector<Move> movesOf(int first, int last) {
-        std::vector<Move> moves;
+    std::vector<CellMove> movesOf(int first, int last) {
+        std::vector<CellMove> moves;
+        Choosing choosing{};
         for (int i = first; i < last; ++i) {
             const std::uint8_t* const look = looked_.line(i);
             for (int j = nextLooked(look, 0); j < segment_.beams; j = nextLooked(look, j + 1)) {
-                const std::size_t at = marginIndex(i, j);
-                if (inner_[at] != kNoSegment || solid_[at] == kVoidCell || (look[j] & weighed_.at(i, j)) == 0) continue;
-                const std::uint32_t chosen = choice(i, j);
-                if (chosen != solid_[at]) moves.push_back({i, j, chosen});
+                if (!cells_.touches(cells_.index(i, j)) || (look[j] & weighed_.at(i, j)) == 0) continue;
+                lookUp(i, j, choosing);
+                if (choosing.count == kCellsAtOnce) choose(choosing, moves);
             }
         }
+        if (choosing.count > 0) choose(choosing, moves);
         return moves;
     }
     // The next marked cell of a line, searched eight at a time.
@@ -128,110 +115,93 @@ private:
     }
     // A cell's choice depends on the segments of its neighbours, and on which cells of its window are inner cells of the segments that it
     // considered. If neither changed, its choice is the same as before.
-    void look(int line, int beam, int reach, std::uint8_t segments) {
+    void lookAgain(int line, int beam, int reach, std::uint8_t segments) {
         const int first = std::max(beam - reach, 0);
         const int last = std::min(beam + reach, segment_.beams - 1);
+        constexpr std::uint64_t kEachByte = 0x0101010101010101U;
         for (int i = std::max(line - reach, 0); i <= std::min(line + reach, segment_.lines - 1); ++i) {
-            for (int j = first; j <= last; ++j) looked_.at(i, j) |= segments;
-        }
-    }
-    // Updates a cell that changed its segment, and its neighbours.
-    void renewInner(int line, int beam) {
-        for (int i = std::max(line - 1, 0); i <= std::min(line + 1, segment_.lines - 1); ++i) {
-            const std::size_t first = marginIndex(i, beam - 1);
-            std::array<std::uint32_t, 3> renewed;
-            vectorised<markInner>(&solid_[first], marginBeams_, renewed.size(), renewed.data());
-            for (std::size_t n = 0; n < renewed.size(); ++n) {
-                const int j = beam - 1 + static_cast<int>(n);
-                if (j < 0 || j >= segment_.beams || inner_[first + n] == renewed[n]) continue;
-                look(i, j, kPlaneReach, markOf(inner_[first + n]) | markOf(renewed[n]));
-                inner_[first + n] = renewed[n];
+            std::uint8_t* at = &looked_.at(i, first);
+            std::uint8_t* const end = at + (last - first) + 1;
+            for (; at + 8 <= end; at += 8) {
+                std::uint64_t eight;
+                std::memcpy(&eight, at, sizeof eight);
+                eight |= segments * kEachByte;
+                std::memcpy(at, &eight, sizeof eight);
             }
+            for (; at < end; ++at) *at |= segments;
         }
     }
-    [[nodiscard]] std::uint32_t choice(int line, int beam) {
-        std::array<SegmentChoice, kMostChoices> choices;           // used up to the number of choices
-        const std::uint32_t own = solid_[marginIndex(line, beam)]; // as in segment_, and already in the cache
-        const std::size_t count = choicesAt(marginIndex(line, beam), choices);
-        std::uint8_t& weighed = weighed_.at(line, beam);
-        weighed = kNeighbours;
-        if (count == 0 || (count == 1 && choices[0].segment == own)) return own;
+    // Adds a cell to those that choose.
+    void lookUp(int line, int beam, Choosing& choosing) const {
+        const std::size_t at = cells_.index(line, beam), lane = choosing.count;
+        ChoosingCells& cells = choosing.cells;
+        for (std::size_t row = 0; row < 3; ++row) {
+            const std::size_t first = at + row * cells_.beams() - cells_.beams() - 1;
+            for (std::size_t n = 0; n < 3; ++n) cells.solid[3 * row + n][lane] = cells_.solid[first + n];
+            for (std::size_t n = 0; n < 2; ++n) cells.edge[ChoosingCells::kAboveLeft + 2 * row + n][lane] = edgeBeams_[first + n];
+            if (row == 2) break;
+            for (std::size_t n = 0; n < 3; ++n) cells.edge[ChoosingCells::kUpLeft + 3 * row + n][lane] = edgeLines_[first + n];
+        }
+        cells_.readBelowEarly(at);
+        __builtin_prefetch(&edgeBeams_[at + 2 * cells_.beams()]);
+        __builtin_prefetch(&edgeLines_[at + cells_.beams()]);
+        cells.u[lane] = cells_.u[at];
+        choosing.at[lane] = {line, beam, cells_.solid[at]};
+        ++choosing.count;
+    }
+    // Lets the cells choose, and adds those that move.
+    void choose(Choosing& choosing, std::vector<CellMove>& moves) {
+        SegmentChoices choices;
+        listChoices(choosing.cells, choices);
+        Lanes<double> least;
+        least.fill(std::numeric_limits<double>::infinity());
+        Lanes<std::uint32_t> best;
+        for (std::size_t lane = 0; lane < choosing.count; ++lane) {
+            best[lane] = choosing.at[lane].segment;
+            weighed_.at(choosing.at[lane].line, choosing.at[lane].beam) = kNeighbours;
+        }
         // The one with the most neighbours first: after it most others cannot cost less, however well they fit.
-        const auto fewer = [](const SegmentChoice& x, const SegmentChoice& y) { return x.neighbours < y.neighbours; };
-        std::swap(choices[0], *std::max_element(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(count), fewer));
-        const double rangeM = 1.0 / static_cast<double>(inverse_.u.at(line, beam));
-        const double noiseMm = std::max(noise_.at(rangeM), 0.1);
-        const std::size_t window = marginIndex(line - kPlaneReach, beam - kPlaneReach);
-        std::uint32_t best = own;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t n = 0; n < count; ++n) {
-            if (-kPerNeighbour * choices[n].neighbours > least) continue;
-            weighed |= markOf(choices[n].segment);
-            const PlaneSums plane = planeSums(&inner_[window], &u_[window], marginBeams_, choices[n].segment);
-            // In standard deviations of the noise.
-            const double off = plane.n == 0 ? most_ : 1000.0 * std::abs(1.0 / std::max(plane.height(), kLeastU) - rangeM) / noiseMm;
-            if (own == kNoSegment && off >= kFitsOpen) continue;
-            const double cost = (off > most_ ? most_ + kBeyond * (off - most_) : off) - kPerNeighbour * choices[n].neighbours;
-            if (cost < least || (cost == least && choices[n].segment < best)) {
-                least = cost;
-                best = choices[n].segment;
-            }
+        for (std::size_t n = 0; n < choices.most; ++n) consider(choosing, choices, n, least, best);
+        for (std::size_t lane = 0; lane < choosing.count; ++lane) {
+            const CellMove& at = choosing.at[lane];
+            if (best[lane] != at.segment) moves.push_back({at.line, at.beam, best[lane]});
         }
-        return best;
+        choosing.count = 0;
     }
-    // The weight of each of the eight neighbours, by line, then beam; smaller behind a jump or valley. For a diagonal neighbour: the path
-    // around the corner with the larger weight.
-    [[nodiscard]] std::array<double, 9> neighbourWeights(std::size_t at) const {
-        const float* const up = &edgeLines_[at - marginBeams_]; // towards the line before
-        const float* const down = &edgeLines_[at];
-        const float* const above = &edgeBeams_[at - marginBeams_ - 1];
-        const float* const here = &edgeBeams_[at - 1];
-        const float* const below = &edgeBeams_[at + marginBeams_ - 1];
-        const auto counts = [](float edge) { return static_cast<double>(1.0F - kAcrossEdge * edge); };
-        const auto corner = [&](float one, float then, float other, float next) {
-            return counts(std::min(std::max(one, then), std::max(other, next)));
-        };
-        return {corner(here[0], up[-1], up[0], above[0]),
-                counts(up[0]),
-                corner(here[1], up[1], up[0], above[1]),
-                counts(here[0]),
-                0.0,
-                counts(here[1]),
-                corner(here[0], down[-1], down[0], below[0]),
-                counts(down[0]),
-                corner(here[1], down[1], down[0], below[1])};
-    }
-    // The segments of the cell and its neighbours, with the weighted number of neighbours in each.
-    std::size_t choicesAt(std::size_t at, std::array<SegmentChoice, kMostChoices>& choices) const {
-        std::array<std::uint32_t, 9> segments;
-        for (std::size_t n = 0; n < 3; ++n) std::copy_n(&solid_[at + n * marginBeams_ - marginBeams_ - 1], 3, &segments[3 * n]);
-        const std::array<double, 9> weights = neighbourWeights(at);
+    // The n-th segment of each cell that may cost less than the best one so far.
+    void consider(Choosing& choosing, const SegmentChoices& choices, std::size_t n, Lanes<double>& least, Lanes<std::uint32_t>& best) {
+        const auto bonus = [&](std::size_t lane) { return kPerNeighbour * kWeightUnit * choices.weight[n][lane]; };
+        Lanes<std::size_t> active;
         std::size_t count = 0;
-        for (std::size_t k = 0; k < segments.size(); ++k) {
-            if (segments[k] == kNoSegment || segments[k] == kVoidCell) continue;
-            std::size_t n = 0;
-            while (n < count && choices[n].segment != segments[k]) ++n;
-            if (n == count) choices[count++] = {segments[k], 0.0};
-            choices[n].neighbours += weights[k];
+        for (std::size_t lane = 0; lane < choosing.count; ++lane) {
+            const std::uint32_t segment = choices.segment[n][lane];
+            if (segment == kNoSegment || -bonus(lane) > least[lane]) continue;
+            const CellMove& at = choosing.at[lane];
+            weighed_.at(at.line, at.beam) |= markOf(segment);
+            const std::size_t window = cells_.index(at.line - kPlaneReach, at.beam - kPlaneReach);
+            addWindow(&cells_.inner[window], &cells_.u[window], cells_.beams(), segment, choosing.windows, lane);
+            active[count++] = lane;
         }
-        return count;
-    }
-    // Index of a cell in the grids with a margin.
-    [[nodiscard]] std::size_t marginIndex(int line, int beam) const {
-        return static_cast<std::size_t>(line + kPlaneReach) * marginBeams_ + static_cast<std::size_t>(beam + kPlaneReach);
+        if (count == 0) return;
+        Lanes<double> offs;
+        measureDeviations(choosing.windows, choosing.cells.u, noise_, most_, offs);
+        for (const std::size_t lane : std::span(active).first(count)) {
+            const double off = offs[lane];
+            if (choosing.at[lane].segment == kNoSegment && off >= kFitsOpen) continue;
+            const double cost = (off > most_ ? most_ + kBeyond * (off - most_) : off) - bonus(lane);
+            const std::uint32_t segment = choices.segment[n][lane];
+            if (!(cost < least[lane] || (cost == least[lane] && segment < best[lane]))) continue;
+            least[lane] = cost;
+            best[lane] = segment;
+        }
     }
 
-    const InverseRange& inverse_;
     const RangeNoise& noise_;
     const double most_;
     Grid<std::uint32_t>& segment_;
     const int threads_ = bandsFor(segment_.size(), 0);
-    // With kPlaneReach more cells on each side, and a few more behind them.
-    const std::size_t marginBeams_ = static_cast<std::size_t>(segment_.beams + 2 * kPlaneReach);
-    std::vector<std::uint32_t> inner_; // the segment of cells that do not touch another one, otherwise kOpen
-    std::vector<std::uint32_t> solid_; // the segment, or kVoidCell without a range
-    std::vector<float> u_;
-    std::vector<float> edgeBeams_, edgeLines_; // between each cell and the next one in the direction
+    InnerCells cells_;
+    std::vector<float> edgeBeams_, edgeLines_; // as in cells_: between each cell and the next one in the direction
     Grid<std::uint8_t> looked_;                // bits of the inputs that changed since the cell's last choice
     Grid<std::uint8_t> weighed_;               // bits of the inputs of that choice
 };
