@@ -22,11 +22,15 @@ struct CellLinks {
     }
 };
 
+/// The folds that count for rocks.
+[[nodiscard]] inline const Grid<float>& rockFolds(const edges::DepthResponses& responses) {
+    return responses.roughness.rough ? responses.unweighed : responses.crease;
+}
+
 /// Strength of the separation between rocks, per cell: the jump or the valley after suppression, whichever is stronger; 0 on a ridge,
 /// because a ridge is inside one rock.
 [[nodiscard]] inline float separationStrength(const edges::DepthResponses& responses, std::size_t k) {
-    const Grid<float>& folds = responses.roughness.rough ? responses.unweighed : responses.crease;
-    return std::max({(*responses.jump)[k], -folds[k], 0.0F});
+    return std::max({(*responses.jump)[k], -rockFolds(responses)[k], 0.0F});
 }
 
 /// Exact distance of each cell to the nearest barrier, in cells, 0 on a barrier. Lines x beams. Barriers are chains of separating edges,
