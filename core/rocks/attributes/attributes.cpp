@@ -1,6 +1,7 @@
 // Computes the rows of the rock table.
 #include "core/rocks/attributes/attributes.h"
 
+#include "core/base/bands.h"
 #include "core/rocks/attributes/cells.h"
 #include "core/rocks/attributes/free_below.h"
 #include "core/rocks/attributes/visible_spans.h"
@@ -51,7 +52,18 @@ public:
           cells_(cellsByRock(segments, map, [this](std::uint32_t label) { return known_[label] != nullptr; })),
           tables_(*segments.inputs.scan), up_(upOf(*segments.inputs.scan).up) {}
 
-    [[nodiscard]] Rock row(std::uint32_t label) {
+    /// Of the labels behind `first`, up to `last`.
+    [[nodiscard]] std::vector<Rock> rows(int first, int last) const {
+        std::vector<Rock> rocks;
+        Buffers buffers;
+        for (int n = first; n < last; ++n) rocks.push_back(row(static_cast<std::uint32_t>(n + 1), buffers));
+        return rocks;
+    }
+
+private:
+    struct Buffers; // reused for each rock
+
+    [[nodiscard]] Rock row(std::uint32_t label, Buffers& buffers) const {
         const Region& region = map_.regions[label];
         Rock rock;
         rock.label = label;
@@ -66,11 +78,10 @@ public:
         if (const Rock* known = known_[label])
             take(*known, rock);
         else
-            measure(rock);
+            measure(rock, buffers);
         return rock;
     }
 
-private:
     static void take(const Rock& known, Rock& rock) {
         rock.cell = known.cell;
         rock.longestCaliperM = known.longestCaliperM;
@@ -122,6 +133,12 @@ private:
                 lengths[n] = (way[0] * (x[n] - from[0]) + way[1] * (y[n] - from[1])) + way[2] * (z[n] - from[2]);
         }
     };
+    struct Buffers {
+        std::vector<float> rangesMm;
+        RockPoints points;
+        PlanePoints projected;
+        std::vector<double> heights;
+    };
     // Collects the points of those of its cells that are not farther than `farthestMm`.
     void collect(std::uint32_t label, float farthestMm, RockPoints& points) const {
         const Grid<float>& rangeMm = segments_.inputs.scan->rangeMm;
@@ -143,36 +160,37 @@ private:
     }
 
     // Computes the values that need every point.
-    void measure(Rock& rock) {
+    void measure(Rock& rock, Buffers& buffers) const {
+        auto& [rangesMm, points, projected, heights] = buffers;
         const Eigen::Vector3d sight = (rock.centreM - tables_.sensor()).normalized();
         const Eigen::Vector3d right = sight.unitOrthogonal();
         const Eigen::Vector3d below = sight.cross(right);
-        ranges_.clear();
-        for (const std::uint32_t k : cells_.of(rock.label)) ranges_.push_back(segments_.inputs.scan->rangeMm[k]);
-        const Ranges ranges = rangesOf(ranges_);
-        collect(rock.label, ranges.farthest(), points_);
-        points_.along(right, rock.centreM, projected_.x);
-        points_.along(below, rock.centreM, projected_.y);
-        points_.along(up_, Eigen::Vector3d::Zero(), heights_);
+        rangesMm.clear();
+        for (const std::uint32_t k : cells_.of(rock.label)) rangesMm.push_back(segments_.inputs.scan->rangeMm[k]);
+        const Ranges ranges = rangesOf(rangesMm);
+        collect(rock.label, ranges.farthest(), points);
+        points.along(right, rock.centreM, projected.x);
+        points.along(below, rock.centreM, projected.y);
+        points.along(up_, Eigen::Vector3d::Zero(), heights);
         double nearest = HUGE_VAL;
-        for (std::size_t n = 0; n < points_.count(); ++n) {
-            const double offX = points_.x[n] - rock.centreM[0];
-            const double offY = points_.y[n] - rock.centreM[1];
-            const double offZ = points_.z[n] - rock.centreM[2];
+        for (std::size_t n = 0; n < points.count(); ++n) {
+            const double offX = points.x[n] - rock.centreM[0];
+            const double offY = points.y[n] - rock.centreM[1];
+            const double offZ = points.z[n] - rock.centreM[2];
             const double off = (offX * offX + offY * offY) + offZ * offZ;
             if (!(off < nearest)) continue;
             nearest = off;
-            rock.cell = points_.cell[n];
+            rock.cell = points.cell[n];
         }
-        const auto lowest = static_cast<std::size_t>(std::min_element(heights_.begin(), heights_.end()) - heights_.begin());
-        const Eigen::Vector3d lowestPoint(points_.x[lowest], points_.y[lowest], points_.z[lowest]);
-        const Calipers calipers = calipersOf(projected_);
+        const auto lowest = static_cast<std::size_t>(std::min_element(heights.begin(), heights.end()) - heights.begin());
+        const Eigen::Vector3d lowestPoint(points.x[lowest], points.y[lowest], points.z[lowest]);
+        const Calipers calipers = calipersOf(projected);
         rock.longestCaliperM = calipers.longest;
         rock.shortestCaliperM = calipers.shortest;
         rock.distanceM = 0.001 * static_cast<double>(ranges.middle);
         const double spacingM = std::sqrt(rock.areaM2 / rock.cells);
         rock.toleranceM = kTolerance * (spacingM + BeamWidth{}.at(rock.distanceM));
-        rock.freeHeightM = freeHeightM(segments_.inputs, tables_, lowestPoint, points_.cell[lowest], up_);
+        rock.freeHeightM = freeHeightM(segments_.inputs, tables_, lowestPoint, points.cell[lowest], up_);
     }
 
     const Segmentation& segments_;
@@ -181,11 +199,6 @@ private:
     CellsByRock cells_;
     CartesianTables tables_;
     Eigen::Vector3d up_;
-    // Buffers reused for each rock.
-    std::vector<float> ranges_;
-    RockPoints points_;
-    PlanePoints projected_;
-    std::vector<double> heights_;
 };
 
 void addNeighbours(const RegionMap& map, std::vector<Rock>& rocks) {
@@ -251,9 +264,11 @@ UpDirection upOf(const Scan& scan) {
 }
 
 std::vector<Rock> rockRows(const Segmentation& segments, const RegionMap& map, const EarlierRows* before) {
-    RowMaker maker(segments, map, before);
+    const RowMaker maker(segments, map, before);
+    const auto parts = madeOfParts(static_cast<int>(map.rocks), bandsFor(segments.segment.size(), 0),
+                                   [&](int first, int last) { return maker.rows(first, last); });
     std::vector<Rock> rocks;
-    for (std::uint32_t label = 1; label <= map.rocks; ++label) rocks.push_back(maker.row(label));
+    for (const std::vector<Rock>& part : parts) rocks.insert(rocks.end(), part.begin(), part.end());
     addNeighbours(map, rocks);
     addArches(rocks, CartesianTables(*segments.inputs.scan).sensor(), upOf(*segments.inputs.scan).up);
     return rocks;
