@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace edgescan::exports {
 namespace {
@@ -66,7 +67,8 @@ const FileBytes& fileOf(const std::vector<FileBytes>& files, const fs::path& pat
 /// The grid of the points for clouds, and for whole scans whose file has no room for it, with the cell of each point: so the points open
 /// as cells of the grid again.
 struct GridBeside {
-    std::string description, cells; ///< empty: the file holds its grid itself
+    Json description{};  ///< null: the file holds its grid itself
+    std::string cells{}; ///< the same: empty
 };
 GridBeside gridBeside(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     const files::Format* format = files::writtenFormat(path);
@@ -77,11 +79,11 @@ GridBeside gridBeside(ExportContent content, const edges::Detection& detection, 
     if (everyCell && holdsGrid) return {};
     const bool edges = exportKind(content).counts == ExportKind::Counts::EdgePoints;
     const std::shared_ptr<const Scan> chosen = isCloud(content) ? chosenScan(detection, options) : detection.scan;
-    return {files::descriptionText(*detection.scan, "", -1),
+    return {files::descriptionJson(*detection.scan),
             files::cellRunsText(*chosen, edges ? detection.mask.get() : nullptr, options.includeAttached)};
 }
 
-std::string sidecarText(const FileBytes& file, const std::string& record, const GridBeside& grid, const Expected& expected,
+std::string sidecarText(const FileBytes& file, const std::string& record, GridBeside grid, const Expected& expected,
                         const std::vector<FileBytes>& files) {
     Json about{{"file", file.path.filename().string()},
                {"sha256", sha256Hex(bytesOf(file.bytes))},
@@ -97,8 +99,7 @@ std::string sidecarText(const FileBytes& file, const std::string& record, const 
     if (!grid.cells.empty()) about["cells_of_points"] = grid.cells;
     const auto parsed = parseOrderedJson(record, "");
     Json sidecar{{"format", files::kSidecarFormat}, {"export", about}, {"record", parsed ? *parsed : Json()}};
-    if (const auto description = parseOrderedJson(grid.description, ""); !grid.description.empty() && description)
-        sidecar["grid"] = *description;
+    if (!grid.description.is_null()) sidecar["grid"] = std::move(grid.description);
     return asciiJsonText(sealedSidecar(std::move(sidecar)), 1) + "\n";
 }
 

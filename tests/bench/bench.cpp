@@ -1,6 +1,7 @@
 // The cost of the methods relative to each other, as ratios measured in one run: the source of docs/measurements/performance.md.
 // edgescan-bench
 // [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers]
+// edgescan-bench --write MILLIONS SCAN.json: only writes the scan of this size.
 // --short: a million cells, processor time only; exits with 1 if a ratio is more than a third worse than the one on record.
 #include "core/edges/gray/canny.h"
 #include "core/edges/gray/gray.h"
@@ -58,6 +59,11 @@ constexpr Goal kOpenCvAny{"plain OpenCV / edge map, plain", Good::AtLeast, 1, 1.
 constexpr Goal kThreshold{"threshold slider: cv::Canny on the cached blur / ours", Good::AtLeast, 15, 38};
 constexpr Goal kAvx2ToAvx512{"EdgeScan+ responses, avx2 / avx512", Good::AtMost, 1.5, 1.5};
 constexpr Goal kSseToAvx2{"EdgeScan+ responses, sse4.2 / avx2", Good::AtMost, 2.2, 2.2};
+constexpr Goal kThesisProcess{"raw grid to edge PCD, thesis's recipe / --version", Good::AtMost, 3, 4.1};
+constexpr Goal kPcdWritten{"PCD written from a raw grid / sha256sum and cp of it", Good::AtMost, 1.3, 1};
+constexpr Goal kPcdRead{"PCD read / sha256sum and cp of it", Good::AtMost, 2, 0.55};
+constexpr Goal kTextRead{"text cloud read / sha256sum and cp of it", Good::AtMost, 2, 0.7};
+constexpr Goal kE57Read{"E57 without angles read / sha256sum and cp of it", Good::AtMost, 2, 13};
 constexpr Goal kBoundary{"PCL BoundaryEstimation k=30 / EdgeScan+", Good::AtLeast, 400, 300};
 constexpr Goal kOrganized{"PCL OrganizedEdgeFromNormals / EdgeScan+", Good::AtLeast, 3, 3};
 
@@ -285,16 +291,19 @@ void measurePeers(const Scan& scan, Table& table) {
     }
 }
 
-void measurePrograms(const Scan& scan, const Wanted& wanted) {
-    std::printf(
-        "\n## Whole programs: previous / present\n\n| | CPU | wall | goal | reached | present, CPU ms |\n|---|---|---|---|---|---|\n");
-    for (const ProgramRow& row : programRows(wanted.previous, test::programFolder() + "/edgescan-cli", scan, wanted.rounds))
-        std::printf("| %s | %.2f | %.2f | %s | %s | %.1f |\n", row.what.c_str(), row.cpuRatio, row.wallRatio,
-                    row.atLeast ? ("at least " + std::to_string(*row.atLeast).substr(0, 3)).c_str() : "",
-                    !row.atLeast                   ? ""
-                    : row.cpuRatio >= *row.atLeast ? "yes"
-                                                   : "no",
-                    row.presentMs);
+void measurePrograms(const Scan& scan, const Wanted& wanted, Table& table) {
+    const std::string present = test::programFolder() + "/edgescan-cli";
+    const WholeRatios ratios = wholeRatios(present, scan, wanted.rounds);
+    table.begin("Whole programs");
+    table.row(kThesisProcess, ratios.thesisToVersion);
+    table.row(kPcdWritten, ratios.pcdWritten);
+    table.row(kPcdRead, ratios.pcdRead);
+    table.row(kTextRead, ratios.textRead);
+    table.row(kE57Read, ratios.e57Read);
+    if (wanted.previous.empty()) return;
+    std::printf("\n## Whole programs: previous / present\n\n| | CPU | wall | present, CPU ms |\n|---|---|---|---|\n");
+    for (const ProgramRow& row : programRows(wanted.previous, present, scan, wanted.rounds))
+        std::printf("| %s | %.2f | %.2f | %.1f |\n", row.what.c_str(), row.cpuRatio, row.wallRatio, row.presentMs);
 }
 
 std::optional<Wanted> wantedOf(int argc, char** argv) {
@@ -325,12 +334,19 @@ std::optional<Wanted> wantedOf(int argc, char** argv) {
     return wanted;
 }
 
+// For the viewer's table of make-performance.
+int writeScan(int scale, const char* path) {
+    const auto simulated = sim::simulate(sim::SimulationSettings{});
+    return simulated && files::saveScan(enlarged(simulated->scan, scale), path) ? 0 : 2;
+}
+
 int scaleOf(int millions) { return millions >= 73 ? 8 : millions >= 18 ? 4 : millions >= 4 ? 2 : 1; }
 
 } // namespace
 
 int main(int argc, char** argv) {
     if (argc == 3 && std::string(argv[1]) == "--responses") return printResponses(argv[2]);
+    if (argc == 4 && std::string(argv[1]) == "--write") return writeScan(scaleOf(std::atoi(argv[2])), argv[3]);
     const auto wanted = wantedOf(argc, argv);
     if (!wanted) {
         std::fprintf(stderr, "edgescan-bench [--short] [--rounds N] [--millions 1,4,18,73] [--previous EDGESCAN-CLI] [--peers]\n");
@@ -356,6 +372,6 @@ int main(int argc, char** argv) {
     }
     measureInstructionSets(simulated->scan, wanted->isShort ? 3 : wanted->rounds, table);
     if (!wanted->isShort && wanted->peers) measurePeers(simulated->scan, table);
-    if (!wanted->previous.empty()) measurePrograms(simulated->scan, *wanted);
+    if (!wanted->isShort) measurePrograms(simulated->scan, *wanted, table);
     return wanted->isShort && !table.areAllHeld() ? 1 : 0;
 }

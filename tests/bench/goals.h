@@ -28,7 +28,9 @@ struct Goal {
 class Table {
 public:
     void begin(const char* title) const { std::printf("\n## %s\n\n| ratio | measured | goal | reached |\n|---|---|---|---|\n", title); }
+    /// A ratio of 0 could not be measured and has no row.
     void row(const Goal& goal, double ratio) {
+        if (ratio <= 0) return;
         std::printf("| %s | %.2f | %s %g | %s |\n", goal.what, ratio, goal.words(), goal.goal, goal.isReached(ratio) ? "yes" : "no");
         if (goal.isHeld(ratio)) return;
         held_ = false;

@@ -1,7 +1,6 @@
-// Runs of two builds of edgescan-cli, alternating.
+// Runs of whole programs: edgescan-cli, what the system copies and hashes, and an older edgescan-cli.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,16 +10,22 @@ struct Scan;
 
 namespace edgescan::bench {
 
+/// One run of edgescan-cli in another one, or in sha256sum and cp of the same file; medians of processor time, system calls included.
+struct WholeRatios {
+    double thesisToVersion = 0, pcdWritten = 0, pcdRead = 0, textRead = 0, e57Read = 0; ///< 0: it could not be measured
+};
+
 struct ProgramRow {
     std::string what;
-    std::optional<double> atLeast; ///< the goal for cpuRatio
-    double cpuRatio = 0;           ///< previous / present; medians of processor time, system calls included
+    double cpuRatio = 0; ///< previous / present; medians of processor time, system calls included
     double wallRatio = 0;
     double presentMs = 0; ///< processor time
 };
 
-/// Runs each command `rounds` times with either program, in a new folder that holds the scan as grid, text and PCD. Empty if one of them
-/// fails.
+/// Runs each command `rounds` times, in turn, in a new folder that holds the scan as grid, text, PCD and E57.
+[[nodiscard]] WholeRatios wholeRatios(const std::string& present, const Scan& scan, int rounds);
+
+/// The same with two programs. What one of them cannot do has no row.
 [[nodiscard]] std::vector<ProgramRow> programRows(const std::string& previous, const std::string& present, const Scan& scan, int rounds);
 
 } // namespace edgescan::bench

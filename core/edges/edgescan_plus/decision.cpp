@@ -198,6 +198,11 @@ Grid<float> requestedStrength(const DepthResponses& responses, const Settings& s
     return strength;
 }
 
+void requestedStrengthsOfLine(const DepthResponses& responses, const Settings& settings, int line, float* strengths) {
+    vectorised<strengthsOfCells>(responses.jump->line(line), responses.crease.line(line), static_cast<std::size_t>(responses.jump->beams),
+                                 Wanted(settings), strengths);
+}
+
 float requestedStrengthAt(const DepthResponses& responses, const Settings& settings, std::size_t k) {
     float strength = 0;
     strengthsOfCells(&(*responses.jump)[k], &responses.crease[k], 1, Wanted(settings), &strength);

@@ -83,6 +83,8 @@ class StoredFolds;
 /// The values on which the decision is based: the response of the requested classes, 1 = at the threshold. Lines x beams.
 [[nodiscard]] Grid<float> requestedStrength(const DepthResponses& responses, const Settings& settings);
 /// The same for cell `k` alone.
+/// The same of one line, into as many values as it has beams.
+void requestedStrengthsOfLine(const DepthResponses& responses, const Settings& settings, int line, float* strengths);
 [[nodiscard]] float requestedStrengthAt(const DepthResponses& responses, const Settings& settings, std::size_t k);
 
 /// Hysteresis: chains (8 neighbours) of cells above `low` that contain a cell above `high` and at least `minimum` cells: 255, otherwise 0.

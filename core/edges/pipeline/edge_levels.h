@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,18 +54,32 @@ private:
 };
 
 /// A cell is weak at a threshold if its value exceeds the weak limit there, and strong if it exceeds the strong one, too.
+/// `valuesOfLine(line)` gives a pointer to the values of a line, valid until the next call.
+template <class ValuesOfLine>
+[[nodiscard]] EdgeLevels edgeLevels(int lines, int beams, ValuesOfLine valuesOfLine, std::vector<double> weakLimits,
+                                    std::vector<double> strongLimits, int minimumLength = 1) {
+    const LevelScale weak(std::move(weakLimits)), strong(std::move(strongLimits));
+    EdgeLevels levels{Grid<std::uint8_t>(lines, beams), Grid<std::uint8_t>(lines, beams), minimumLength};
+    for (int line = 0; line < lines; ++line) {
+        const auto* values = valuesOfLine(line);
+        const auto least = static_cast<std::remove_cvref_t<decltype(*values)>>(weak.least()); // no value is between it and the limit
+        std::uint8_t* const weakOfLine = levels.weak.line(line);
+        std::uint8_t* const strongOfLine = levels.strong.line(line);
+        for (int j = 0; j < beams; ++j) {
+            if (!(values[j] >= least)) continue;
+            weakOfLine[j] = weak.of(static_cast<double>(values[j]));
+            strongOfLine[j] = std::min(weakOfLine[j], strong.of(static_cast<double>(values[j])));
+        }
+    }
+    return levels;
+}
+
 template <class T>
 [[nodiscard]] EdgeLevels edgeLevels(const Grid<T>& values, std::vector<double> weakLimits, std::vector<double> strongLimits,
                                     int minimumLength = 1) {
-    const LevelScale weak(std::move(weakLimits)), strong(std::move(strongLimits));
-    EdgeLevels levels{Grid<std::uint8_t>(values.lines, values.beams), Grid<std::uint8_t>(values.lines, values.beams), minimumLength};
-    const auto least = static_cast<T>(weak.least()); // no value of this type is between it and the limit
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        if (!(values[k] >= least)) continue;
-        levels.weak[k] = weak.of(static_cast<double>(values[k]));
-        levels.strong[k] = std::min(levels.weak[k], strong.of(static_cast<double>(values[k])));
-    }
-    return levels;
+    return edgeLevels(
+        values.lines, values.beams, [&values](int line) { return values.line(line); }, std::move(weakLimits), std::move(strongLimits),
+        minimumLength);
 }
 
 } // namespace edgescan::edges

@@ -37,9 +37,15 @@ EdgeLevels surfaceLevels(const Detection& detection, const std::vector<double>& 
         weak.push_back(static_cast<double>(high * share));
         strong.push_back(static_cast<double>(high));
     }
+    const DepthResponses& responses = *detection.responses;
+    std::vector<float> strengths(static_cast<std::size_t>(responses.jump->beams));
+    const auto strengthsOf = [&](int line) {
+        requestedStrengthsOfLine(responses, settings, line, strengths.data());
+        return strengths.data();
+    };
     EdgeLevels levels =
-        edgeLevels(requestedStrength(*detection.responses, settings), std::move(weak), std::move(strong), settings.minimumLength);
-    for (const ClassCells& edges : edgesAtVoids(*detection.responses, settings))
+        edgeLevels(responses.jump->lines, responses.jump->beams, strengthsOf, std::move(weak), std::move(strong), settings.minimumLength);
+    for (const ClassCells& edges : edgesAtVoids(responses, settings))
         levels.apart.insert(levels.apart.end(), edges.cells.begin(), edges.cells.end());
     std::ranges::sort(levels.apart);
     levels.apart.erase(std::unique(levels.apart.begin(), levels.apart.end()), levels.apart.end());

@@ -13,6 +13,7 @@
 namespace edgescan::files {
 namespace {
 
+constexpr double kMetresPerMm = 0.001;
 constexpr double kPieceDeg = 5.0;
 constexpr int kAcross = 6;           // points across a piece, at most
 constexpr int kMostPieces = 900;     // of a sweep
@@ -65,7 +66,8 @@ std::vector<Piece> piecesOf(const Scan& scan, const PolarGeometry& cut, const Ca
             for (int i = line; i < line + high; i += down) {
                 for (int j = beam; j < beam + wide; j += right) {
                     ++looked;
-                    if (scan.state.at(i, j) == CellState::Valid) points.push_back(tables.point(i, j));
+                    if (scan.state.at(i, j) != CellState::Valid) continue;
+                    points.emplace_back(tables.direction(i, j) * (static_cast<double>(scan.rangeMm.at(i, j)) * kMetresPerMm));
                 }
             }
             if (points.size() < 6 || static_cast<double>(points.size()) < kFilled * static_cast<double>(looked)) continue;
@@ -81,11 +83,9 @@ CommonPlanes commonPlanes(const Scan& scan, const PolarGeometry& geometry) {
     const auto* own = std::get_if<PolarGeometry>(&scan.geometry);
     const PolarGeometry& cut = own != nullptr ? *own : geometry;
     if (cut.lineDeg.size() < 2 || cut.beamDeg.size() < 2) return {};
-    Scan turned; // the same cells at these angles
+    Scan turned; // only these angles: a copy of all cells would cost more than the few that are looked at
     turned.geometry = geometry;
-    turned.rangeMm = scan.rangeMm;
-    turned.state = scan.state;
-    const std::vector<Piece> pieces = piecesOf(turned, cut, CartesianTables(turned));
+    const std::vector<Piece> pieces = piecesOf(scan, cut, CartesianTables(turned));
     const double same = std::cos(kSameDeg * 3.14159265358979323846 / 180.0);
     std::vector<bool> taken(pieces.size(), false);
     CommonPlanes found{static_cast<int>(pieces.size()), 0};

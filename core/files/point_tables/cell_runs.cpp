@@ -1,6 +1,8 @@
 // Runs of cells as numbers in one line of text.
 #include "core/files/point_tables/cell_runs.h"
 
+#include "core/files/point_tables/marked_cells.h"
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
@@ -42,8 +44,13 @@ private:
 std::string cellRunsText(const Scan& scan, const Grid<std::uint8_t>* edgeMask, bool withAttached) {
     const auto chosen = [&](std::size_t k) { return scan.state[k] == CellState::Valid && (edgeMask == nullptr || (*edgeMask)[k] != 0); };
     RunsText runs;
-    for (std::size_t k = 0; k < scan.cells(); ++k) {
+    const auto addChosen = [&](std::size_t k) {
         if (chosen(k)) runs.add(static_cast<std::uint32_t>(k));
+    };
+    if (edgeMask != nullptr) {
+        forEachMarked(edgeMask->cells.data(), scan.cells(), addChosen);
+    } else {
+        for (std::size_t k = 0; k < scan.cells(); ++k) addChosen(k);
     }
     for (std::size_t n = 0; withAttached && n < scan.attached.size(); ++n) {
         if (chosen(scan.attached[n].cell)) runs.add(scan.attached[n].cell);

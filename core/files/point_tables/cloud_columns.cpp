@@ -5,6 +5,7 @@
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/edge_colours.h"
 #include "core/files/point_tables/every_cell.h"
+#include "core/files/point_tables/marked_cells.h"
 #include "core/files/point_tables/text_layout.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
@@ -15,15 +16,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kMostHeaderLines = 4096;
+constexpr std::size_t kFewOneIn = 8; // of a line: fewer cells cost less one by one
 
 /// Polar points are computed and are within the scanner's reach: 4-byte floats hold them to a thousandth of a millimetre. Points
 /// that were read keep every bit, which may take 8 bytes. Large numbers always do: they are mine coordinates.
@@ -115,6 +115,13 @@ bool addComputedPoints(CloudColumns& cloud, const Scan& scan, const Chosen& chos
     for (std::vector<float>& ofAxis : values) ofAxis.reserve(cells.size());
     for (std::size_t first = 0, next = 0; first < cells.size(); first = next) {
         while (next < cells.size() && cells[next].line == cells[first].line) ++next;
+        if ((next - first) * kFewOneIn < beams) { // the same numbers, one by one
+            for (std::size_t n = first; n < next; ++n) {
+                const Eigen::Vector3d p = tables.point(static_cast<int>(cells[n].line), static_cast<int>(cells[n].beam));
+                for (std::size_t axis = 0; axis < 3; ++axis) values[axis].push_back(static_cast<float>(p[static_cast<Eigen::Index>(axis)]));
+            }
+            continue;
+        }
         tables.pointsOfLine(static_cast<int>(cells[first].line), line[0].data(), line[1].data(), line[2].data());
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (next - first == beams) {
@@ -216,29 +223,6 @@ void addGiven(CloudColumns& cloud, const std::vector<CellOfPoint>& cells, std::s
     }
 }
 
-constexpr std::size_t kAtOnce = 8; // cells
-
-/// A bit in the highest place of each byte that is not 0, the first in the lowest byte.
-std::uint64_t bytesNotZero(const std::uint8_t* values) {
-    static_assert(std::endian::native == std::endian::little);
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, values, kAtOnce);
-    return (((eight & 0x7F7F7F7F7F7F7F7FU) + 0x7F7F7F7F7F7F7F7FU) | eight) & 0x8080808080808080U;
-}
-
-/// Calls found(j) for each cell of a line whose mask is not 0: few are.
-template <class Found>
-void forEachOfLine(const std::uint8_t* mask, std::size_t beams, Found found) {
-    std::size_t j = 0;
-    for (; j + kAtOnce <= beams; j += kAtOnce) {
-        for (std::uint64_t left = bytesNotZero(mask + j); left != 0; left &= left - 1)
-            found(j + static_cast<std::size_t>(std::countr_zero(left)) / 8);
-    }
-    for (; j < beams; ++j) {
-        if (mask[j] != 0) found(j);
-    }
-}
-
 /// `mask`: cells where it is 0 are left out; null: all cells.
 template <class Wanted>
 Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>* mask, Wanted wanted) {
@@ -250,7 +234,7 @@ Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>*
             if (wanted(first + j)) chosen.cells.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
         };
         if (mask != nullptr) {
-            forEachOfLine(mask->line(i), static_cast<std::size_t>(scan.beams()), look);
+            forEachMarked(mask->line(i), static_cast<std::size_t>(scan.beams()), look);
             continue;
         }
         for (std::size_t j = 0; j < static_cast<std::size_t>(scan.beams()); ++j) look(j);

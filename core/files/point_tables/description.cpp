@@ -199,7 +199,7 @@ Scan headOf(const Scan& scan) {
     return head;
 }
 
-std::string descriptionText(const Scan& scan, const std::string& dataFile, int indent) {
+nlohmann::ordered_json descriptionJson(const Scan& scan, const std::string& dataFile) {
     nlohmann::ordered_json object;
     object["format"] = kFormat;
     if (!dataFile.empty()) object["data"] = dataFile;
@@ -224,7 +224,11 @@ std::string descriptionText(const Scan& scan, const std::string& dataFile, int i
     }
     for (const StateRun& run : stateRunsOf(scan)) object["state_runs"].push_back({cellStateName(run.state), run.firstCell, run.cells});
     if (!scan.note.empty()) object["note"] = scan.note;
-    return jsonText(object, indent);
+    return object;
+}
+
+std::string descriptionText(const Scan& scan, const std::string& dataFile, int indent) {
+    return jsonText(descriptionJson(scan, dataFile), indent);
 }
 
 namespace {

@@ -73,7 +73,10 @@ void applyStateRuns(Scan& scan, const GridDescription& grid);
 /// A scan without ranges and points, and without a note, a place and an acquisition: what its description states is left.
 [[nodiscard]] Scan headOf(const Scan& scan);
 
-/// The description of a scan. `dataFile` is named in it when not empty; `indent` as in nlohmann::json::dump (-1 = one line).
+/// The description of a scan. `dataFile` is named in it when not empty.
+[[nodiscard]] nlohmann::ordered_json descriptionJson(const Scan& scan, const std::string& dataFile = {});
+
+/// The same as text; `indent` as in nlohmann::json::dump (-1 = one line).
 [[nodiscard]] std::string descriptionText(const Scan& scan, const std::string& dataFile, int indent);
 
 /// Runs of the states that a count cannot express: lost, masked, out of window.

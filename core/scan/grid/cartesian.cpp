@@ -6,7 +6,10 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <numbers>
+#include <utility>
 
 namespace edgescan {
 namespace {
@@ -68,22 +71,55 @@ EDGESCAN_INLINE void multiply(Axis axis, bool skewed, const LineTables& of, Numb
     return skewed ? multiplyLine<false, true>(of, x, y, z) : multiplyLine<false, false>(of, x, y, z);
 }
 
+struct Tables {
+    std::vector<double> beamDeg, lineDeg, skewDeg; // the angles that they are of
+    double direction;
+    std::vector<double> cosBeam, sinBeam, cosLine, sinLine, cosSkew, sinSkew;
+
+    explicit Tables(const PolarGeometry& polar)
+        : beamDeg(polar.beamDeg), lineDeg(polar.lineDeg), skewDeg(polar.lineSkewDeg), direction(polar.lineDirection) {
+        for (const double a : beamDeg) {
+            cosBeam.push_back(cosineDeg(a));
+            sinBeam.push_back(sineDeg(a));
+        }
+        for (const double p : lineDeg) {
+            cosLine.push_back(cosineDeg(p));
+            sinLine.push_back(sineDeg(p) * direction);
+        }
+        for (const double skew : skewDeg) {
+            cosSkew.push_back(cosineDeg(skew));
+            sinSkew.push_back(sineDeg(skew) * direction);
+        }
+    }
+    [[nodiscard]] bool areOf(const PolarGeometry& polar) const {
+        return direction == polar.lineDirection && beamDeg == polar.beamDeg && lineDeg == polar.lineDeg && skewDeg == polar.lineSkewDeg;
+    }
+};
+
+// Those of the last angles are stored: an export needs the tables of one scan several times.
+std::shared_ptr<const Tables> tablesOf(const PolarGeometry& polar) {
+    static std::mutex mutex;
+    static std::shared_ptr<const Tables> last;
+    {
+        const std::lock_guard lock(mutex);
+        if (last && last->areOf(polar)) return last;
+    }
+    auto made = std::make_shared<const Tables>(polar);
+    const std::lock_guard lock(mutex);
+    return last = std::move(made);
+}
+
 } // namespace
 
 CartesianTables::CartesianTables(const Scan& scan) : scan_(&scan), polar_(std::get_if<PolarGeometry>(&scan.geometry)) {
     if (polar_ == nullptr) return;
-    for (const double a : polar_->beamDeg) {
-        cosBeam_.push_back(cosineDeg(a));
-        sinBeam_.push_back(sineDeg(a));
-    }
-    for (const double p : polar_->lineDeg) {
-        cosLine_.push_back(cosineDeg(p));
-        sinLine_.push_back(sineDeg(p) * polar_->lineDirection);
-    }
-    for (const double skew : polar_->lineSkewDeg) {
-        cosSkew_.push_back(cosineDeg(skew));
-        sinSkew_.push_back(sineDeg(skew) * polar_->lineDirection);
-    }
+    const std::shared_ptr<const Tables> of = tablesOf(*polar_);
+    cosBeam_ = of->cosBeam;
+    sinBeam_ = of->sinBeam;
+    cosLine_ = of->cosLine;
+    sinLine_ = of->sinLine;
+    cosSkew_ = of->cosSkew;
+    sinSkew_ = of->sinSkew;
 }
 
 Eigen::Vector3d CartesianTables::direction(int line, int beam) const {

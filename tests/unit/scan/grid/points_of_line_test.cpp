@@ -62,3 +62,25 @@ TEST(PointsOfLine, OfAnOrganisedCloudAreAsRead) {
     scan.state[7] = CellState::NoReturn;
     expectBoth(scan);
 }
+
+// The tables of the last angles are stored.
+TEST(PointsOfLine, FollowTheAnglesOfTheirScan) {
+    const Scan scan = makeScan({.lines = 6, .beams = 20, .seed = 4});
+    const auto changed = [&scan](auto change) {
+        Scan other = scan;
+        change(std::get<PolarGeometry>(other.geometry));
+        return other;
+    };
+    const std::vector<Scan> scans{changed([](PolarGeometry& polar) { polar.beamDeg[3] += 0.25; }),
+                                  scan,
+                                  changed([](PolarGeometry& polar) { polar.lineDeg[2] -= 0.5; }),
+                                  changed([](PolarGeometry& polar) { polar.lineDirection = -1; }),
+                                  scan,
+                                  changed([](PolarGeometry& polar) { polar.lineSkewDeg.assign(20, 0.125); })};
+    for (const Scan& each : scans) {
+        const CartesianTables tables(each);
+        for (std::size_t k = 0; k < each.cells(); ++k) {
+            if (each.state[k] == CellState::Valid) ASSERT_LT((tables.point(k) - pointOfCell(each, k)).norm(), 1e-9) << "cell " << k;
+        }
+    }
+}
