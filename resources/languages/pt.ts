@@ -251,6 +251,7 @@
 <message><source>A was not restored: %1 has changed since.</source><translation>A não foi recuperado: o conteúdo de %1 mudou desde então.</translation></message>
 <message><source>Compare with Scan</source><translation>Comparar com uma varredura</translation></message>
 <message><source>Comparing with A</source><translation>Comparando com A</translation></message>
+<message><source>Line Up by Surfaces</source><translation>Alinhar pelas superfícies</translation></message>
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>

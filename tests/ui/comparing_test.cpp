@@ -241,6 +241,15 @@ private slots:
         QVERIFY(eventually([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }));
         QVERIFY2(on.viewer.notice.text().contains("has none"), qPrintable(on.viewer.notice.text()));
         QVERIFY(!on.viewer.views.scene().instead);
+        // The notice has the button that lets the surfaces decide; A with another scan is refused again.
+        auto* lineUp = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QTRY_VERIFY(lineUp->isVisible());
+        QTest::mouseClick(lineUp, Qt::LeftButton);
+        QVERIFY(known(on));
+        QCOMPARE(on.viewer.comparing.comparison()->change.earlier.how.by, inspect::RegistrationBasis::Surfaces);
+        QVERIFY2(on.viewer.notice.text().contains("OUT OF SPEC"), qPrintable(on.viewer.notice.text()));
+        on.viewer.comparing.compareWith(QString::fromStdString(placed_));
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }));
         // A scan of another place, and a missing file.
         on.viewer.comparing.compareWith(QString::fromStdString(other_));
         QVERIFY(eventually([&] { return on.viewer.comparing.settled() && !on.viewer.comparing.comparison(); }));

@@ -72,7 +72,7 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
           }),
       comparer_(
           Urgency::Soon, [this](const ComparisonAsked& asked) { return compare(asked); },
-          [this](const ComparisonAsked&, const std::shared_ptr<const Compared>& made) { take(*made); },
+          [this](const ComparisonAsked& asked, const std::shared_ptr<const Compared>& made) { take(asked, *made); },
           [this](const QString& what) {
               comparingWork_.reset();
               comparison_ = nullptr;
@@ -143,6 +143,7 @@ void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<inspect::
     flip(false);
     pictureA_ = std::move(kept);
     earlier_ = std::move(from);
+    bySurfaces_ = false;
     comparison_ = nullptr;
     show();
     emit pictureAChanged(pictureA_ != nullptr);
@@ -251,7 +252,7 @@ void Comparing::ask() {
         });
     }
     const bool ofDemo = files_.demo() && earlier_ && !inspect::hasPath(earlier_->scan.kind); // simulated from one place
-    comparer_.ask({pictureA_, engine_.picture(), rows_, ofDemo, byDistance_});
+    comparer_.ask({pictureA_, engine_.picture(), rows_, ofDemo, bySurfaces_, byDistance_});
 }
 
 std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAsked& asked) {
@@ -261,11 +262,17 @@ std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAs
     return made;
 }
 
-void Comparing::take(const Compared& made) {
+void Comparing::take(const ComparisonAsked& asked, const Compared& made) {
     comparingWork_.reset();
     if (!made) {
         refuse(NoticeBar::Kind::Error, exactText(made.error().sentence()));
         comparison_ = nullptr; // A stays: the next scan may match it
+        if (!asked.bySurfaces && onlyOneIsPlaced(asked)) {
+            notice_.offer(tr("Line Up by Surfaces"), [this] {
+                bySurfaces_ = true;
+                ask();
+            });
+        }
     } else {
         const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;
         comparison_ = *made;

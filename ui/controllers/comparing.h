@@ -88,7 +88,7 @@ private:
     [[nodiscard]] static Read pictureOf(const Reading& reading, const Asker& asker); // pool's thread
     void ask();
     [[nodiscard]] std::shared_ptr<const Compared> compare(const ComparisonAsked& asked); // pool's thread
-    void take(const Compared& made);
+    void take(const ComparisonAsked& asked, const Compared& made);
     void takeRead(const Reading& asked, const Read& read);
     void refuse(NoticeBar::Kind kind, const QString& sentence);
     void use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from);
@@ -111,6 +111,7 @@ private:
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;
+    bool bySurfaces_ = false; ///< the operator lets the surfaces line up A with a scan without a place, or the other way round
     bool byDistance_ = false;
     bool pairWanted_ = false; ///< the demo after the blast is being opened
     std::size_t region_ = 0;

@@ -8,6 +8,7 @@
 #include "core/inspect/measure/surface_path.h"
 #include "core/rocks/attributes/attributes.h"
 #include "core/rocks/segmentation/cuts.h"
+#include "core/scan/grid/missing_cells.h"
 
 #include <Eigen/Geometry>
 
@@ -89,11 +90,13 @@ bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
     return true;
 }
 
-/// Follows the cells under the line from both ends to their first jump.
+/// Follows the cells under the line from both ends to their first jump; an echo of dust is no surface.
 void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, MeasuredCells& measured) {
     std::vector<double> rangesM;
-    for (const std::uint32_t k : rocks::strokeCells({from, to}, scan.lines(), scan.beams()))
-        rangesM.push_back(scan.state[k] == CellState::Valid ? static_cast<double>(scan.rangeMm[k]) / 1000.0 : 0.0);
+    for (const std::uint32_t k : rocks::strokeCells({from, to}, scan.lines(), scan.beams())) {
+        const bool isSurface = scan.state[k] == CellState::Valid && (k == from || k == to || !isIsolated(scan, k));
+        rangesM.push_back(isSurface ? static_cast<double>(scan.rangeMm[k]) / 1000.0 : 0.0);
+    }
     const std::vector<RowJump> jumps = jumpsAlong(rangesM, static_cast<int>(rangesM.size()));
     if (jumps.empty()) return;
     const double first = jumps.front().stepM, last = -jumps.back().stepM; // as seen from the ends: positive is away from the scanner

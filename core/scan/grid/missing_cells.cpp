@@ -56,6 +56,18 @@ Grid<std::uint8_t> isolatedCells(const Scan& scan) {
     return isolated;
 }
 
+bool isIsolated(const Scan& scan, std::uint32_t cell) {
+    if (scan.state[cell] != CellState::Valid) return false;
+    const int line = static_cast<int>(cell) / scan.beams(), beam = static_cast<int>(cell) % scan.beams();
+    const float here = scan.rangeMm[cell], allowed = kAgreeShare * here + kAgreeMm;
+    int agreeing = -1; // the cell agrees with itself
+    for (int i = std::max(0, line - 1); i <= std::min(scan.lines() - 1, line + 1); ++i) {
+        for (int j = std::max(0, beam - 1); j <= std::min(scan.beams() - 1, beam + 1); ++j)
+            agreeing += scan.state.at(i, j) == CellState::Valid && std::abs(scan.rangeMm.at(i, j) - here) <= allowed ? 1 : 0;
+    }
+    return agreeing < kNeighboursWanted;
+}
+
 IsolatedLines::IsolatedLines(const Scan& scan, int firstLine) : scan_(&scan), line_(firstLine) {
     takeRanges(ranges_[1], scan, firstLine - 1);
     takeRanges(ranges_[2], scan, firstLine);

@@ -16,6 +16,9 @@ namespace edgescan {
 /// (docs/method/edges.md, "Step 1").
 [[nodiscard]] Grid<std::uint8_t> isolatedCells(const Scan& scan);
 
+/// The same for one cell.
+[[nodiscard]] bool isIsolated(const Scan& scan, std::uint32_t cell);
+
 /// The same, line by line. The scan must outlive this object.
 class IsolatedLines {
 public:

@@ -106,6 +106,7 @@ std::uint32_t pointColour(const QColor& colour) {
 inspect::RegistrationRequest registrationOf(const ComparisonAsked& asked) {
     inspect::RegistrationRequest wish;
     if (asked.onePlace) wish.poses = std::array<RigidTransform, 2>{};
+    wish.bySurfaces = asked.bySurfaces && onlyOneIsPlaced(asked);
     return wish;
 }
 
@@ -195,6 +196,11 @@ std::size_t Comparison::count(ChangeRow row) const {
     const std::array<std::size_t, kChangeRows> counts{change.edges.gained,  change.edges.lost,    change.edges.unchanged,
                                                       change.edges.unknown, change.ranges.nearer, change.ranges.farther};
     return counts[static_cast<std::size_t>(row)];
+}
+
+bool onlyOneIsPlaced(const ComparisonAsked& asked) {
+    const auto isPlaced = [](const Picture& picture) { return picture.detection->scan->placement != nullptr; };
+    return isPlaced(*asked.before) != isPlaced(*asked.now);
 }
 
 Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked, const Comparison* last) {

@@ -26,6 +26,7 @@ struct ComparisonAsked {
     std::shared_ptr<const Picture> before, now;
     ChangeRows rows{true, true, true, true, true, true};
     bool onePlace = false;   ///< the scanner did not move between the two scans; else their poses or surfaces decide
+    bool bySurfaces = false; ///< if only one of them has a place in the mine, their surfaces decide
     bool byDistance = false; ///< points are coloured by their distance from the surfaces of A
 };
 
@@ -56,6 +57,9 @@ struct Comparison {
 /// For EdgeCells::byClass above.
 [[nodiscard]] const EdgeColours& changeColours();
 [[nodiscard]] QColor changeColour(ChangeRow row);
+
+/// Whether only one of the two scans has a place in the mine, so that nothing but their surfaces can line them up.
+[[nodiscard]] bool onlyOneIsPlaced(const ComparisonAsked& asked);
 
 /// `last` may be null; parts that it has in common with the new comparison are reused. Error: see sceneChange().
 [[nodiscard]] Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked, const Comparison* last);

@@ -294,6 +294,7 @@ TEST(DepthLines, IsolatedCellsAndFilledGapsAreThoseOfCellByCell) {
                     agreeing += valid(a, b) && std::abs(range(a, b) - range(i, j)) <= 0.08F * range(i, j) + 60.0F ? 1 : 0;
                 }
                 ASSERT_EQ(isolated.at(i, j) == 255, valid(i, j) && agreeing < 3);
+                ASSERT_EQ(isIsolated(scan, static_cast<std::uint32_t>(scan.state.index(i, j))), isolated.at(i, j) == 255);
                 measured.at(i, j) = valid(i, j) && agreeing >= 3 ? 1 : 0;
             }
         }

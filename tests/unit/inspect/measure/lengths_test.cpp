@@ -1,5 +1,6 @@
 // Lengths and angles: values compared with plain geometry, errors compared with random trials, and no number below the resolution.
 #include "core/inspect/measure/lengths.h"
+#include "core/scan/grid/missing_cells.h"
 #include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 
@@ -99,6 +100,16 @@ TEST(Lengths, AnEndBehindTheSurfaceUnderTheLineIsWarnedAbout) {
     EXPECT_NEAR(beyond->behindM, 0.3, 0.01);
     EXPECT_NE(measureBasis(*beyond).find("▲ an end is 0.30 m behind the surface under the line"), std::string::npos)
         << measureBasis(*beyond);
+}
+
+TEST(Lengths, AnEchoOfDustUnderTheLineIsNoSurface) {
+    Scan large = plateScan(0.40);
+    const auto ends = endsOfPlate(large);
+    large.rangeMm[(ends[0] + ends[1]) / 2] = 1377;
+    EXPECT_TRUE(isIsolated(large, (ends[0] + ends[1]) / 2));
+    EXPECT_EQ(measureCells(large, kUsualNoise, MeasureKind::Distance, ends)->behindM, 0.0);
+    // The dust itself may be an end.
+    EXPECT_GT(measureCells(large, kUsualNoise, MeasureKind::Distance, std::vector{ends[0], (ends[0] + ends[1]) / 2})->behindM, 0.5);
 }
 
 // The tolerance compared with many readings of points distributed as the model assumes.
