@@ -49,6 +49,25 @@ std::shared_ptr<Scan> minePoints(const Vector3d& at) {
     return scan;
 }
 
+/// Of the points along one direction of the grid, as far as they are on one surface with the cell.
+Eigen::Vector3f slope(const CloudGeometry& cloud, int line, int beam, int down, int right) {
+    const auto cell = [&](int i, int j) {
+        return static_cast<std::size_t>(i) * static_cast<std::size_t>(cloud.beams) + static_cast<std::size_t>(j);
+    };
+    const auto range = [&](std::size_t k) { return (cloud.point(k) - cloud.sensor).norm(); };
+    const std::size_t own = cell(line, beam);
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (const int sign : {-1, 1}) {
+        for (int n = 1; n <= 3; ++n) {
+            const int i = line + sign * n * down, j = beam + sign * n * right;
+            if (i < 0 || i >= cloud.lines || j < 0 || j >= cloud.beams || cloud.valid[cell(i, j)] == 0) break;
+            if (std::abs(range(cell(i, j)) - range(own)) > static_cast<float>(n) * 0.04F * range(own) + 0.05F) break;
+            sum += static_cast<float>(sign * n) * (cloud.point(cell(i, j)) - cloud.point(own));
+        }
+    }
+    return sum;
+}
+
 } // namespace
 
 class CloudRoomsTest : public QObject {
@@ -70,6 +89,22 @@ private slots:
         const std::set<std::uint32_t> once(all.begin(), all.end());
         QCOMPARE(once.size(), all.size());
         for (const std::uint32_t k : all) QVERIFY(scan->state[k] == CellState::Valid);
+    }
+
+    void normalsAreThoseOfTheSurfaceAround() {
+        for (const auto& [lines, beams] : {std::pair(101, 157), std::pair(2, 40), std::pair(9, 3)}) {
+            const auto cloud = makeCloudGeometry(*demo::room(lines, beams, 3));
+            for (std::size_t k = 0; k < cloud->cells(); ++k) {
+                const Eigen::Vector3f normal(cloud->normals[3 * k], cloud->normals[3 * k + 1], cloud->normals[3 * k + 2]);
+                const int line = static_cast<int>(k) / beams, beam = static_cast<int>(k) % beams;
+                const Eigen::Vector3f toSensor = (cloud->sensor - cloud->point(k)).normalized();
+                Eigen::Vector3f expected = slope(*cloud, line, beam, 0, 1).cross(slope(*cloud, line, beam, 1, 0));
+                expected = expected.norm() > 0 ? Eigen::Vector3f(expected.normalized()) : toSensor;
+                if (expected.dot(toSensor) < 0) expected = -expected;
+                if (cloud->valid[k] == 0) expected.setZero();
+                QVERIFY2((normal - expected).norm() < 1e-5F, qPrintable(QString("%1 x %2, cell %3").arg(lines).arg(beams).arg(k)));
+            }
+        }
     }
 
     void coarsePartsLeaveNoHoles() {

@@ -40,7 +40,8 @@ public:
         o.range = p.range();
         o.radius = p.radiusIn(cos_[line], sin_[line]);
         o.off = p.offPlane(cos_[line], sin_[line]);
-        o.along = std::remainder(std::atan2(o.radius, p.u) - fit_->tilt[beam], 2 * kPi);
+        const double along = std::atan2(o.radius, p.u) - fit_->tilt[beam];
+        o.along = std::abs(along) < kPi ? along : std::remainder(along, 2 * kPi); // the same number: remainder() is slow
         o.across = o.off / o.range;
         o.error = (precision_.absolute + precision_.relative * o.range) / o.range;
         return o;

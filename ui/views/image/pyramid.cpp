@@ -33,7 +33,8 @@ QRgb channels(QRgb a, QRgb b, QRgb c, QRgb d, Mean mean) {
 
 template <class Pixel, class Merge>
 QImage halve(const QImage& from, Merge merge) {
-    QImage to((from.width() + 1) / 2, (from.height() + 1) / 2, from.format());
+    const bool isOpaque = from.format() == QImage::Format_RGB32;
+    QImage to((from.width() + 1) / 2, (from.height() + 1) / 2, isOpaque ? QImage::Format_ARGB32_Premultiplied : from.format());
     for (int y = 0; y < to.height(); ++y) {
         const auto* upper = reinterpret_cast<const Pixel*>(from.constScanLine(2 * y));
         const auto* lower = reinterpret_cast<const Pixel*>(from.constScanLine(std::min(2 * y + 1, from.height() - 1)));
@@ -56,6 +57,9 @@ QImage halved(const QImage& image, Shrink shrink) {
         using Gray = std::uint8_t;
         return halve<Gray>(image, [mean](Gray a, Gray b, Gray c, Gray d) { return static_cast<Gray>(mean(a, b, c, d)); });
     }
+    constexpr QRgb kOpaque = 0xFF000000;
+    if (image.format() == QImage::Format_RGB32) // without a converted copy of a large picture
+        return halve<QRgb>(image, [mean](QRgb a, QRgb b, QRgb c, QRgb d) { return kOpaque | channels(a, b, c, d, mean); });
     // Premultiplied: no channel is above alpha, before and after.
     const QImage colour = image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
     return halve<QRgb>(colour, [mean](QRgb a, QRgb b, QRgb c, QRgb d) { return channels(a, b, c, d, mean); });
