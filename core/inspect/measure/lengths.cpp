@@ -90,7 +90,7 @@ bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
     return true;
 }
 
-/// Follows the cells under the line from both ends to their first jump; an echo of dust is no surface.
+/// Follows the cells under the line from both ends to their first jump. Echoes of dust are left out.
 void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, MeasuredCells& measured) {
     std::vector<double> rangesM;
     for (const std::uint32_t k : rocks::strokeCells({from, to}, scan.lines(), scan.beams())) {

@@ -123,7 +123,7 @@ TEST(StoredFolds, AWalkOfSlidersEqualsFreshRuns) {
     Pipeline pipeline;
     Settings settings;
     for (int step = 0; step < 120; ++step) {
-        const unsigned which = random() % 12;
+        const auto which = static_cast<unsigned>(random() % 12);
         if (which < 7) settings.creaseDeg = static_cast<double>(15 + random() % 76);
         if (which == 7) settings.creaseDeg = 20.25;
         if (which == 8) settings.jumpMm = static_cast<double>(10 + random() % 60);

@@ -80,7 +80,9 @@ TEST(PointsOfLine, FollowTheAnglesOfTheirScan) {
     for (const Scan& each : scans) {
         const CartesianTables tables(each);
         for (std::size_t k = 0; k < each.cells(); ++k) {
-            if (each.state[k] == CellState::Valid) ASSERT_LT((tables.point(k) - pointOfCell(each, k)).norm(), 1e-9) << "cell " << k;
+            if (each.state[k] == CellState::Valid) {
+                ASSERT_LT((tables.point(k) - pointOfCell(each, k)).norm(), 1e-9) << "cell " << k;
+            }
         }
     }
 }
