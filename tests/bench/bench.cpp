@@ -334,10 +334,16 @@ std::optional<Wanted> wantedOf(int argc, char** argv) {
     return wanted;
 }
 
-// For the viewer's table of make-performance.
+// For the viewer's table of make-performance: with smaller steps, so that all angles are those of one turn.
 int writeScan(int scale, const char* path) {
     const auto simulated = sim::simulate(sim::SimulationSettings{});
-    return simulated && files::saveScan(enlarged(simulated->scan, scale), path) ? 0 : 2;
+    if (!simulated) return 2;
+    Scan large = enlarged(simulated->scan, scale);
+    auto& polar = std::get<PolarGeometry>(large.geometry);
+    for (std::vector<double>* angles : {&polar.beamDeg, &polar.lineDeg}) {
+        for (double& angle : *angles) angle = angles->front() + (angle - angles->front()) / scale;
+    }
+    return files::saveScan(large, path) ? 0 : 2;
 }
 
 int scaleOf(int millions) { return millions >= 73 ? 8 : millions >= 18 ? 4 : millions >= 4 ? 2 : 1; }
