@@ -1,7 +1,6 @@
 // Runs of cells as numbers in one line of text.
 #include "core/files/point_tables/cell_runs.h"
-
-#include "core/files/point_tables/marked_cells.h"
+#include "core/scan/grid/marked_cells.h"
 
 #include <algorithm>
 #include <charconv>
@@ -48,7 +47,7 @@ std::string cellRunsText(const Scan& scan, const Grid<std::uint8_t>* edgeMask, b
         if (chosen(k)) runs.add(static_cast<std::uint32_t>(k));
     };
     if (edgeMask != nullptr) {
-        forEachMarked(edgeMask->cells.data(), scan.cells(), addChosen);
+        forEachNotZero(edgeMask->cells, addChosen);
     } else {
         for (std::size_t k = 0; k < scan.cells(); ++k) addChosen(k);
     }

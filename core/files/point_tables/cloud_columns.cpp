@@ -5,11 +5,11 @@
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/edge_colours.h"
 #include "core/files/point_tables/every_cell.h"
-#include "core/files/point_tables/marked_cells.h"
 #include "core/files/point_tables/text_layout.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/marked_cells.h"
 #include "core/scan/grid/scan_time.h"
 
 #include <Eigen/SVD>
@@ -234,7 +234,7 @@ Chosen cellsWhere(const Scan& scan, bool withAttached, const Grid<std::uint8_t>*
             if (wanted(first + j)) chosen.cells.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)});
         };
         if (mask != nullptr) {
-            forEachMarked(mask->line(i), static_cast<std::size_t>(scan.beams()), look);
+            forEachNotZero(std::span(mask->line(i), static_cast<std::size_t>(scan.beams())), look);
             continue;
         }
         for (std::size_t j = 0; j < static_cast<std::size_t>(scan.beams()); ++j) look(j);

@@ -71,7 +71,7 @@ private:
         const edges::DepthCracks& cracks = *inputs_.cracks;
         const Grid<float>& fold = cracks.foldLines;
         const auto beams = static_cast<std::size_t>(fold.beams);
-        // At the ends of the grid there is no cell of a segment, so that its crack does not matter.
+        // Beyond the ends of the grid no cell has a segment, so the crack there has no effect.
         const std::size_t above = place_.line > 0 ? k_ - beams : k_, left = place_.beam > 0 ? k_ - 1 : k_;
         const std::size_t below = place_.line + 1 < fold.lines ? k_ + beams : k_, right = place_.beam + 1 < fold.beams ? k_ + 1 : k_;
         const auto set = [&](CellSide side, const Grid<float>& jumps, std::size_t crack, const Grid<float>& folds, std::size_t next) {

@@ -16,8 +16,8 @@ namespace edgescan::rocks {
 /// In `solid`: a cell without a range, and the margin.
 inline constexpr std::uint32_t kVoidCell = UINT32_MAX;
 
-/// The segment of a cell. kNoSegment where there is no range, or where one of the 8 neighbours has a range and belongs to another segment
-/// or to no segment. `solid`: the cell in a grid with `step` cells per line.
+/// The segment of a cell. kNoSegment for a cell without a range, and for a cell that touches a cell of another segment or of no segment
+/// (of the 8 neighbours, those with a range). `solid`: the cell in a grid with `step` cells per line.
 EDGESCAN_INLINE std::uint32_t innerSegment(const std::uint32_t* solid, std::size_t step) {
     const std::uint32_t* const above = solid - step;
     const std::uint32_t* const below = solid + step;

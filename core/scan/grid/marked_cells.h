@@ -1,6 +1,7 @@
-// Iterates over cells of a line that a first pass has marked for a closer check.
+// Iterates over the few cells of a line or a grid that are marked.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -16,6 +17,24 @@ void forEachMarked(std::span<const std::uint8_t> marked, Visit visit) {
         if (next == nullptr) return;
         place = static_cast<std::size_t>(static_cast<const std::uint8_t*>(next) - marked.data());
         visit(place);
+    }
+}
+
+/// The same for each value of a mask that is not 0, eight at a time.
+template <class Visit>
+void forEachNotZero(std::span<const std::uint8_t> mask, Visit visit) {
+    static_assert(std::endian::native == std::endian::little);
+    constexpr std::size_t kAtOnce = 8;
+    std::size_t place = 0;
+    for (; place + kAtOnce <= mask.size(); place += kAtOnce) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, mask.data() + place, kAtOnce);
+        // A bit in the highest place of each byte that is not 0, the first in the lowest byte.
+        std::uint64_t left = (((eight & 0x7F7F7F7F7F7F7F7FU) + 0x7F7F7F7F7F7F7F7FU) | eight) & 0x8080808080808080U;
+        for (; left != 0; left &= left - 1) visit(place + static_cast<std::size_t>(std::countr_zero(left)) / 8);
+    }
+    for (; place < mask.size(); ++place) {
+        if (mask[place] != 0) visit(place);
     }
 }
 

@@ -18,7 +18,7 @@ constexpr float kSameSurfaceM = 0.05F; // ... plus metres
 /// A line of the cloud with kReach cells of room at both ends.
 struct PointLine {
     std::vector<float> x, y, z;
-    std::vector<float> range; // metres from the sensor; NaN where there is no point
+    std::vector<float> range; // metres from the sensor; NaN without a point
 
     explicit PointLine(int beams) {
         const auto room = static_cast<std::size_t>(beams) + 2 * kReach;
@@ -70,7 +70,7 @@ EDGESCAN_INLINE void add(Sum& sum, const Cells& line, int at, const Cells& own, 
     sum.z += times * (line.z[at] - own.z[j]);
 }
 
-/// Unit normals towards the sensor; zero where there is no point.
+/// Unit normals towards the sensor; zero without a point.
 EDGESCAN_INLINE void normalsOfLine(const Window& window, float sensorX, float sensorY, float sensorZ, int beams, float* __restrict x,
                                    float* __restrict y, float* __restrict z) {
     const Window lines = window;
