@@ -191,8 +191,8 @@ void addSteps(const InverseRange& inverse, int line, const LineSlants& slants, S
 }
 
 // The change of u from line to line: the mean of the middle half over several lines. A stall, a leap, one jump, or ranges rounded to
-// centimetres do not disturb it. 0 where a range is missing, and where the surface is too steep or not slanted.
-float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
+// centimetres do not disturb it. 0 where a range is missing, and where the surface is too steep or slants by less than `least`, a share of u.
+float middleSlant(const InverseRange& inverse, int first, int last, int beam, float least = kLeastSlant) {
     std::array<float, 2 * kFarthest + 1> changes{};
     for (int i = first; i <= last; ++i) {
         if (!inverse.isMeasured(i, beam)) return 0;
@@ -204,7 +204,7 @@ float middleSlant(const InverseRange& inverse, int first, int last, int beam) {
     const auto to = changes.begin() + (count - count / 4);
     const float slant = std::accumulate(from, to, 0.0F) / static_cast<float>(to - from);
     const float share = std::abs(slant) / inverse.u.at(first, beam);
-    return share >= kLeastSlant && share <= kMostSlant ? slant : 0;
+    return share >= least && share <= kMostSlant ? slant : 0;
 }
 
 // Measures the same cells again, with the slants of middleSlant().
@@ -224,6 +224,20 @@ float extraStep(const std::vector<SlipVote>& slips, int beams, float least) {
     const float steps = weightedMedian(slips);
     if (spreadAround(steps, slips) > kLargestSpread * std::max(1.0F, std::abs(steps))) return 0;
     return explainedShare(slips, steps) < kExplained ? 0 : steps;
+}
+
+// Whether surfaces that slant less show the same slip: a slip of ten steps shows on a tenth of the slant. The outline of one object next to
+// slanted surfaces looks like a large slip, and the other surfaces of the line do not show it.
+bool isOnAllSurfaces(const InverseRange& inverse, int line, std::size_t parity, float extra) {
+    const float size = std::abs(extra);
+    if (size <= 1) return true;
+    const int reach = reachAt(line, inverse.u.lines);
+    std::vector<SlipVote> votes;
+    for (int j = static_cast<int>(parity); j < inverse.u.beams; j += 2) {
+        const float slant = middleSlant(inverse, line - reach, line + 1 + reach, j, kLeastSlant / size);
+        if (slant != 0) votes.push_back({(inverse.u.at(line + 1, j) - inverse.u.at(line, j)) / slant - 1, 1, slant});
+    }
+    return std::abs(weightedMedian(std::move(votes)) - extra) <= kLargestSpread * size;
 }
 
 // Buffers for the work on one line.
@@ -249,7 +263,8 @@ void findSlip(const InverseRange& inverse, int line, LineWork& work, LineSteps& 
     addStepsAgain(inverse, line, work.slants, slips);
     for (std::size_t parity = 0; parity < 2; ++parity) {
         const float extra = extraStep(slips[parity], beams, kSureExtra);
-        steps[parity][static_cast<std::size_t>(line)] = std::abs(extra) <= kMostExtra ? extra : 0;
+        const bool isSlip = std::abs(extra) <= kMostExtra && isOnAllSurfaces(inverse, line, parity, extra);
+        steps[parity][static_cast<std::size_t>(line)] = isSlip ? extra : 0;
     }
 }
 

@@ -67,6 +67,18 @@ TEST(Straighten, SlipsAreReportedWithoutDisplacedBeams) {
     EXPECT_FALSE(displacementWarning(straight));
 }
 
+// At line 180 an object begins in front of a slanted wall, on 36 of 286 beams; the surface on the other beams hardly slants, but a slip of
+// that size would show on it.
+TEST(Straighten, AnOutlineNextToSlantedSurfacesIsNoSlipInAnyOrderOfLines) {
+    const auto range = [](int i, int j) {
+        const double inverse =
+            j >= 120 && j < 156 ? (i < 180 ? 0.15 : 0.163) + 0.001 * (i - 180) : 0.2 + 0.0001 * (i - 180); // 1/m
+        return std::round(1000 / (inverse + 0.0001 * ((i * 7 + j * 13) % 5 - 2)));
+    };
+    EXPECT_FALSE(displacementWarning(test::makeScan(250, 286, range)));
+    EXPECT_FALSE(displacementWarning(test::makeScan(250, 286, [&](int i, int j) { return range(249 - i, j); })));
+}
+
 // Steps with a variation of one eighth: random outliers among them are not slips.
 TEST(Straighten, AnUnevenMotorDoesNotSlip) {
     sim::SimulationSettings settings;
