@@ -191,7 +191,8 @@ void addSteps(const InverseRange& inverse, int line, const LineSlants& slants, S
 }
 
 // The change of u from line to line: the mean of the middle half over several lines. A stall, a leap, one jump, or ranges rounded to
-// centimetres do not disturb it. 0 where a range is missing, and where the surface is too steep or slants by less than `least`, a share of u.
+// centimetres do not disturb it. 0 where a range is missing, and where the surface is too steep or slants by less than `least`, a share
+// of u.
 float middleSlant(const InverseRange& inverse, int first, int last, int beam, float least = kLeastSlant) {
     std::array<float, 2 * kFarthest + 1> changes{};
     for (int i = first; i <= last; ++i) {

@@ -71,8 +71,7 @@ TEST(Straighten, SlipsAreReportedWithoutDisplacedBeams) {
 // that size would show on it.
 TEST(Straighten, AnOutlineNextToSlantedSurfacesIsNoSlipInAnyOrderOfLines) {
     const auto range = [](int i, int j) {
-        const double inverse =
-            j >= 120 && j < 156 ? (i < 180 ? 0.15 : 0.163) + 0.001 * (i - 180) : 0.2 + 0.0001 * (i - 180); // 1/m
+        const double inverse = j >= 120 && j < 156 ? (i < 180 ? 0.15 : 0.163) + 0.001 * (i - 180) : 0.2 + 0.0001 * (i - 180); // 1/m
         return std::round(1000 / (inverse + 0.0001 * ((i * 7 + j * 13) % 5 - 2)));
     };
     EXPECT_FALSE(displacementWarning(test::makeScan(250, 286, range)));
