@@ -31,6 +31,8 @@ constexpr double kFlat = 0.05; // one in 300 rocks is as flat as this
 constexpr double kPerFlat = 200.0;
 constexpr double kScoreOffset = -37.0;
 constexpr double kMostZ = 6.0;
+constexpr int kSurroundingSides = 3; // a region that reaches so many sides of the sweep ...
+constexpr double kLeastNear = 0.05;  // ... is a rock only if it is the nearer side on this share of its outline
 constexpr double kDeviations = 4.0; // a size is this many standard deviations
 
 // From the spread of the points about their mean.
@@ -102,6 +104,28 @@ void setConfidence(RegionMap& map) {
     }
 }
 
+// Counts the sides of the sweep that each region reaches.
+void countSweepSides(const Segmentation& segments, RegionMap& map) {
+    constexpr int kMargin = 1;
+    const Grid<std::uint32_t>& segment = segments.segment;
+    std::vector<std::uint8_t> lastSide(map.regions.size());
+    std::uint8_t side = 0;
+    const auto visitSide = [&](int firstLine, int lines, int firstBeam, int beams) {
+        ++side;
+        for (int i = std::max(0, firstLine); i < std::min(firstLine + lines, segment.lines); ++i) {
+            for (int j = std::max(0, firstBeam); j < std::min(firstBeam + beams, segment.beams); ++j) {
+                const std::uint32_t n = map.regionOfSegment[segment.at(i, j)];
+                map.regions[n].sweepSides += lastSide[n] != side ? 1 : 0;
+                lastSide[n] = side;
+            }
+        }
+    };
+    visitSide(0, kMargin, 0, segment.beams);
+    visitSide(segment.lines - kMargin, kMargin, 0, segment.beams);
+    visitSide(0, segment.lines, 0, kMargin);
+    visitSide(0, segment.lines, segment.beams - kMargin, kMargin);
+}
+
 // Rocks first, then the largest first; renumbers the map's regions.
 void putInOrder(RegionMap& map) {
     std::vector<std::uint32_t> order(map.regions.size());
@@ -151,7 +175,9 @@ const char* regionKindName(RegionKind kind) {
 }
 
 bool looksLikeRock(const Region& region, const RockSettings& settings) {
-    return region.score > 0 && (region.sums.sumM / static_cast<double>(region.sums.cells)).norm() < settings.farthestM;
+    // The outline of what reaches three sides of the sweep is that of the regions in front of it.
+    const bool surrounds = region.sweepSides >= kSurroundingSides && region.nearShare < kLeastNear;
+    return region.score > 0 && !surrounds && (region.sums.sumM / static_cast<double>(region.sums.cells)).norm() < settings.farthestM;
 }
 
 RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings, std::span<const RockCall> called) {
@@ -170,6 +196,7 @@ RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const Roc
     }
     addSegments(segments, map);
     addBorders(segments, map);
+    countSweepSides(segments, map);
     const std::vector<double> bulges = regionBulges(segments, map.regionOfSegment, map.regions.size());
     for (std::size_t n = 1; n < map.regions.size(); ++n) {
         map.regions[n].bulge = bulges[n];

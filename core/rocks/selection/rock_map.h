@@ -29,6 +29,7 @@ struct Region {
     bool byHand = false; ///< the user marked it as a rock, or as not a rock
     SegmentSums sums;
     std::uint32_t outlineCracks = 0; ///< number of cracks to other regions; a crack is the side between two neighbouring cells
+    int sweepSides = 0;              ///< 0..4: number of sides of the sweep that it reaches
     double bulge = 0.0;              ///< -0.3 .. 0.3: distance of the surface in front of its chords, as a share of their length
     double nearShare = 0.0;          ///< 0..1: share of the outline at which it is the nearer side of a jump
     double edgeShare = 0.0;          ///< 0..1: mean of the evidence e2 (an edge is near) over the outline
@@ -66,7 +67,7 @@ struct RockCall {
 /// What rocksAt() asks of the confidence of a rock; docs/developer/lab-notebook.md has the trials.
 inline constexpr double kLeastConfidence = 0.15;
 
-/// Whether the region alone looks like a rock: R > 0, and its centre is near enough.
+/// Whether the region alone looks like a rock: R > 0, its centre is near enough, and it is not the surroundings of the other regions.
 [[nodiscard]] bool looksLikeRock(const Region& region, const RockSettings& settings);
 
 /// Whether there are enough clear valleys along the border to say that its two sides touch.

@@ -1,11 +1,15 @@
 // Rocks of simulated scenes whose rocks are known.
 #include "core/rocks/selection/region_of_interest.h"
 #include "tests/support/rock_scene.h"
+#include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
 
 namespace edgescan::rocks {
 namespace {
@@ -78,7 +82,8 @@ TEST(RockMap, WhatIsARockIsSaidByItsSums) {
                     22 * r.bulge + 8.4 * r.nearShare + 33 * r.edgeShare + 11.7 * r.depthRatio + 9.3 * r.boxShare - 1.1 * tooLong -
                         200 * flat - 37,
                     1e-9);
-        EXPECT_EQ(r.kind == RegionKind::Rock, r.score > 0 && r.confidence >= kLeastConfidence && (r.sums.sumM / r.sums.cells).norm() < 15);
+        EXPECT_EQ(r.kind == RegionKind::Rock, r.score > 0 && (r.sweepSides < 3 || r.nearShare >= 0.05) &&
+                                                  r.confidence >= kLeastConfidence && (r.sums.sumM / r.sums.cells).norm() < 15);
         double covered = 0;
         for (const RegionBorder& border : map.borders)
             covered += border.a == n || border.b == n ? static_cast<double>(border.sumE2) / 65536 : 0;
@@ -143,6 +148,24 @@ TEST(RockMap, OutsideTheRegionOfInterestNothingIsARock) {
         EXPECT_EQ(2 * inside[n] < map.regions[n].sums.cells, map.regions[n].kind == RegionKind::Outside);
     settings.region = {{100, 100}, {100, 350}, {300, 350}, {300, 100}};
     EXPECT_EQ(rockLabels(f.segments, rocksAt(f.segments, f.tree, settings)), rockLabels(f.segments, map));
+}
+
+// The inside of a tunnel reaches all sides of the sweep; its outline is that of the four boulders in front of it.
+TEST(RockMap, TheSurroundingsOfRocksAreNotARock) {
+    constexpr int kLines = 300, kBeams = 300;
+    const auto scan = std::make_shared<const Scan>(test::makeScan(kLines, kBeams, [](int i, int j) {
+        const double wall = 2500 / std::cos(0.004 * (j - 150)) + (i * 7 + j * 13) % 5;
+        for (const auto [line, beam] : {std::pair(80, 80), std::pair(90, 210), std::pair(215, 75), std::pair(220, 230)}) {
+            const double r = std::hypot(i - line, j - beam) / 32;
+            if (r < 1) return wall - 500 - 300 * std::sqrt(1 - r * r);
+        }
+        return wall;
+    }));
+    const Segmentation segments = test::segmentationOf(scan);
+    const RegionMap map = rocksAt(segments, mergeTree(segments.count(), segments.borders), {});
+    EXPECT_EQ(map.rocks, 4U);
+    for (std::uint32_t n = 1; n <= map.rocks; ++n) EXPECT_LT(map.regions[n].sums.cells, 3300U);
+    EXPECT_EQ(map.regions[5].sweepSides, 4);
 }
 
 TEST(RegionOfInterest, HoldsItsOutlineAndNothingBeyond) {
