@@ -33,7 +33,7 @@ constexpr double kScoreOffset = -37.0;
 constexpr double kMostZ = 6.0;
 constexpr int kSurroundingSides = 3; // a region that reaches so many sides of the sweep ...
 constexpr double kLeastNear = 0.05;  // ... is a rock only if it is the nearer side on this share of its outline
-constexpr double kDeviations = 4.0; // a size is this many standard deviations
+constexpr double kDeviations = 4.0;  // a size is this many standard deviations
 
 // From the spread of the points about their mean.
 void measureSpread(Region& region) {
