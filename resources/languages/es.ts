@@ -408,7 +408,13 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
-<message><source>Scanner at E %1, N %2, RL %3 m. Its points: </source><translation>Escáner en E %1, N %2, RL %3 m. Sus puntos: </translation></message>
+<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>El escáner mira hacia delante: lo que sin pose está por encima de él ahora está delante. Si mira hacia arriba dentro de una campana, elija «up» en la página Montaje.</translation></message>
+<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>El montaje mira hacia arriba, pero cabeceo y alabeo lo giran hacia un lado: escriba 0 y 0 para un brazo nivelado, o elija «forward» en la página Montaje.</translation></message>
+<message><source>The mounting looks up, but %1 % of the points are lower than the scanner: correct pitch and roll, or choose another direction on the page Mounting.</source><translation>El montaje mira hacia arriba, pero el %1 % de los puntos está más bajo que el escáner: corrija cabeceo y alabeo, o elija otra dirección en la página Montaje.</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3 m. </source><translation>Escáner en E %1, N %2, RL %3 m. </translation></message>
+<message><source>It looks %1° below the horizon. </source><translation>Mira %1° por debajo del horizonte. </translation></message>
+<message><source>It looks %1° above the horizon. </source><translation>Mira %1° por encima del horizonte. </translation></message>
+<message><source>Its points: </source><translation>Sus puntos: </translation></message>
 <message><source>Store Pose</source><translation>Guardar la pose</translation></message>
 <message><source>Remove Pose</source><translation>Quitar la pose</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>La imagen no viene de un archivo, así que su pose no se puede guardar: abra un escaneo o una grabación.</translation></message>

@@ -408,7 +408,13 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
 <message><source>Does this look right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>À l'écran, pas encore adopté : %1</translation></message>
-<message><source>Scanner at E %1, N %2, RL %3 m. Its points: </source><translation>Scanner à E %1, N %2, RL %3 m. Ses points : </translation></message>
+<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>Le scanner regarde vers l'avant : ce qui est au-dessus de lui sans pose est maintenant devant lui. S'il regarde vers le haut dans une cloche, choisissez « up » sur la page Montage.</translation></message>
+<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>Le montage regarde vers le haut, mais tangage et roulis le tournent sur le côté : tapez 0 et 0 pour un bras de niveau, ou choisissez « forward » sur la page Montage.</translation></message>
+<message><source>The mounting looks up, but %1 % of the points are lower than the scanner: correct pitch and roll, or choose another direction on the page Mounting.</source><translation>Le montage regarde vers le haut, mais %1 % des points sont plus bas que le scanner : corrigez tangage et roulis, ou choisissez une autre direction sur la page Montage.</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3 m. </source><translation>Scanner à E %1, N %2, RL %3 m. </translation></message>
+<message><source>It looks %1° below the horizon. </source><translation>Il regarde à %1° sous l'horizon. </translation></message>
+<message><source>It looks %1° above the horizon. </source><translation>Il regarde à %1° au-dessus de l'horizon. </translation></message>
+<message><source>Its points: </source><translation>Ses points : </translation></message>
 <message><source>Store Pose</source><translation>Enregistrer la pose</translation></message>
 <message><source>Remove Pose</source><translation>Enlever la pose</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>L'image ne vient pas d'un fichier, sa pose ne peut donc pas être enregistrée : ouvrez un scan ou un enregistrement.</translation></message>

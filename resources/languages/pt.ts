@@ -408,7 +408,13 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>Parece correto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>Na tela, ainda não adotado: %1</translation></message>
-<message><source>Scanner at E %1, N %2, RL %3 m. Its points: </source><translation>Scanner em E %1, N %2, RL %3 m. Seus pontos: </translation></message>
+<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>O scanner olha para a frente: o que sem pose está acima dele está agora à sua frente. Se ele olha para cima para dentro de um sino, escolha “up” na página Montagem.</translation></message>
+<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>A montagem olha para cima, mas arfagem e rolagem viram-na para o lado: digite 0 e 0 para um braço nivelado, ou escolha “forward” na página Montagem.</translation></message>
+<message><source>The mounting looks up, but %1 % of the points are lower than the scanner: correct pitch and roll, or choose another direction on the page Mounting.</source><translation>A montagem olha para cima, mas %1 % dos pontos estão mais baixos do que o scanner: corrija arfagem e rolagem, ou escolha outra direção na página Montagem.</translation></message>
+<message><source>Scanner at E %1, N %2, RL %3 m. </source><translation>Scanner em E %1, N %2, RL %3 m. </translation></message>
+<message><source>It looks %1° below the horizon. </source><translation>Olha %1° abaixo do horizonte. </translation></message>
+<message><source>It looks %1° above the horizon. </source><translation>Olha %1° acima do horizonte. </translation></message>
+<message><source>Its points: </source><translation>Seus pontos: </translation></message>
 <message><source>Store Pose</source><translation>Guardar a pose</translation></message>
 <message><source>Remove Pose</source><translation>Remover a pose</translation></message>
 <message><source>The picture does not come from a file, so its pose cannot be stored: open a scan or a recording.</source><translation>A imagem não vem de um arquivo, por isso a pose não pode ser guardada: abra uma varredura ou uma gravação.</translation></message>

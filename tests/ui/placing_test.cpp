@@ -1,5 +1,6 @@
 // Scan > Pose and Mounting in the real window: typed, pasted, shown in the cloud, stored with the scan, undone; also for the demo.
 #include "core/files/open_save/pose_sidecar.h"
+#include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/run_program.h"
 #include "tests/support/simulated_bell.h"
@@ -88,6 +89,28 @@ private slots:
         QVERIFY(on.settled());
         QVERIFY(on.place() == nullptr);
         QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
+    }
+
+    // The scan without a pose is shown with the scanner's z axis up. The form does not turn it over, and says so where a choice does.
+    void aTypedPoseLeavesTheCloudUprightOrSaysOtherwise() {
+        PlaceForm on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(on.ready());
+        auto& viewing = *on.placing.dialog()->findChild<QComboBox*>("inclinometer-viewing");
+        QCOMPARE(viewing.currentText(), QString("up"));
+        on.paste("498765.432 5150123.456 287.654 217.4");
+        QVERIFY(on.placed());
+        const Scan& scan = *on.picture().detection->scan;
+        QVERIFY((localMinePoint(scan, 0, 0, {0, 0, 5.4}) + scan.placement->originEnhM).z() > 293.0);
+        const QString upright = on.placing.dialog()->stateText();
+        QVERIFY2(upright.contains("It looks 90° above the horizon.") && !upright.contains("▲"), qPrintable(upright));
+        viewing.setCurrentText("forward");
+        QVERIFY(on.placed());
+        QVERIFY2(on.placing.dialog()->stateText().contains("▲ The scanner looks forward"), qPrintable(on.placing.dialog()->stateText()));
+        viewing.setCurrentText("up");
+        on.field("inclinometer-tilt_x_deg").setText("90");
+        QVERIFY(on.placed());
+        QVERIFY2(on.placing.dialog()->stateText().contains("▲ The mounting looks up, but"), qPrintable(on.placing.dialog()->stateText()));
     }
 
     void eachWrongFieldHasItsSentence() {

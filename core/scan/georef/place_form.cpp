@@ -238,7 +238,10 @@ PlaceTexts nominalMounting(Axis axis) {
     PlaceTexts texts;
     for (const PlaceField& field : mountingTable()) {
         const std::string key = field.key;
-        texts.push_back(key == "reads" ? "pitch_roll" : key == "axis" ? (axis == Axis::Spin ? "0, 0, 1" : "1, 0, 0") : "");
+        texts.push_back(key == "reads"     ? "pitch_roll"
+                        : key == "viewing" ? "up"
+                        : key == "axis"    ? (axis == Axis::Spin ? "0, 0, 1" : "1, 0, 0")
+                                           : "");
     }
     return texts;
 }

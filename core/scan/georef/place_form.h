@@ -39,7 +39,8 @@ Result<PlaceTexts> placeTexts(std::span<const PlaceField> fields, std::string_vi
 /// The calibration that is part of a pose file, as text; empty if the file holds none.
 [[nodiscard]] std::string calibrationInPose(std::string_view json);
 
-/// A mounting without errors for a scan of this axis. Its tilt is read as pitch and roll.
+/// A mounting without errors for a scan of this axis. Its tilt is read as pitch and roll. It looks up, as every scan without a pose is
+/// shown: a level pose does not turn the cloud over.
 [[nodiscard]] PlaceTexts nominalMounting(Axis axis);
 
 /// Typed texts, and the file that they began with (may be empty): its other keys stay.

@@ -8,14 +8,13 @@
 #include "core/edges/pipeline/work_memory.h"
 #include "core/files/open_save/pose_sidecar.h"
 #include "core/scan/georef/place_scan.h"
-#include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/survey_line.h"
-#include "core/scan/grid/cartesian.h"
 #include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/files.h"
+#include "ui/controllers/files/place_words.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/in_background.h"
 #include "ui/engine/worker_bridge/preferences.h"
@@ -40,36 +39,11 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kScanners = "scanners";        // of the preferences: calibrations by name, as JSON
 constexpr const char* kLastScanner = "scanner-last"; // name
 constexpr auto kWhileTyping = std::chrono::milliseconds(200);
-constexpr std::size_t kCellsLooked = 20000;
 constexpr std::uint64_t kMostCalibrationBytes = std::uint64_t{1} << 20U;
 
 Json scannersIn(const Preferences& preferences) {
     const auto stored = parseOrderedJson(exactBytes(preferences.text(kScanners)), kScanners, kSettingsJson);
     return stored && stored->is_object() ? *stored : Json::object();
-}
-
-QString spanOf(const QString& name, double from, double to) {
-    return QString("%1 %2 … %3 m").arg(name, shownText(fixedText(from, 2)), shownText(fixedText(to, 2)));
-}
-
-/// The scanner and the span of its points in the mine grid.
-QString placeWords(const Scan& scan) {
-    const PlacedPoints mine(scan);
-    const CartesianTables tables(scan);
-    const int middle = scan.lines() / 2;
-    const Eigen::Vector3d sensor = mine.mine(middle, scan.beams() / 2, tables.sensor());
-    Eigen::Vector3d least = sensor, most = sensor;
-    for (std::size_t k = 0; k < scan.cells(); k += std::max<std::size_t>(1, scan.cells() / kCellsLooked)) {
-        const Eigen::Vector3d point = tables.point(k);
-        if (!point.allFinite()) continue;
-        const auto beams = static_cast<std::size_t>(scan.beams());
-        const Eigen::Vector3d p = mine.mine(static_cast<int>(k / beams), static_cast<int>(k % beams), point);
-        least = least.cwiseMin(p);
-        most = most.cwiseMax(p);
-    }
-    return Placing::tr("Scanner at E %1, N %2, RL %3 m. Its points: ")
-               .arg(shownText(fixedText(sensor.x(), 3)), shownText(fixedText(sensor.y(), 3)), shownText(fixedText(sensor.z(), 3))) +
-           spanOf("E", least.x(), most.x()) + ", " + spanOf("N", least.y(), most.y()) + ", " + spanOf("RL", least.z(), most.z());
 }
 
 Axis axisOf(const Scan& scan) {
@@ -203,7 +177,7 @@ Placing::Answer Placing::placed(const Question& question) {
         if (auto enough = edges::checkMemoryFor(edges::Work::Detect, *question.scan); !enough) return {enough.error(), {}};
         auto scan = std::make_shared<Scan>(*question.scan);
         scan->placement = *placement;
-        const QString words = placeWords(*scan);
+        const QString words = placeWords(*scan, poses->calibration->viewing);
         return {std::shared_ptr<const Scan>(std::move(scan)), words};
     } catch (const std::bad_alloc&) {
         return {Error{"there is not enough memory to show the scan in its place", "", "close other programs"}, {}};

@@ -2,6 +2,7 @@
 #include "core/base/angles.h"
 #include "core/scan/georef/place_form.h"
 #include "core/scan/georef/place_scan.h"
+#include "core/scan/georef/placed_look.h"
 #include "core/scan/georef/placed_points.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/robot_files.h"
@@ -58,9 +59,18 @@ Vector3d direction(const Scan& scan, const Vector3d& inScanner) {
 
 } // namespace
 
+// What a scan without a pose shows above the scanner is above it with a level pose as well.
+TEST(PlaceForm, ALevelPoseLeavesTheCloudUpright) {
+    for (const Axis axis : {Axis::Spin, Axis::Sweep}) {
+        const Scan scan = placedBy(typed(kPose, {}, axis), axis);
+        EXPECT_LT((direction(scan, Vector3d::UnitZ()) - Vector3d::UnitZ()).norm(), 1e-9);
+        EXPECT_LT((direction(scan, Vector3d::UnitY()) - Vector3d::UnitX()).norm(), 1e-9) << "heading 90 degrees is east";
+    }
+}
+
 TEST(PlaceForm, TheScannerIsAtTheTypedPlaceAndLooksAlongTheHeading) {
     for (const Axis axis : {Axis::Spin, Axis::Sweep}) {
-        const TypedPlace place = typed(kPose, {}, axis);
+        const TypedPlace place = typed(kPose, {{"viewing", "forward"}}, axis);
         ASSERT_TRUE(place.isSound()) << place.fault;
         const Scan scan = placedBy(place, axis);
         const Vector3d at = scan.placement->originEnhM + localMinePoint(scan, 0, 0, Vector3d::Zero());
@@ -70,8 +80,27 @@ TEST(PlaceForm, TheScannerIsAtTheTypedPlaceAndLooksAlongTheHeading) {
     Values tilted = kPose;
     tilted["heading_deg"] = "0";
     tilted["tilt_x_deg"] = "30";
-    const Vector3d ahead = direction(placedBy(typed(tilted), Axis::Spin), Vector3d::UnitZ());
+    const Vector3d ahead = direction(placedBy(typed(tilted, {{"viewing", "forward"}}), Axis::Spin), Vector3d::UnitZ());
     EXPECT_LT((ahead - Vector3d(0, std::cos(radians(30)), 0.5)).norm(), 1e-9) << "north, nose up";
+}
+
+TEST(PlaceForm, APoseThatDoesNotFitTheMountingIsDoubted) {
+    const auto doubt = [](double pitchDeg, const char* viewing) {
+        Values pose = kPose;
+        pose["tilt_x_deg"] = std::to_string(pitchDeg);
+        const TypedPlace place = typed(pose, {{"viewing", viewing}});
+        return lookDoubt(placedLook(placedBy(place, Axis::Spin)), parsePoses(place.file, "form")->calibration->viewing);
+    };
+    EXPECT_EQ(doubt(0, "up"), LookDoubt::None);
+    EXPECT_EQ(doubt(20, "up"), LookDoubt::None);
+    EXPECT_EQ(doubt(90, "up"), LookDoubt::NotUp);
+    EXPECT_EQ(doubt(0, "forward"), LookDoubt::TurnedForward);
+    EXPECT_EQ(doubt(80, "forward"), LookDoubt::None);
+    PlacedLook look;
+    look.elevationDeg = 90;
+    look.belowShare = 0.6;
+    EXPECT_EQ(lookDoubt(look, Viewing::Up), LookDoubt::MostlyBelow);
+    EXPECT_EQ(lookDoubt(look, Viewing::Rpy), LookDoubt::None) << "three angles were measured";
 }
 
 TEST(PlaceForm, EachWrongTextHasItsSentence) {
