@@ -155,7 +155,7 @@ TEST(RockMap, TheSurroundingsOfRocksAreNotARock) {
     constexpr int kLines = 300, kBeams = 300;
     const auto scan = std::make_shared<const Scan>(test::makeScan(kLines, kBeams, [](int i, int j) {
         const double wall = 2500 / std::cos(0.004 * (j - 150)) + (i * 7 + j * 13) % 5;
-        for (const auto [line, beam] : {std::pair(80, 80), std::pair(90, 210), std::pair(215, 75), std::pair(220, 230)}) {
+        for (const auto& [line, beam] : {std::pair(80, 80), std::pair(90, 210), std::pair(215, 75), std::pair(220, 230)}) {
             const double r = std::hypot(i - line, j - beam) / 32;
             if (r < 1) return wall - 500 - 300 * std::sqrt(1 - r * r);
         }
