@@ -134,10 +134,10 @@ bool isEmptyRow(std::string_view line) {
 const char* endOfCell(const char* from, const char* to, char separator) {
     const char* at = from;
     while (at < to && *at == ' ') ++at;
-    if (at < to && *at == '"') {
+    while (at < to && *at == '"') { // a quote within the text is written twice: its second half opens another text
         const char* const closing = std::find(at + 1, to, '"');
-        from = closing == to ? from : closing + 1; // a quote within the text is written twice: its second half opens another text
-        if (from < to && *from == '"') return endOfCell(from, to, separator);
+        if (closing == to) break; // of an inch, say
+        from = at = closing + 1;
     }
     return std::find(from, to, separator);
 }

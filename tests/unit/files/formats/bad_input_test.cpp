@@ -196,6 +196,14 @@ TEST(BadInput, WhatIsNoScanIsNamed) {
     EXPECT_FALSE(openScan(folder / "loop.pcd"));
 }
 
+TEST(BadInput, AQuoteThatIsNotClosedEnds) {
+    const Folder folder;
+    for (const char* text : {"x,y,z,note\n1,2,3,\"open\n", "\"x,y,z\n1,2,3\n", "x,y,z,note\n1,2,3,\"a\"\"\n", "# {\"a\":\"b\n\"\n"}) {
+        writeText(folder / "quote.csv", text);
+        EXPECT_FALSE(openScan(folder / "quote.csv")) << text;
+    }
+}
+
 TEST(BadInput, TheListOfWhatCanBeChosenNamesEveryFormat) {
     const std::string list = asciiLower(kChooseScan);
     for (const Format& format : formats()) {
