@@ -71,6 +71,14 @@ std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::Expor
     return wanted;
 }
 
+std::string namesText(const std::vector<std::string>& paths) {
+    std::string names;
+    for (const std::string& path : paths) {
+        if (!path.empty()) names += (names.empty() ? "" : ", ") + printable(fs::path(path).filename().string());
+    }
+    return names;
+}
+
 std::string placesText(const std::vector<std::string>& paths) {
     std::string places;
     for (const std::string& path : paths) {

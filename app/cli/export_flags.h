@@ -42,6 +42,8 @@ struct WantedExport {
                                                       const std::string& scanName, CoordinateFrame frame);
 
 /// "a.pcd, standard output".
+/// Their names without folders.
+[[nodiscard]] std::string namesText(const std::vector<std::string>& paths);
 [[nodiscard]] std::string placesText(const std::vector<std::string>& paths);
 
 } // namespace edgescan::cli

@@ -129,8 +129,13 @@ Result<Done> writeFiles(const RocksFlags& flags, const edges::Detection& detecti
     if (!flags.writeEdits.empty()) places += (places.empty() ? "" : ", ") + printable(flags.writeEdits);
     if (flags.why.empty() && places.empty())
         printResult(summary(*study, flags.file));
+    else if (flags.why.empty() && inFolder)
+        printError(summary(*study, flags.file) + "; written to " + places + ": " + namesText({paths.begin() + 1, paths.end()}) + ".");
     else if (flags.why.empty())
         reportWritten(summary(*study, flags.file) + "; written to " + places + ".", flags.read);
+    if (study->rocks.empty() && !files.empty())
+        printError(printable(flags.file) +
+                   ": no rock was found, so the files hold none; a smaller --min-cells or another --level finds more.");
     if (const std::string coordinates = outputs.coordinates(); !coordinates.empty()) printError(places + ": " + coordinates);
     return Done{};
 }

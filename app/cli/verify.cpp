@@ -32,10 +32,17 @@ std::vector<std::string> exportsOf(const std::vector<std::string>& named) {
 
 int run(const Verify& verify) {
     JsonLines json(verify.json);
-    std::size_t identical = 0, differing = 0, unchecked = 0;
+    std::size_t identical = 0, differing = 0, unchecked = 0, reports = 0;
     std::optional<std::filesystem::path> scans;
     if (!verify.scans.empty()) scans = verify.scans;
     for (const std::string& file : exportsOf(verify.files)) {
+        if (exports::isReport(file)) { // "verify RESULTS/*" names them, too
+            const Error none{"this is a report, for which no record is written", file, "verify the clouds and pictures"};
+            printError(none);
+            json.add(refusal("verify", file, none));
+            ++reports;
+            continue;
+        }
         const auto one = [&] {
             const Result<exports::Verification> verification = exports::verifyExport(file, scans);
             if (!verification) printError(verification.error());
@@ -47,7 +54,8 @@ int run(const Verify& verify) {
         const int code = guarded(one, kRefused);
         ++(code == kDone ? identical : code == kDiffers ? differing : unchecked);
     }
-    return json.ended(differing > 0 ? kDiffers : codeOf(identical, unchecked));
+    const bool onlyReports = reports > 0 && identical + differing + unchecked == 0;
+    return json.ended(differing > 0 ? kDiffers : onlyReports ? kRefused : codeOf(identical, unchecked));
 }
 
 } // namespace

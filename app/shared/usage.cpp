@@ -132,6 +132,19 @@ Error unexpected(const CLI::App& app, const std::vector<std::string>& words) {
     return Error{"there is no such flag", typed, hintFor(name, typed, known, list)};
 }
 
+/// "--sensor: At least 3 required but received 2": another number of values than the option takes.
+std::optional<Error> otherCount(const CLI::App& app, const std::string& sentence) {
+    constexpr std::string_view kReceived = " required but received ";
+    const std::size_t at = sentence.find(kReceived), colon = sentence.find(':');
+    if (at == sentence.npos || colon == sentence.npos) return std::nullopt;
+    const auto parsed = app.get_subcommands();
+    const CLI::App& command = parsed.empty() ? app : *parsed.front();
+    const CLI::Option* option = command.get_option_no_throw(sentence.substr(0, colon));
+    if (option == nullptr) return std::nullopt;
+    return Error{"takes " + std::to_string(option->get_items_expected_min()) + " values and got " + sentence.substr(at + kReceived.size()),
+                 option->get_name(), "its values: " + option->get_description()};
+}
+
 std::string inOurWords(std::string sentence) {
     for (std::size_t at = sentence.find("ubcommand"); at != std::string::npos; at = sentence.find("ubcommand"))
         sentence.replace(at - 1, 10, sentence[at - 1] == 'S' ? "Command" : "command");
@@ -162,6 +175,8 @@ std::optional<int> parsed(CLI::App& app, int argc, char** argv) {
             dynamic_cast<const CLI::RequiredError*>(&error) != nullptr || dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
         if ((counted && std::ranges::any_of(left, isFlag)) || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
             printError(unexpected(app, left));
+        else if (const auto count = otherCount(app, error.what()))
+            printError(*count);
         else
             printError(inOurWords(error.what()) + " (see --help)");
     }

@@ -12,6 +12,7 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/gl_check.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/first_tour.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start.h"
 #include "ui/window/theme.h"
@@ -30,6 +31,7 @@ using namespace edgescan::viewer;
 
 // Opens the scans and files of the command line.
 void openWanted(ui::MainWindow& window, ui::Preferences& preferences, const CommandLine& wanted, const ParsedCommandLine& understood) {
+    if ((wanted.demo || !wanted.files.empty()) && wanted.screenshot.empty()) ui::offerTour(window, preferences);
     QStringList files;
     for (const std::string& file : wanted.files) files << ui::exactText(file);
     if (!wanted.session.empty())

@@ -124,6 +124,7 @@ std::optional<Error> Start::missing() const {
         if (window_.sessions().restoring()) return Error{"the scan of this session is not shown yet", of, wait};
         if (viewer.engine.opening()) return Error{"it is still being read", of, wait};
         if (first_ || viewer.engine.behind()) return Error{"its edges are still being computed", of, wait};
+        if (!viewer.tuning.settled() || !viewer.opening.settled()) return Error{"its edges are still being counted", of, wait};
     }
     if (!viewer.comparing.settled()) return Error{"the comparison is not complete yet", wanted_.compare, wait};
     return std::nullopt;

@@ -23,6 +23,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fstream>
 #include <span>
 
 namespace edgescan::exports {
@@ -252,6 +253,18 @@ void compareFiles(const std::string& found, const std::vector<FileBytes>& again,
 }
 
 } // namespace
+
+bool isReport(const fs::path& file) {
+    std::string head(64, '\0'); // an export may be large
+    std::ifstream in(file, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    if (head.starts_with("<!DOCTYPE html>") || head.starts_with("%PDF")) return true;
+    const std::size_t key = head.find('"');
+    if (!head.starts_with('{') || key == head.npos || head.compare(key, 8, "\"schema\"") != 0 || files::sidecarOf(file)) return false;
+    const auto bytes = readWholeFile(file);
+    return bytes && embeddedRecord(textOf(*bytes)).empty();
+}
 
 Result<Verification> verifyExport(const fs::path& exported, const std::optional<fs::path>& scansFolder) {
     Verification v;

@@ -23,6 +23,9 @@ struct Verification {
     std::string expectedSha256, foundSha256;      ///< of the export made again, and of the one on the disk
 };
 
+/// A report as a page, a document or JSON: no record is written for it, and it cannot be made again.
+[[nodiscard]] bool isReport(const std::filesystem::path& file);
+
 /// The scan is searched by its SHA-256 in the folder of the export and, if given, in all folders under `scansFolder`. Error: the record is
 /// missing, all copies of the record were altered, the scan was not found, the scan cannot be opened.
 Result<Verification> verifyExport(const std::filesystem::path& exported, const std::optional<std::filesystem::path>& scansFolder = {});

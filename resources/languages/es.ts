@@ -40,6 +40,11 @@
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>el disco lleva %1 s de retraso (%2 MB)</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>GRABACIÓN TERMINADA: %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>LA GRABACIÓN TIENE HUECOS: %1</translation></message>
+<message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; otras celdas: puntos llevados a la cuadrícula del escaneo posterior</translation></message>
+<message><source>one scan with two settings</source><translation>un escaneo con dos ajustes</translation></message>
+<message><source>lined up by their poses</source><translation>alineados por sus poses</translation></message>
+<message><source>lined up by the known places of the scanner</source><translation>alineados por las posiciones conocidas del escáner</translation></message>
+<message><source>no pose: lined up by their surfaces</source><translation>sin pose: alineados por sus superficies</translation></message>
 <message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: hay %1 líneas, no se sabe cuántas eran.</translation></message>
 <message><source>Telegrams were lost: lines </source><translation>Se perdieron telegramas: líneas </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Se perdió un telegrama: línea </translation></message>
@@ -185,6 +190,25 @@
 <message><source>no joint turned while the laser measured</source><translation>ninguna articulación giró mientras el láser medía</translation></message>
 <message><source>there is no joint called </source><translation>no hay ninguna articulación llamada </translation></message>
 <message><source>choose another topic</source><translation>elija otro topic</translation></message>
+<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>el escaneo no tiene pose, así que no se conoce su lugar en la cuadrícula de la mina</translation></message>
+<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>indique una pose y la calibración del robot, o guarde en el sistema del escáner</translation></message>
+<message><source>The pose carries no time, so its age is not known.</source><translation>La pose no tiene hora, así que no se conoce su edad.</translation></message>
+<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>No se conoce el inicio del escaneo, así que tampoco la edad de la pose.</translation></message>
+<message><source>The calibration leaves out %1: 0 was taken.</source><translation>La calibración no da %1: se tomó 0.</translation></message>
+<message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FUERA DE TOLERANCIA: la pose es %1 s más antigua que el inicio del escaneo.</translation></message>
+<message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FUERA DE TOLERANCIA: la inclinación del cabezal cambió %1 grados durante el escaneo, más de </translation></message>
+<message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>FUERA DE TOLERANCIA: %1 de %2 líneas se midieron antes de la primera pose o después de la última y recibieron la más cercana.</translation></message>
+<message><source>OUT OF SPEC: whether the surfaces of "%1" fit cannot be seen.</source><translation>FUERA DE TOLERANCIA: no se puede ver si las superficies de "%1" encajan.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of "%1" are %2 mm from those of the first scan at best.</source><translation>FUERA DE TOLERANCIA: las superficies de "%1" están en el mejor caso a %2 mm de las del primer escaneo.</translation></message>
+<message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>FUERA DE TOLERANCIA: la base se movió mientras se tomaba "%1": un solo lugar encaja mal.</translation></message>
+<message><source>OUT OF SPEC: without a pose of both, the two scans are lined up by their surfaces alone.</source><translation>FUERA DE TOLERANCIA: sin pose de ambos, los dos escaneos se alinean solo por sus superficies.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans do not lie where their poses put them: %1 apart, and %2 if one is moved by </source><translation>FUERA DE TOLERANCIA: las superficies de los dos escaneos no están donde las ponen sus poses: a %1, y a %2 si uno se mueve </translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place.</source><translation>FUERA DE TOLERANCIA: las superficies de los dos escaneos están en el mejor caso a %1: casi todo cambió o no son escaneos de un mismo lugar.</translation></message>
+<message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>FUERA DE TOLERANCIA: no se puede ver si las poses encajan, </translation></message>
+<message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>FUERA DE TOLERANCIA: las poses no encajan con las superficies, así que el escaneo anterior se movió por sus superficies, </translation></message>
+<message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>El archivo solo contiene puntos: %1 líneas, %2 haces y el montaje </translation></message>
+<message><source>were found from them.</source><translation>se hallaron a partir de ellos.</translation></message>
+<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Este archivo es una exportación de puntos de arista, no un escaneo: todas las demás celdas cuentan como sin retorno. Abra el escaneo para buscar aristas.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Escaneo &gt; Enderezar los haces</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>las coordenadas del diálogo de exportación</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>los puntos detrás de otros del diálogo de exportación</translation></message>
@@ -234,6 +258,41 @@
 <message><source>Step &amp;down</source><translation>&amp;Disminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
 <message><source>Float</source><translation>Separar</translation></message>
+<message><source>Cancel</source><translation>Cancelar</translation></message>
+<message><source>Look in:</source><translation>Buscar en:</translation></message>
+<message><source>Back</source><translation>Atrás</translation></message>
+<message><source>Forward</source><translation>Adelante</translation></message>
+<message><source>Go back</source><translation>Retroceder</translation></message>
+<message><source>Go forward</source><translation>Ir adelante</translation></message>
+<message><source>Parent Directory</source><translation>Carpeta superior</translation></message>
+<message><source>Go to the parent directory</source><translation>Ir a la carpeta superior</translation></message>
+<message><source>Create New Folder</source><translation>Crear carpeta</translation></message>
+<message><source>Create a New Folder</source><translation>Crear una carpeta nueva</translation></message>
+<message><source>List View</source><translation>Vista de lista</translation></message>
+<message><source>Change to list view mode</source><translation>Cambiar a la vista de lista</translation></message>
+<message><source>Detail View</source><translation>Vista detallada</translation></message>
+<message><source>Change to detail view mode</source><translation>Cambiar a la vista detallada</translation></message>
+<message><source>Sidebar</source><translation>Barra lateral</translation></message>
+<message><source>List of places and bookmarks</source><translation>Lista de lugares y marcadores</translation></message>
+<message><source>Files</source><translation>Archivos</translation></message>
+<message><source>File &amp;name:</source><translation>&amp;Nombre del archivo:</translation></message>
+<message><source>Files of type:</source><translation>Tipo de archivos:</translation></message>
+<message><source>Directory:</source><translation>Carpeta:</translation></message>
+<message><source>&amp;Open</source><translation>&amp;Abrir</translation></message>
+<message><source>&amp;Save</source><translation>&amp;Guardar</translation></message>
+<message><source>&amp;Choose</source><translation>&amp;Elegir</translation></message>
+<message><source>&amp;Rename</source><translation>&amp;Cambiar nombre</translation></message>
+<message><source>&amp;Delete</source><translation>&amp;Eliminar</translation></message>
+<message><source>Show &amp;hidden files</source><translation>Mostrar archivos &amp;ocultos</translation></message>
+<message><source>&amp;New Folder</source><translation>Carpeta &amp;nueva</translation></message>
+<message><source>Name</source><translation>Nombre</translation></message>
+<message><source>Size</source><translation>Tamaño</translation></message>
+<message><source>Type</source><translation>Tipo</translation></message>
+<message><source>Date Modified</source><translation>Modificado</translation></message>
+<message><source>Computer</source><translation>Equipo</translation></message>
+<message><source>Drive</source><translation>Unidad</translation></message>
+<message><source>All Files (*)</source><translation>Todos los archivos (*)</translation></message>
+<message><source>Show </source><translation>Mostrar </translation></message>
 <message><source>Scroll Left</source><translation>Desplazar a la izquierda</translation></message>
 <message><source>Scroll Right</source><translation>Desplazar a la derecha</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
@@ -323,6 +382,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retenido: %1. Pulse Seguir para continuar con el escáner.</translation></message>
+<message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
@@ -553,7 +613,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
-<message><source>Not stored: this picture does not come from a file, or EdgeScan runs with --no-settings.</source><translation>No se guarda: esta imagen no viene de un archivo, o EdgeScan se inició con --no-settings.</translation></message>
+<message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
+<message><source>Not stored: this picture does not come from a file.</source><translation>No guardado: esta imagen no procede de un archivo.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>Pin %1</source><translation>Fijar %1</translation></message>
@@ -575,6 +636,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
+<message><source>Target %1 is on the clipboard, as text.</source><translation>El objetivo %1 está en el portapapeles, como texto.</translation></message>
+<message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 objetivos están en el portapapeles, como tabla para una hoja de cálculo.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Aquí no hay ningún punto: no se midió nada, o está oculto.</translation></message>
 <message><source>Remove the target of this ce&amp;ll</source><translation>Quitar e&amp;l objetivo de esta celda</translation></message>
@@ -609,7 +672,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>drawing</source><translation>dibujo</translation></message>
 <message><source>Menu</source><translation>Menú</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
-<message><source>Cancel</source><translation>Cancelar</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: mantener un segundo para salir del modo cabina</translation></message>
 <message><source>Previous target</source><translation>Objetivo anterior</translation></message>
@@ -739,7 +801,6 @@ mantenga \ para verla</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>File</source><translation>Archivo</translation></message>
-<message><source>Name</source><translation>Nombre</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Líneas de escaneo</translation></message>
 <message><source>Beams</source><translation>Haces</translation></message>
@@ -987,7 +1048,6 @@ mantenga \ para verla</translation></message>
 <message><source>Show the rocks</source><translation>Mostrar las rocas</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Las herramientas de arriba miden. Archivo exporta bordes, nubes y un informe. Los comandos tienen teclas; Ayuda las muestra todas, y también este recorrido.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar las teclas</translation></message>
-<message><source>Back</source><translation>Atrás</translation></message>
 <message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Next</source><translation>Siguiente</translation></message>
@@ -999,6 +1059,7 @@ mantenga \ para verla</translation></message>
 <message><source>Locked: Esc and Remove All do not remove it</source><translation>Bloqueado: Esc y Quitar todos no lo quitan</translation></message>
 <message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
+<message><source>Target %1</source><translation>Objetivo %1</translation></message>
 <message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1013,7 +1074,7 @@ mantenga \ para verla</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
 <message><source>Surface</source><translation>Superficie</translation></message>
 <message><source>no plane fits</source><translation>ningún plano se ajusta</translation></message>
-<message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 del haz</translation></message>
+<message><source>%1° ± %2° off the beam</source><translation>a %1° ± %2° del haz</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre su normal y el haz: 0° mira de frente al escáner. Un plano por %1 celdas, relieve %2</translation></message>
 <message><source>Dip / direction</source><translation>Manteo / dirección</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Del plano respecto al horizonte, y en sentido horario desde el norte de la cuadrícula, hacia donde cae</translation></message>
@@ -1035,7 +1096,9 @@ mantenga \ para verla</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>no se midió nada a menos de %1 celdas</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ también hay una superficie más cercana a menos de %1 celdas: amplíe si era esa</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
-<message><source>E %1  N %2  RL %3 m</source><translation>E %1  N %2  RL %3 m</translation></message>
+<message><source>E %1  N %2
+RL %3 m</source><translation>E %1  N %2
+RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distancia [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
@@ -1071,6 +1134,12 @@ mantenga \ para verla</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
+<message><source>default</source><translation>predeterminado</translation></message>
+<message><source>log</source><translation>logarítmico</translation></message>
+<message><source>thesis</source><translation>tesis</translation></message>
+<message><source>window</source><translation>ventana</translation></message>
+<message><source>smooth-walls</source><translation>paredes lisas</translation></message>
+<message><source>default-3</source><translation>predeterminado 3</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
 <message><source>Save…</source><translation>Guardar…</translation></message>
@@ -1100,7 +1169,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>La ventana queda como está al abrir otro escaneo</translation></message>
 <message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>automatic: %1</source><translation>automático: %1</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation>rellenada, no medida: %1 m ± %2</translation></message>
+<message><source>filled, not measured: %1 m ± %2 m</source><translation>rellenada, no medida: %1 m ± %2 m</translation></message>
 <message><source>range %1 m</source><translation>distancia %1 m</translation></message>
 <message><source>device status %1</source><translation>estado del equipo %1</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
@@ -1161,7 +1230,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Take the last click back</source><translation>Retirar el último clic</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagen de distancia – tocar para cambiar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
-<message><source>Target %1</source><translation>Objetivo %1</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
@@ -1603,6 +1671,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Las paredes se curvan con los ángulos de línea que se tomaron: %1 de %2 trozos planos están en tres planos, otros pasos dan más.</translation></message>
 <message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>ángulos de las líneas de %1 a %2 grados; ninguna distancia dice si izquierda y derecha están intercambiadas</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>al revés: izquierda y derecha intercambiadas</translation></message>
+<message><source>%1 lines of %2 beams, found from the directions of the points</source><translation>%1 líneas de %2 haces, halladas por las direcciones de los puntos</translation></message>
 <message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>proyectado en celdas de %1 grados; el %2 % de los puntos está detrás de otros de su celda</translation></message>
 <message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>El %1 % de los puntos está detrás de otros de su celda: las celdas son gruesas, o el sensor estaba en otro lugar.</translation></message>
 <message><source>cells of %1 degrees</source><translation>celdas de %1 grados</translation></message>

@@ -40,6 +40,11 @@
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>le disque a %1 s de retard (%2 Mo)</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>ENREGISTREMENT TERMINÉ : %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>L'ENREGISTREMENT A DES TROUS : %1</translation></message>
+<message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; autres cellules : points déplacés sur la grille du scan le plus récent</translation></message>
+<message><source>one scan with two settings</source><translation>un scan avec deux réglages</translation></message>
+<message><source>lined up by their poses</source><translation>alignés par leurs poses</translation></message>
+<message><source>lined up by the known places of the scanner</source><translation>alignés par les positions connues du scanner</translation></message>
+<message><source>no pose: lined up by their surfaces</source><translation>pas de pose : alignés par leurs surfaces</translation></message>
 <message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLET : %1 lignes sont là, on ne sait pas combien il y en avait.</translation></message>
 <message><source>Telegrams were lost: lines </source><translation>Des télégrammes ont été perdus : lignes </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Un télégramme a été perdu : ligne </translation></message>
@@ -185,6 +190,25 @@
 <message><source>no joint turned while the laser measured</source><translation>aucune articulation n'a tourné pendant la mesure du laser</translation></message>
 <message><source>there is no joint called </source><translation>il n'y a pas d'articulation nommée </translation></message>
 <message><source>choose another topic</source><translation>choisissez un autre topic</translation></message>
+<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>le scan n'a pas de pose, sa place dans la grille de la mine n'est donc pas connue</translation></message>
+<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>donnez une pose et l'étalonnage du robot, ou enregistrez dans le repère du scanner</translation></message>
+<message><source>The pose carries no time, so its age is not known.</source><translation>La pose n'a pas d'heure, son âge n'est donc pas connu.</translation></message>
+<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>Le début du scan n'est pas connu, l'âge de la pose non plus.</translation></message>
+<message><source>The calibration leaves out %1: 0 was taken.</source><translation>L'étalonnage ne donne pas %1 : 0 a été pris.</translation></message>
+<message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>HORS TOLÉRANCE : la pose a %1 s de plus que le début du scan.</translation></message>
+<message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>HORS TOLÉRANCE : l'inclinaison de la tête a changé de %1 degrés pendant le scan, plus que </translation></message>
+<message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>HORS TOLÉRANCE : %1 lignes sur %2 ont été mesurées avant la première ou après la dernière pose et ont reçu la plus proche.</translation></message>
+<message><source>OUT OF SPEC: whether the surfaces of "%1" fit cannot be seen.</source><translation>HORS TOLÉRANCE : on ne peut pas voir si les surfaces de « %1 » concordent.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of "%1" are %2 mm from those of the first scan at best.</source><translation>HORS TOLÉRANCE : les surfaces de « %1 » sont au mieux à %2 mm de celles du premier scan.</translation></message>
+<message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>HORS TOLÉRANCE : la base a bougé pendant la prise de « %1 » : une seule place lui convient mal.</translation></message>
+<message><source>OUT OF SPEC: without a pose of both, the two scans are lined up by their surfaces alone.</source><translation>HORS TOLÉRANCE : sans pose des deux, les deux scans sont alignés par leurs seules surfaces.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans do not lie where their poses put them: %1 apart, and %2 if one is moved by </source><translation>HORS TOLÉRANCE : les surfaces des deux scans ne sont pas là où leurs poses les placent : %1 d'écart, et %2 si l'un est déplacé de </translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place.</source><translation>HORS TOLÉRANCE : les surfaces des deux scans sont au mieux à %1 l'une de l'autre : presque tout a changé, ou ce ne sont pas des scans d'un même lieu.</translation></message>
+<message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>HORS TOLÉRANCE : on ne peut pas voir si les poses concordent, </translation></message>
+<message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>HORS TOLÉRANCE : les poses ne concordent pas avec les surfaces ; le scan antérieur a donc été déplacé d'après ses surfaces, de </translation></message>
+<message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>Le fichier ne contient que des points : %1 lignes, %2 faisceaux et le montage </translation></message>
+<message><source>were found from them.</source><translation>en ont été déduits.</translation></message>
+<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Ce fichier est un export de points d'arête, pas un scan : toutes les autres cellules comptent comme sans retour. Ouvrez le scan pour chercher les arêtes.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Scan &gt; Redresser les faisceaux</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>les coordonnées dans le dialogue d'exportation</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>les points derrière d'autres dans le dialogue d'exportation</translation></message>
@@ -234,6 +258,41 @@
 <message><source>Step &amp;down</source><translation>&amp;Diminuer</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
 <message><source>Float</source><translation>Détacher</translation></message>
+<message><source>Cancel</source><translation>Annuler</translation></message>
+<message><source>Look in:</source><translation>Chercher dans :</translation></message>
+<message><source>Back</source><translation>Arrière</translation></message>
+<message><source>Forward</source><translation>Suivant</translation></message>
+<message><source>Go back</source><translation>Revenir</translation></message>
+<message><source>Go forward</source><translation>Avancer</translation></message>
+<message><source>Parent Directory</source><translation>Dossier parent</translation></message>
+<message><source>Go to the parent directory</source><translation>Aller au dossier parent</translation></message>
+<message><source>Create New Folder</source><translation>Créer un dossier</translation></message>
+<message><source>Create a New Folder</source><translation>Créer un nouveau dossier</translation></message>
+<message><source>List View</source><translation>Vue en liste</translation></message>
+<message><source>Change to list view mode</source><translation>Passer à la vue en liste</translation></message>
+<message><source>Detail View</source><translation>Vue détaillée</translation></message>
+<message><source>Change to detail view mode</source><translation>Passer à la vue détaillée</translation></message>
+<message><source>Sidebar</source><translation>Barre latérale</translation></message>
+<message><source>List of places and bookmarks</source><translation>Liste des lieux et des signets</translation></message>
+<message><source>Files</source><translation>Fichiers</translation></message>
+<message><source>File &amp;name:</source><translation>&amp;Nom du fichier :</translation></message>
+<message><source>Files of type:</source><translation>Type de fichiers :</translation></message>
+<message><source>Directory:</source><translation>Dossier :</translation></message>
+<message><source>&amp;Open</source><translation>&amp;Ouvrir</translation></message>
+<message><source>&amp;Save</source><translation>&amp;Enregistrer</translation></message>
+<message><source>&amp;Choose</source><translation>&amp;Choisir</translation></message>
+<message><source>&amp;Rename</source><translation>&amp;Renommer</translation></message>
+<message><source>&amp;Delete</source><translation>&amp;Supprimer</translation></message>
+<message><source>Show &amp;hidden files</source><translation>Montrer les fichiers &amp;cachés</translation></message>
+<message><source>&amp;New Folder</source><translation>&amp;Nouveau dossier</translation></message>
+<message><source>Name</source><translation>Nom</translation></message>
+<message><source>Size</source><translation>Taille</translation></message>
+<message><source>Type</source><translation>Type</translation></message>
+<message><source>Date Modified</source><translation>Modifié le</translation></message>
+<message><source>Computer</source><translation>Ordinateur</translation></message>
+<message><source>Drive</source><translation>Lecteur</translation></message>
+<message><source>All Files (*)</source><translation>Tous les fichiers (*)</translation></message>
+<message><source>Show </source><translation>Afficher </translation></message>
 <message><source>Scroll Left</source><translation>Défiler à gauche</translation></message>
 <message><source>Scroll Right</source><translation>Défiler à droite</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
@@ -323,6 +382,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Figé : %1. Appuyez sur Suivre pour continuer avec le scanner.</translation></message>
+<message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
@@ -553,7 +613,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
-<message><source>Not stored: this picture does not come from a file, or EdgeScan runs with --no-settings.</source><translation>Non enregistré : cette image ne vient pas d'un fichier, ou EdgeScan a été lancé avec --no-settings.</translation></message>
+<message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
+<message><source>Not stored: this picture does not come from a file.</source><translation>Non enregistré : cette image ne vient pas d'un fichier.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Pin %1</source><translation>Épingler %1</translation></message>
@@ -575,6 +636,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
+<message><source>Target %1 is on the clipboard, as text.</source><translation>La cible %1 est dans le presse-papiers, sous forme de texte.</translation></message>
+<message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 cibles sont dans le presse-papiers, sous forme de tableau pour un tableur.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est masqué.</translation></message>
 <message><source>Remove the target of this ce&amp;ll</source><translation>Supprimer &amp;la cible de cette cellule</translation></message>
@@ -609,7 +672,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>drawing</source><translation>dessin</translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Connecter</translation></message>
-<message><source>Cancel</source><translation>Annuler</translation></message>
 <message><source>Locked</source><translation>Verrouillée</translation></message>
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillé : maintenir une seconde pour quitter le mode cabine</translation></message>
 <message><source>Previous target</source><translation>Cible précédente</translation></message>
@@ -739,7 +801,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Logo (PNG)</source><translation>Logo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logo</translation></message>
 <message><source>File</source><translation>Fichier</translation></message>
-<message><source>Name</source><translation>Nom</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Lignes de scan</translation></message>
 <message><source>Beams</source><translation>Faisceaux</translation></message>
@@ -987,7 +1048,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Show the rocks</source><translation>Afficher les blocs</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
 <message><source>Show the keys</source><translation>Afficher les touches</translation></message>
-<message><source>Back</source><translation>Arrière</translation></message>
 <message><source>End the tour</source><translation>Terminer la visite</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Next</source><translation>Suivant</translation></message>
@@ -999,6 +1059,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Locked: Esc and Remove All do not remove it</source><translation>Verrouillée : Esc et Tout supprimer ne la suppriment pas</translation></message>
 <message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
+<message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1013,7 +1074,7 @@ tenez \ pour la voir</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
 <message><source>Surface</source><translation>Surface</translation></message>
 <message><source>no plane fits</source><translation>aucun plan ne convient</translation></message>
-<message><source>%1° ± %2 off the beam</source><translation>à %1° ± %2 du faisceau</translation></message>
+<message><source>%1° ± %2° off the beam</source><translation>à %1° ± %2° du faisceau</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre sa normale et le faisceau : 0° fait face au scanner. Un plan par %1 cellules, relief %2</translation></message>
 <message><source>Dip / direction</source><translation>Pendage / direction</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Du plan par rapport à l'horizon, et dans le sens horaire depuis le nord de la grille, le sens où il descend</translation></message>
@@ -1035,7 +1096,9 @@ tenez \ pour la voir</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>rien n'a été mesuré à moins de %1 cellules</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ une surface plus proche est aussi à moins de %1 cellules : zoomez si c’est elle que vous visiez</translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
-<message><source>E %1  N %2  RL %3 m</source><translation>E %1  N %2  RL %3 m</translation></message>
+<message><source>E %1  N %2
+RL %3 m</source><translation>E %1  N %2
+RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distance [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
@@ -1071,6 +1134,12 @@ tenez \ pour la voir</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
+<message><source>default</source><translation>par défaut</translation></message>
+<message><source>log</source><translation>logarithmique</translation></message>
+<message><source>thesis</source><translation>thèse</translation></message>
+<message><source>window</source><translation>fenêtre</translation></message>
+<message><source>smooth-walls</source><translation>parois lisses</translation></message>
+<message><source>default-3</source><translation>par défaut 3</translation></message>
 <message><source>Open…</source><translation>Ouvrir…</translation></message>
 <message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
 <message><source>Save…</source><translation>Enregistrer…</translation></message>
@@ -1100,7 +1169,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>La fenêtre reste telle quelle quand un autre scan est ouvert</translation></message>
 <message><source>%1 to %2 m</source><translation>de %1 à %2 m</translation></message>
 <message><source>automatic: %1</source><translation>automatique : %1</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation>remplie, non mesurée : %1 m ± %2</translation></message>
+<message><source>filled, not measured: %1 m ± %2 m</source><translation>remplie, non mesurée : %1 m ± %2 m</translation></message>
 <message><source>range %1 m</source><translation>distance %1 m</translation></message>
 <message><source>device status %1</source><translation>état de l'appareil %1</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
@@ -1161,7 +1230,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Take the last click back</source><translation>Reprendre le dernier clic</translation></message>
 <message><source>Range image – tap to swap</source><translation>Image de distance – toucher pour échanger</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
-<message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
@@ -1603,6 +1671,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Les parois se courbent avec les angles de ligne retenus : %1 morceaux plats sur %2 sont sur trois plans, d'autres pas en donnent plus.</translation></message>
 <message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>angles des lignes de %1 à %2 degrés ; aucune distance ne dit si la gauche et la droite sont échangées</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>dans l'autre sens : gauche et droite échangées</translation></message>
+<message><source>%1 lines of %2 beams, found from the directions of the points</source><translation>%1 lignes de %2 faisceaux, trouvées d'après les directions des points</translation></message>
 <message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>projeté sur des cellules de %1 degrés ; %2 % des points sont derrière d'autres de leur cellule</translation></message>
 <message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>%1 % des points sont derrière d'autres de leur cellule : les cellules sont grossières, ou le capteur se trouvait ailleurs.</translation></message>
 <message><source>cells of %1 degrees</source><translation>cellules de %1 degrés</translation></message>

@@ -40,6 +40,11 @@
 <message><source>the disk is %1 s behind (%2 MB)</source><translation>o disco está %1 s atrasado (%2 MB)</translation></message>
 <message><source>RECORDING ENDED: %1</source><translation>GRAVAÇÃO TERMINADA: %1</translation></message>
 <message><source>RECORDING HAS GAPS: %1</source><translation>A GRAVAÇÃO TEM FALHAS: %1</translation></message>
+<message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; outras células: pontos levados para a grade da varredura posterior</translation></message>
+<message><source>one scan with two settings</source><translation>uma varredura com dois ajustes</translation></message>
+<message><source>lined up by their poses</source><translation>alinhados pelas suas poses</translation></message>
+<message><source>lined up by the known places of the scanner</source><translation>alinhados pelas posições conhecidas do scanner</translation></message>
+<message><source>no pose: lined up by their surfaces</source><translation>sem pose: alinhados pelas suas superfícies</translation></message>
 <message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: há %1 linhas, não se sabe quantas eram.</translation></message>
 <message><source>Telegrams were lost: lines </source><translation>Perderam-se telegramas: linhas </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Perdeu-se um telegrama: linha </translation></message>
@@ -185,6 +190,25 @@
 <message><source>no joint turned while the laser measured</source><translation>nenhuma junta girou enquanto o laser media</translation></message>
 <message><source>there is no joint called </source><translation>não há nenhuma junta chamada </translation></message>
 <message><source>choose another topic</source><translation>escolha outro tópico</translation></message>
+<message><source>the scan has no pose, so its place in the mine grid is not known</source><translation>a varredura não tem pose, portanto o seu lugar na grade da mina não é conhecido</translation></message>
+<message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>dê uma pose e a calibração do robô, ou salve no referencial do scanner</translation></message>
+<message><source>The pose carries no time, so its age is not known.</source><translation>A pose não tem hora, portanto a sua idade não é conhecida.</translation></message>
+<message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>O início da varredura não é conhecido, portanto a idade da pose também não.</translation></message>
+<message><source>The calibration leaves out %1: 0 was taken.</source><translation>A calibração não dá %1: foi tomado 0.</translation></message>
+<message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FORA DE TOLERÂNCIA: a pose é %1 s mais antiga que o início da varredura.</translation></message>
+<message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FORA DE TOLERÂNCIA: a inclinação da cabeça mudou %1 graus durante a varredura, mais de </translation></message>
+<message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>FORA DE TOLERÂNCIA: %1 de %2 linhas foram medidas antes da primeira pose ou depois da última e receberam a mais próxima.</translation></message>
+<message><source>OUT OF SPEC: whether the surfaces of "%1" fit cannot be seen.</source><translation>FORA DE TOLERÂNCIA: não se pode ver se as superfícies de "%1" encaixam.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of "%1" are %2 mm from those of the first scan at best.</source><translation>FORA DE TOLERÂNCIA: as superfícies de "%1" estão, no melhor caso, a %2 mm das da primeira varredura.</translation></message>
+<message><source>OUT OF SPEC: the base moved while "%1" was taken: one place fits it badly.</source><translation>FORA DE TOLERÂNCIA: a base moveu-se enquanto "%1" era medida: um só lugar encaixa mal.</translation></message>
+<message><source>OUT OF SPEC: without a pose of both, the two scans are lined up by their surfaces alone.</source><translation>FORA DE TOLERÂNCIA: sem pose das duas, as duas varreduras são alinhadas só pelas suas superfícies.</translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans do not lie where their poses put them: %1 apart, and %2 if one is moved by </source><translation>FORA DE TOLERÂNCIA: as superfícies das duas varreduras não estão onde as suas poses as põem: a %1, e a %2 se uma for movida por </translation></message>
+<message><source>OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are not scans of one place.</source><translation>FORA DE TOLERÂNCIA: as superfícies das duas varreduras estão, no melhor caso, a %1: quase tudo mudou ou não são varreduras de um mesmo lugar.</translation></message>
+<message><source>OUT OF SPEC: whether the poses fit cannot be seen, </source><translation>FORA DE TOLERÂNCIA: não se pode ver se as poses encaixam, </translation></message>
+<message><source>OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by </source><translation>FORA DE TOLERÂNCIA: as poses não encaixam nas superfícies, portanto a varredura anterior foi movida pelas suas superfícies, por </translation></message>
+<message><source>The file lists only points: %1 lines, %2 beams and mounting </source><translation>O arquivo contém só pontos: %1 linhas, %2 feixes e a montagem </translation></message>
+<message><source>were found from them.</source><translation>foram achados a partir deles.</translation></message>
+<message><source>This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.</source><translation>Este arquivo é uma exportação de pontos de aresta, não uma varredura: todas as outras células contam como sem retorno. Abra a varredura para procurar arestas.</translation></message>
 <message><source>Scan &gt; Straighten Beams</source><translation>Varredura &gt; Endireitar os feixes</translation></message>
 <message><source>the coordinates in the export dialog</source><translation>as coordenadas na caixa de exportação</translation></message>
 <message><source>the points behind others in the export dialog</source><translation>os pontos atrás de outros na caixa de exportação</translation></message>
@@ -234,6 +258,41 @@
 <message><source>Step &amp;down</source><translation>&amp;Diminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
 <message><source>Float</source><translation>Destacar</translation></message>
+<message><source>Cancel</source><translation>Cancelar</translation></message>
+<message><source>Look in:</source><translation>Procurar em:</translation></message>
+<message><source>Back</source><translation>Trás</translation></message>
+<message><source>Forward</source><translation>Avançar</translation></message>
+<message><source>Go back</source><translation>Retroceder</translation></message>
+<message><source>Go forward</source><translation>Ir adiante</translation></message>
+<message><source>Parent Directory</source><translation>Pasta acima</translation></message>
+<message><source>Go to the parent directory</source><translation>Ir para a pasta acima</translation></message>
+<message><source>Create New Folder</source><translation>Criar pasta</translation></message>
+<message><source>Create a New Folder</source><translation>Criar uma pasta nova</translation></message>
+<message><source>List View</source><translation>Vista em lista</translation></message>
+<message><source>Change to list view mode</source><translation>Mudar para a vista em lista</translation></message>
+<message><source>Detail View</source><translation>Vista detalhada</translation></message>
+<message><source>Change to detail view mode</source><translation>Mudar para a vista detalhada</translation></message>
+<message><source>Sidebar</source><translation>Barra lateral</translation></message>
+<message><source>List of places and bookmarks</source><translation>Lista de lugares e marcadores</translation></message>
+<message><source>Files</source><translation>Arquivos</translation></message>
+<message><source>File &amp;name:</source><translation>&amp;Nome do arquivo:</translation></message>
+<message><source>Files of type:</source><translation>Tipo de arquivos:</translation></message>
+<message><source>Directory:</source><translation>Pasta:</translation></message>
+<message><source>&amp;Open</source><translation>&amp;Abrir</translation></message>
+<message><source>&amp;Save</source><translation>&amp;Salvar</translation></message>
+<message><source>&amp;Choose</source><translation>&amp;Escolher</translation></message>
+<message><source>&amp;Rename</source><translation>&amp;Renomear</translation></message>
+<message><source>&amp;Delete</source><translation>&amp;Excluir</translation></message>
+<message><source>Show &amp;hidden files</source><translation>Mostrar arquivos &amp;ocultos</translation></message>
+<message><source>&amp;New Folder</source><translation>&amp;Nova pasta</translation></message>
+<message><source>Name</source><translation>Nome</translation></message>
+<message><source>Size</source><translation>Tamanho</translation></message>
+<message><source>Type</source><translation>Tipo</translation></message>
+<message><source>Date Modified</source><translation>Modificado</translation></message>
+<message><source>Computer</source><translation>Computador</translation></message>
+<message><source>Drive</source><translation>Unidade</translation></message>
+<message><source>All Files (*)</source><translation>Todos os arquivos (*)</translation></message>
+<message><source>Show </source><translation>Mostrar </translation></message>
 <message><source>Scroll Left</source><translation>Rolar para a esquerda</translation></message>
 <message><source>Scroll Right</source><translation>Rolar para a direita</translation></message>
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
@@ -323,6 +382,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retido: %1. Carregue em Seguir para continuar com o scanner.</translation></message>
+<message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
@@ -553,7 +613,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
-<message><source>Not stored: this picture does not come from a file, or EdgeScan runs with --no-settings.</source><translation>Não guardado: esta imagem não vem de um arquivo, ou o EdgeScan foi iniciado com --no-settings.</translation></message>
+<message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
+<message><source>Not stored: this picture does not come from a file.</source><translation>Não salvo: esta imagem não vem de um arquivo.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>Pin %1</source><translation>Fixar %1</translation></message>
@@ -575,6 +636,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
+<message><source>Target %1 is on the clipboard, as text.</source><translation>O alvo %1 está na área de transferência, como texto.</translation></message>
+<message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 alvos estão na área de transferência, como tabela para uma planilha.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Não há ponto aqui: nada foi medido, ou está oculto.</translation></message>
 <message><source>Remove the target of this ce&amp;ll</source><translation>Remover o a&amp;lvo desta célula</translation></message>
@@ -609,7 +672,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>drawing</source><translation>desenho</translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
-<message><source>Cancel</source><translation>Cancelar</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: segurar um segundo para sair do modo cabine</translation></message>
 <message><source>Previous target</source><translation>Alvo anterior</translation></message>
@@ -739,7 +801,6 @@ segure \ para vê-la</translation></message>
 <message><source>Logo (PNG)</source><translation>Logotipo (PNG)</translation></message>
 <message><source>Logo</source><translation>Logotipo</translation></message>
 <message><source>File</source><translation>Arquivo</translation></message>
-<message><source>Name</source><translation>Nome</translation></message>
 <message><source>SHA-256</source><translation>SHA-256</translation></message>
 <message><source>Scan lines</source><translation>Linhas da varredura</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
@@ -987,7 +1048,6 @@ segure \ para vê-la</translation></message>
 <message><source>Show the rocks</source><translation>Mostrar as rochas</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
-<message><source>Back</source><translation>Trás</translation></message>
 <message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Next</source><translation>Seguinte</translation></message>
@@ -999,6 +1059,7 @@ segure \ para vê-la</translation></message>
 <message><source>Locked: Esc and Remove All do not remove it</source><translation>Bloqueado: Esc e Remover todos não o removem</translation></message>
 <message><source>Remove this target</source><translation>Remover este alvo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
+<message><source>Target %1</source><translation>Alvo %1</translation></message>
 <message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1013,7 +1074,7 @@ segure \ para vê-la</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
 <message><source>Surface</source><translation>Superfície</translation></message>
 <message><source>no plane fits</source><translation>nenhum plano se ajusta</translation></message>
-<message><source>%1° ± %2 off the beam</source><translation>a %1° ± %2 do feixe</translation></message>
+<message><source>%1° ± %2° off the beam</source><translation>a %1° ± %2° do feixe</translation></message>
 <message><source>Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2</source><translation>Entre a sua normal e o feixe: 0° está de frente para o scanner. Um plano por %1 células, relevo %2</translation></message>
 <message><source>Dip / direction</source><translation>Mergulho / direção</translation></message>
 <message><source>Of the plane to the horizon, and clockwise from grid north the way it falls</source><translation>Do plano em relação ao horizonte, e no sentido horário a partir do norte da quadrícula, para onde ele cai</translation></message>
@@ -1035,7 +1096,9 @@ segure \ para vê-la</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>nada foi medido a menos de %1 células</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ também há uma superfície mais próxima a menos de %1 células: amplie se era essa</translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
-<message><source>E %1  N %2  RL %3 m</source><translation>E %1  N %2  RL %3 m</translation></message>
+<message><source>E %1  N %2
+RL %3 m</source><translation>E %1  N %2
+RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
 <message><source>Distance [m]</source><translation>Distância [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
@@ -1071,6 +1134,12 @@ segure \ para vê-la</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
+<message><source>default</source><translation>padrão</translation></message>
+<message><source>log</source><translation>logarítmico</translation></message>
+<message><source>thesis</source><translation>tese</translation></message>
+<message><source>window</source><translation>janela</translation></message>
+<message><source>smooth-walls</source><translation>paredes lisas</translation></message>
+<message><source>default-3</source><translation>padrão 3</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
 <message><source>Save…</source><translation>Salvar…</translation></message>
@@ -1100,7 +1169,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>The window stays as it is when another scan is opened</source><translation>A janela fica como está quando outra varredura é aberta</translation></message>
 <message><source>%1 to %2 m</source><translation>de %1 a %2 m</translation></message>
 <message><source>automatic: %1</source><translation>automático: %1</translation></message>
-<message><source>filled, not measured: %1 m ± %2</source><translation>preenchida, não medida: %1 m ± %2</translation></message>
+<message><source>filled, not measured: %1 m ± %2 m</source><translation>preenchida, não medida: %1 m ± %2 m</translation></message>
 <message><source>range %1 m</source><translation>distância %1 m</translation></message>
 <message><source>device status %1</source><translation>estado do equipamento %1</translation></message>
 <message><source>E %1  N %2  RL %3</source><translation>E %1  N %2  RL %3</translation></message>
@@ -1161,7 +1230,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Take the last click back</source><translation>Retirar o último clique</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagem de distância – tocar para trocar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
-<message><source>Target %1</source><translation>Alvo %1</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
@@ -1603,6 +1671,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>As paredes curvam-se com os ângulos de linha adotados: %1 de %2 pedaços planos estão em três planos, outros passos dão mais.</translation></message>
 <message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>ângulos das linhas de %1 a %2 graus; nenhuma distância diz se esquerda e direita estão trocadas</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>ao contrário: esquerda e direita trocadas</translation></message>
+<message><source>%1 lines of %2 beams, found from the directions of the points</source><translation>%1 linhas de %2 feixes, achadas pelas direções dos pontos</translation></message>
 <message><source>projected onto cells of %1 degrees; %2 % of the points are behind others of their cell</source><translation>projetado em células de %1 graus; %2 % dos pontos estão atrás de outros da sua célula</translation></message>
 <message><source>%1 % of the points are behind others of their cell: the cells are coarse, or the sensor was at another place.</source><translation>%1 % dos pontos estão atrás de outros da sua célula: as células são grossas, ou o sensor estava em outro lugar.</translation></message>
 <message><source>cells of %1 degrees</source><translation>células de %1 graus</translation></message>

@@ -96,7 +96,9 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
           inspect::measureText(*measured), std::string("Before and after"), std::string("OUT OF SPEC"), largest})
         EXPECT_NE(text.find(phrase), std::string::npos) << phrase;
     EXPECT_EQ(text.find("<b>key"), std::string::npos);
-    EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 4U);
+    EXPECT_EQ(countOf(text, "src=\"data:image/png;base64,"), 5U);
+    for (const char* ours : {"no_return", "out_of_window", "silhouette", "convex crease"})
+        EXPECT_EQ(text.substr(0, text.find("The whole record")).find(ours), std::string::npos) << "a word of files: " << ours;
     // Targets of another scan, and an impossible path.
     EXPECT_EQ(runCli("report " + before.string() + " -o " + (folder / "x.html").string() + " --targets " + targets.string()).code, 1);
     EXPECT_EQ(runCli("report " + now.string() + " -o " + (folder / "x.html").string() + " --before " + (folder / "none.pcd").string()).code,

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -65,6 +66,13 @@ TEST(Usage, ANameOfVersion01IsAnsweredWithTheNewOne) {
                    {"edgescan-cli", "simulate -o a.pcd --holes 2", "use --hole-count"}});
 }
 
+TEST(Usage, TooFewValuesOfOneFlagAreCounted) {
+    const auto run = test::runCli("info x.pcd --sensor 1,2");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(run.err, "edgescan-cli: --sensor: takes 3 values and got 2; its values: Place of the scanner for a cloud without a grid, as "
+                       "X,Y,Z [m].\n");
+}
+
 TEST(Usage, AFolderFlagRefusesTheNameOfAFile) {
     expectAnswers({{"edgescan-cli", "detect none.json -o edges.pcd", "name of one file"},
                    {"edgescan-cli", "rocks none.json -o rocks.dxf", "name of one file"}});
@@ -87,6 +95,21 @@ TEST(Usage, TheVersionNamesCommitAndLicence) {
         const std::string text = runProgram(program, "--version").out;
         EXPECT_TRUE(std::regex_search(text, std::regex("^" + program + " [0-9.]+ \\(commit [0-9a-z]+\\)\nLicence: BSD-3"))) << text;
     }
+}
+
+// Packages are built from an archive that has no history.
+TEST(Usage, AnArchiveOfTheSourcesKnowsItsCommit) {
+    const std::string git = "git -C '" + test::sourceFolder() + "' ";
+    const auto said = [](const std::string& command) {
+        std::string text(64, '\0');
+        FILE* pipe = ::popen((command + " 2>/dev/null").c_str(), "r");
+        text.resize(std::fread(text.data(), 1, text.size(), pipe));
+        ::pclose(pipe);
+        return text;
+    };
+    const std::string commit = said(git + "rev-parse HEAD");
+    if (commit.size() < 40) GTEST_SKIP() << "the sources have no history here";
+    EXPECT_EQ(said(git + "archive HEAD core/base/commit.txt | tar -xO"), commit);
 }
 
 std::vector<std::string> commandsIn(const std::string& help) {

@@ -66,6 +66,25 @@ TEST(CliVerify, WhatDetectWroteIsIdenticalUntilAByteChanges) {
     EXPECT_EQ(json::parse(runCli("info " + scanPath).out)["pose"]["origin_enh_m"], json({620000.0, 6200000.0, 250.0}));
 }
 
+// "verify RESULTS/*" names reports, too: no record is ever written for them, and they do not count as failed.
+TEST(CliVerify, ReportsHaveNoRecord) {
+    const test::TemporaryFolder folder;
+    const std::string scan = (folder / "boxes.json").string(), results = (folder / "results").string();
+    ASSERT_TRUE(files::saveScan(test::boxesScan(40, 60, 3, 0.05), scan));
+    const auto detect = runCli("detect " + scan + " -o " + results);
+    ASSERT_EQ(detect.code, 0);
+    EXPECT_NE(detect.err.find("edge cells of 2400"), std::string::npos) << "it says what it found and wrote: " << detect.err;
+    EXPECT_NE(detect.err.find("boxes_edges.png"), std::string::npos) << detect.err;
+    ASSERT_EQ(runCli("report " + scan + " -o " + results + "/page.html").code, 0);
+    const auto all = runCli("verify --scans " + folder.path().string() + " " + results + "/*");
+    EXPECT_EQ(all.code, 0) << all.err;
+    EXPECT_NE(all.err.find("page.html: this is a report, for which no record is written"), std::string::npos) << all.err;
+    EXPECT_NE(all.err.find("boxes_edges.json: this is a report"), std::string::npos) << all.err;
+    const auto only = runCli("verify " + results + "/page.html");
+    EXPECT_EQ(only.code, 1);
+    EXPECT_EQ(only.err.find("copy"), std::string::npos) << "of a record that nothing writes: " << only.err;
+}
+
 TEST(CliVerify, EveryPartOfTheRecordIsCovered) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(files::saveScan(test::boxesScan(20, 30, 3), folder / "boxes.json"));

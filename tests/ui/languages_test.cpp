@@ -6,6 +6,7 @@
 #include "core/edges/settings/presets.h"
 #include "core/files/live_feed/live_health.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/inspect/change_detection/change_report.h"
 #include "core/rocks/selection/rock_settings.h"
 #include "core/scan/grid/reading_options.h"
 #include "core/scanner/cola/link.h"
@@ -18,6 +19,7 @@
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/files/file_filters.h"
+#include "ui/panels/dialogs/export_dialog.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
@@ -29,6 +31,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -254,7 +257,7 @@ private slots:
         QVERIFY(laidOut(on, scan_));
         static const QRegularExpression word("[A-Za-z]{3,}");
         static const QRegularExpression name(
-            R"(^(Español|Français|Português|English|EdgeScan\+?|edgescan.*|boxes.*|llvmpipe.*|.*\(LLVM.*|qt_.*|Canny.*|Roberts|Sobel|Prewitt|Kirsch|Robinson|UTC|(A: )?boxes.*|one scan with two settings|default(-3)?|smooth-walls|thesis|window|log|[0-9,]+ points|.*\.json.*|.*\d+ ?mm.*)$)");
+            R"(^(Español|Français|Português|English|EdgeScan\+?|edgescan.*|boxes.*|llvmpipe.*|.*\(LLVM.*|qt_.*|Canny.*|Roberts|Sobel|Prewitt|Kirsch|Robinson|UTC|(A: )?boxes.*|[0-9,]+ points|.*\.json.*|.*\d+ ?mm.*)$)");
         QStringList left;
         for (const QString& text : everyTextIn(on.window)) {
             const bool alike = english.contains(text) && word.match(text).hasMatch();
@@ -421,6 +424,47 @@ private slots:
     }
 
     // Errors, warnings and remarks of the core name flags for the command line; in the window they name places of the window.
+    // Ctrl+E: the dialog of the export, then Qt's own for the file, which not every system has translations for.
+    void theDialogsOfAnExportSpeakTheLanguageOfTheWindow_data() { everyTextHasItsTranslation_data(); }
+    void theDialogsOfAnExportSpeakTheLanguageOfTheWindow() {
+        QFETCH(QString, code);
+        const auto texts = [&](const QString& language) {
+            useLanguage(language, kTexts);
+            WindowFixture on;
+            if (!on.showWith(scan_)) qFatal("the scan was not shown");
+            const ExportDialog dialog(on.picture().detection, exports::ExportContent::EdgeCloud, {}, &on.window);
+            const QFileDialog place(&on.window, QString(), QString::fromStdString(folder_.path().string()));
+            return everyTextIn(dialog) + everyTextIn(place);
+        };
+        const QSet<QString> english = texts("en"), here = texts(code);
+        static const QRegularExpression word("[A-Za-z]{4,}"), name("^(/.*|.*[.]json.*|qt_.*|root|Export|Format|Type|Image.*)$");
+        QStringList left;
+        for (const QString& text : here) {
+            if (english.contains(text) && word.match(text).hasMatch() && !name.match(text).hasMatch()) left << text;
+        }
+        left.sort();
+        QVERIFY2(left.isEmpty(), qPrintable("in English: " + left.join(" | ")));
+    }
+
+    void whatIsSaidOfAPoseAndOfTwoScansIsTranslated() {
+        QVERIFY(useLanguage("fr", kTexts));
+        for (const char* sentence : {"OUT OF SPEC: the pose is 812 s older than the start of the scan.",
+                                     "OUT OF SPEC: without a pose of both, the two scans are lined up by their surfaces alone.",
+                                     "OUT OF SPEC: 3 of 90 lines were measured before the first or after the last pose and were given the "
+                                     "nearest one.",
+                                     "The pose carries no time, so its age is not known."})
+            QVERIFY2(coreSentence(QString(sentence)) != sentence, sentence);
+        QVERIFY(coreSentence(QString("OUT OF SPEC: the tilt of the head changed by 0.9 degrees while it scanned, more than 0.5."))
+                    .endsWith("0.5."));
+        inspect::RegistrationResult how;
+        how.by = inspect::RegistrationBasis::Surfaces;
+        const std::string by = inspect::registrationText(Scan{}, how);
+        QVERIFY2(coreWords(by) != QString::fromStdString(by), by.c_str());
+        QVERIFY(by.find("no pose") == 0);
+        how.by = inspect::RegistrationBasis::Poses;
+        QVERIFY2(inspect::registrationText(Scan{}, how).find("pose") == std::string::npos, "of the demo, which has no pose");
+    }
+
     void noNoteOfTheWindowNamesAFlag() {
         static const QRegularExpression text("\"(?:[^\"\\\\\n]|\\\\.)*\"");
         int flags = 0;
@@ -436,6 +480,10 @@ private slots:
                 if (coreSentence(found).contains(QRegularExpression("--[a-z]"))) left << found + " -> " + coreSentence(found);
             }
         }
+        const auto texts = readWholeFile(std::filesystem::path(test::sourceFolder()) / "resources/languages/fr.ts");
+        QVERIFY(bool(texts)); // the window's own texts
+        const QRegularExpression named("<source>[^<]*--[a-z][^<]*</source>");
+        QCOMPARE(named.match(QString::fromUtf8(textOf(*texts).data(), static_cast<int>(texts->size()))).captured(), QString());
         QVERIFY(flags > 40);
         QVERIFY2(left.isEmpty(), qPrintable(left.join('\n')));
         QCOMPARE(coreSentence(QString("combed: --straighten (Scan > Straighten Beams) puts them side by side.")),

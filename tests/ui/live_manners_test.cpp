@@ -6,6 +6,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/panels/dialogs/place_dialog.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/scanner_link.h"
 #include "ui/panels/live/state_badge.h"
@@ -14,6 +15,8 @@
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/warning_button.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
@@ -330,6 +333,71 @@ private slots:
             const std::string shown = window.viewer().live.panel().strip().shown().lines;
             QVERIFY2(shown.starts_with("INCOMPLETE"), shown.c_str());
         }
+    }
+
+    // After Stop the counted sweep is the second one, the held picture the first: the strip names the sweep. Nothing "is sending".
+    void afterStopTheStripNamesTheSweepThatItCounts() {
+        const auto emulated = scanner(400);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        LivePanel& panel = window.viewer().live.panel();
+        QTRY_VERIFY(!window.viewer().live.scanner().following() && panel.strip().shown().sweep > 1);
+        press(window, "live-connect"); // Stop
+        const files::LiveHealth& last = panel.strip().shown();
+        QVERIFY(last.liveness == files::Liveness::Stopped);
+        const QString lines = panel.findChild<QLabel*>("live-lines")->text();
+        QVERIFY2(lines.startsWith(QString("sweep %1: ").arg(last.sweep)), qPrintable(lines));
+        QCOMPARE(last.sentence, std::string());
+    }
+
+    void tabAndReturnWorkInTheFieldsOfTheSweep() {
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        LivePanel& panel = on.viewer.live.panel();
+        panel.askAddress();
+        panel.askSweep();
+        auto* menu = panel.findChild<QToolButton*>("live-sweep")->menu();
+        QTRY_VERIFY(menu->isVisible() && QApplication::focusWidget() != nullptr && menu->isAncestorOf(QApplication::focusWidget()));
+        const auto fields = menu->findChildren<QAbstractSpinBox*>();
+        QVERIFY(fields.size() == 4 && fields[0]->hasFocus());
+        QTest::keyClicks(fields[0], "240");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QVERIFY2(fields[1]->hasFocus() && menu->isVisible(), "Tab goes to the next field");
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab);
+        QVERIFY(fields[0]->hasFocus());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QVERIFY2(!menu->isVisible(), "Return accepts");
+        QCOMPARE(panel.sweep().expectedLines, 240);
+    }
+
+    // The dialog is about the whole recording, so the whole recording is shown first.
+    void thePoseOfAPlayingRecordingIsAsked() {
+        const std::string path = (folder_ / "played.mcap").string();
+        {
+            const auto emulated = scanner(400);
+            QVERIFY(emulated);
+            const auto run = test::runCli("record 127.0.0.1:" + std::to_string(emulated->port()) + " -o " + path +
+                                          " --lines 120 --expected-lines 120 --axis sweep --line-start -90 --line-step 1.5 --seconds 120");
+            QCOMPARE(run.code, 0);
+        }
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        on.viewer.files.open({QString::fromStdString(path)});
+        Timeline& timeline = on.viewer.live.timeline();
+        QTRY_VERIFY(timeline.active() && !on.viewer.engine.behind());
+        timeline.goTo(40);
+        QTRY_VERIFY(lines(on.window) == 40);
+        timeline.play(true);
+        on.viewer.notice.hide();
+        QTest::keyClick(&on.window, Qt::Key_P, Qt::ControlModifier);
+        const auto dialog = [&]() -> QDialog* { return on.window.findChild<PlaceDialog*>(); };
+        QTRY_VERIFY2(dialog() != nullptr && dialog()->isVisible(), qPrintable(on.viewer.notice.text()));
+        QVERIFY(!timeline.playing());
+        QCOMPARE(lines(on.window), kLines);
+        dialog()->reject();
     }
 
     void theStripOfAStoppedScannerGoesWithItsPicture() {

@@ -3,8 +3,10 @@
 #include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/cell_marks.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/controllers/paper_drawings.h"
 #include "ui/controllers/paper_pages.h"
 #include "ui/controllers/report_pdf.h"
 #include "ui/panels/cab/keypad.h"
@@ -25,11 +27,13 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPainter>
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextDocument>
+#include <QTimer>
 #include <QToolButton>
 
 using namespace edgescan;
@@ -189,6 +193,7 @@ private slots:
             const QString text = QString::fromUtf8(reader.readAllStandardOutput());
             for (const char* joined : {R"([0-9] m[0-9])", R"([0-9] mequal)", R"(Pictures\s*\f)"})
                 QVERIFY2(!QRegularExpression(joined).match(text).hasMatch(), qPrintable(text));
+            QVERIFY2(!QRegularExpression("\\f\\s*(Gray levels:|Edges\\. Across)").match(text).hasMatch(), "a caption without its picture");
         }
         // What is not a PNG picture is refused, and nothing is written.
         ReportWords wrong = words;
@@ -196,6 +201,65 @@ private slots:
         on.viewer.report.writeTo(QString::fromStdString((folder_ / "wrong.html").string()), wrong);
         QVERIFY2(on.viewer.notice.text().contains("not a PNG picture"), qPrintable(on.viewer.notice.text()));
         QVERIFY(!std::filesystem::exists(folder_ / "wrong.html"));
+    }
+
+    // A document of Qt shows no SVG: the size curve and the numbers of rocks are painted.
+    void paperHasTheDrawingsOfThePage() {
+        QImage picture(200, 100, QImage::Format_RGB32);
+        picture.fill(Qt::gray);
+        drawOver(picture, "<svg class=\"numbers\" style=\"--unit:30px\" viewBox=\"0 0 100 50\"><text x=\"50.5\" y=\"25\">7</text></svg>");
+        int white = 0, outside = 0;
+        for (int x = 0; x < 200; ++x) {
+            for (int y = 0; y < 100; ++y) {
+                const bool near = std::abs(x - 101) < 40 && std::abs(y - 50) < 45;
+                (near ? white : outside) += picture.pixelColor(x, y) == QColor(near ? Qt::white : Qt::gray) ? 1 : 0;
+            }
+        }
+        QVERIFY2(white > 50, "the number is on the picture");
+        QCOMPARE(outside, 200 * 100 - 79 * 89);
+        const QImage curve = imageOfDrawing("<svg viewBox=\"0 0 60 40\"><line x1=\"0\" y1=\"20\" x2=\"60\" y2=\"20\" stroke=\"#ff0000\"/>"
+                                            "<path d=\"M10 5 H30 V35\" fill=\"none\" stroke=\"#0000ff\" stroke-width=\"2\"/></svg>",
+                                            2.0);
+        QCOMPARE(curve.size(), QSize(120, 80));
+        QVERIFY(curve.pixelColor(100, 40).red() > 200 && curve.pixelColor(100, 40).blue() < 200);
+        QVERIFY(curve.pixelColor(60, 60).blue() > 200 && curve.pixelColor(60, 60).red() < 100);
+        QCOMPARE(curve.pixelColor(5, 5), QColor(Qt::white));
+    }
+
+    void aTargetOutOfViewHasNoTag() {
+        QImage picture(200, 100, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        ScreenMarks marks;
+        marks.targets = {{{QPointF(100, 50)}, "1", true}, {{QPointF(-60, 50)}, "2", false}, {{QPointF(90, 160)}, "3", false}};
+        const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+        QCOMPARE(static_cast<int>(tags.size()), 1);
+        QVERIFY(tags.front().left() > 100);
+    }
+
+    // HTML first, then PDF: the second form has the remark of the first; another scan's form has none.
+    void theRemarkStaysWithItsScan() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        const auto asked = [&](const QString& typed) {
+            QString before;
+            QTimer hand;
+            connect(&hand, &QTimer::timeout, &on.window, [&] {
+                auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+                if (dialog == nullptr) return;
+                auto* remark = dialog->findChild<QPlainTextEdit*>("report-remark");
+                if (remark == nullptr) return dialog->reject(); // where to save
+                before = remark->toPlainText();
+                remark->setPlainText(typed);
+                dialog->accept();
+            });
+            hand.start(20);
+            on.viewer.report.ask();
+            return before;
+        };
+        QCOMPARE(asked("wet walls"), QString());
+        QCOMPARE(asked("wet walls"), QString("wet walls"));
+        QVERIFY(on.open(bell_));
+        QCOMPARE(asked(""), QString());
     }
 
     void paperSplitsNeitherShortParagraphsNorRowsAndLeavesNoHeadingAlone() {

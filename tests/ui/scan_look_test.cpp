@@ -3,8 +3,10 @@
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/language/languages.h"
 #include "ui/controllers/scan_look.h"
 #include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/scale_plate.h"
 
 #include <QAction>
@@ -229,6 +231,23 @@ private slots:
         }
         QVERIFY2(below <= points.validCount / 50, qPrintable(QString::number(below)));
         QVERIFY(grid.lines.size() >= 8 && grid.lines.size() < 60);
+    }
+
+    void noNumberOfTheRangeWindowIsCut() {
+        for (const char* code : {"en", "fr", "es", "pt"}) {
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            for (int wide = 480; wide >= 260; wide -= 20) {
+                RangeWindow window;
+                window.resize(wide, window.sizeHint().height());
+                window.showWindow({2.1, 16.3}, true);
+                window.show();
+                QVERIFY(QTest::qWaitForWindowExposed(&window));
+                const auto* words = window.findChild<QLabel*>("range-window-words");
+                QVERIFY2(words->fontMetrics().horizontalAdvance(words->text()) <= words->width(),
+                         qPrintable(QString("%1 %2: %3 in %4 px").arg(code).arg(wide).arg(words->text()).arg(words->width())));
+            }
+        }
+        useLanguage("en");
     }
 
     void theRangeWindowIsDraggedLockedAndAutomaticAgain() {

@@ -1,6 +1,7 @@
 // Shortcuts that the operator changes: in the real window, with real keys; the palette and the sheet show the current ones.
 #include "tests/support/folders.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/shortcut_editor.h"
@@ -192,6 +193,20 @@ private slots:
         QVERIFY2(edges.contains("guide/tune"), qPrintable(edges));
         QVERIFY2(image.contains("index"), qPrintable(image));
         QVERIFY2(keys.contains("guide/keys"), qPrintable(keys));
+    }
+    // In another language, too, F1 opens a page of this language where there is one; without a focus that is the quick start.
+    void f1OpensThePageOfTheLanguage() {
+        for (const char* code : {"fr", "es", "pt"}) {
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            for (const char* page : {"index", "guide/quick-start", "guide/reading-the-picture", "guide/cab", "guide/troubleshooting"}) {
+                const QString first = manualNames(page).front();
+                QVERIFY2(first.contains(QString("/%1/").arg(code)), qPrintable(first));
+                QVERIFY2(QFile::exists(QString::fromStdString(test::sourceFolder()) + "/docs/" + first + ".md"), qPrintable(first));
+            }
+            QCOMPARE(manualNames("guide/tune").back(), QString("guide/tune"));
+        }
+        useLanguage("en");
+        QCOMPARE(manualNames("index"), QStringList{"index"});
     }
     void everyPageThatAPlaceHasIsInTheManual() {
         WindowFixture on;

@@ -156,12 +156,16 @@ std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const
     for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, measure);
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
     std::vector<QRectF> drawn;
+    const QRectF seen = QRectF(place).adjusted(-kMarkRing, -kMarkRing, kMarkRing, kMarkRing);
     {
         Tags tags(painter, place, taken);
-        for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) // the active one first
-            tags.draw(target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
+        for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
+            if (seen.contains(target->place.at)) // a tag without its mark would name another place
+                tags.draw(target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
+        }
         for (const ScreenMarks::Measure& measure : marks.measures) {
-            if (!measure.lines.empty()) tags.draw(measure.labelAt, kTagOffset, kTagOffset, measure.label, false);
+            if (!measure.lines.empty() && seen.contains(measure.labelAt))
+                tags.draw(measure.labelAt, kTagOffset, kTagOffset, measure.label, false);
         }
         drawn = tags.drawn();
     }

@@ -79,7 +79,7 @@ struct ScreenMarks {
                                       bool small = false);
 
 /// White rings with black outline, centre dot and tag; lines with their labels. Tags stay inside `place`, do not overlap and keep off
-/// `taken` (plates over the view). Returns the places of the tags.
+/// `taken` (plates over the view); a mark outside `place` has none. Returns the places of the tags.
 std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& taken = {});
 
 } // namespace edgescan::ui

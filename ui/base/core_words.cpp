@@ -54,6 +54,12 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "the disk is %1 s behind (%2 MB)"),
     QT_TRANSLATE_NOOP("QObject", "RECORDING ENDED: %1"),
     QT_TRANSLATE_NOOP("QObject", "RECORDING HAS GAPS: %1"),
+    // How two scans were lined up.
+    QT_TRANSLATE_NOOP("QObject", "%1; other cells: points moved to the grid of the later scan"),
+    QT_TRANSLATE_NOOP("QObject", "one scan with two settings"),
+    QT_TRANSLATE_NOOP("QObject", "lined up by their poses"),
+    QT_TRANSLATE_NOOP("QObject", "lined up by the known places of the scanner"),
+    QT_TRANSLATE_NOOP("QObject", "no pose: lined up by their surfaces"),
 };
 
 // Parts of sentences, the longer ones first where one holds another.
@@ -204,6 +210,34 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "no joint turned while the laser measured"),
     QT_TRANSLATE_NOOP("QObject", "there is no joint called "),
     QT_TRANSLATE_NOOP("QObject", "choose another topic"),
+    QT_TRANSLATE_NOOP("QObject", "the scan has no pose, so its place in the mine grid is not known"),
+    QT_TRANSLATE_NOOP("QObject", "give a pose and the robot's calibration, or save in the scanner's frame"),
+    // Of a pose, of several stations, and of a scan before and after.
+    QT_TRANSLATE_NOOP("QObject", "The pose carries no time, so its age is not known."),
+    QT_TRANSLATE_NOOP("QObject", "The start of the scan is not known, so the age of the pose is not either."),
+    QT_TRANSLATE_NOOP("QObject", "The calibration leaves out %1: 0 was taken."),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the pose is %1 s older than the start of the scan."),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than "),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the "
+                                 "nearest one."),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: whether the surfaces of \"%1\" fit cannot be seen."),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the surfaces of \"%1\" are %2 mm from those of the first scan at best."),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the base moved while \"%1\" was taken: one place fits it badly."),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: without a pose of both, the two scans are lined up by their surfaces alone."),
+    QT_TRANSLATE_NOOP("QObject",
+                      "OUT OF SPEC: the surfaces of the two scans do not lie where their poses put them: %1 apart, and %2 if one "
+                      "is moved by "),
+    QT_TRANSLATE_NOOP("QObject",
+                      "OUT OF SPEC: the surfaces of the two scans lie %1 apart at best, so most of the place changed or they are "
+                      "not scans of one place."),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: whether the poses fit cannot be seen, "),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the poses do not fit the surfaces, so the earlier scan was moved by its surfaces, by "),
+    // Of a list of points.
+    QT_TRANSLATE_NOOP("QObject", "The file lists only points: %1 lines, %2 beams and mounting "),
+    QT_TRANSLATE_NOOP("QObject", "were found from them."),
+    QT_TRANSLATE_NOOP("QObject",
+                      "This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find "
+                      "edges."),
 };
 
 /// Where the window sets what a flag sets. The flags of reading are fields of one dialog.

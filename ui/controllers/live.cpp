@@ -169,9 +169,11 @@ void Live::showHealth() {
     const auto& shown = engine_.picture();
     const bool own = !shown || showsScanner();
     const bool held = scanner_.connected() && !scanner_.following() && shown && own;
-    panel_.showHealth(scanner_.health(), !own   ? HealthStrip::Picture::Other
-                                         : held ? HealthStrip::Picture::Held
-                                                : HealthStrip::Picture::Follows);
+    // After Stop the counted sweep may be the one after the held picture.
+    const bool otherSweep = shown && own && shown->source.growth.sweep + 1 != scanner_.health().sweep;
+    panel_.showHealth(scanner_.health(), !own                 ? HealthStrip::Picture::Other
+                                         : held || otherSweep ? HealthStrip::Picture::Held
+                                                              : HealthStrip::Picture::Follows);
     views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note =
         held ? tr("Held: %1. Press Follow to go on with the scanner.").arg(shownName(exactText(shown->detection->scan->name), 60))
@@ -189,7 +191,10 @@ void Live::reportSweepEnd() {
     QStringList warnings;
     for (const std::string& warning : scan.warnings) warnings << shownText(warning);
     const QString name = shownText(scan.name);
-    if (warnings.isEmpty())
+    if (warnings.isEmpty() && picture.source.growth.expectedLines == 0)
+        notice_.showNotice(NoticeBar::Kind::Done,
+                           tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));
+    else if (warnings.isEmpty())
         notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()));
     else
         notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 has ended. ").arg(name) + warnings.join("\n"));
@@ -214,6 +219,20 @@ void Live::showReplayed(const ReplayedSweep& at) {
         engine_.follow(fileScan_, {stream, {}});
     else
         engine_.follow(at.sweep.scan, {stream, {progress.number, progress.growing, progress.expected}});
+}
+
+void Live::showWhole(QObject* asker, std::function<void()> then) {
+    const auto source = [this] { return engine_.picture() ? engine_.picture()->source : PictureSource{}; };
+    if (!timeline_.active() || source().growth.sweep < 0) return then();
+    const auto waits = std::make_shared<QMetaObject::Connection>();
+    *waits = connect(&engine_, &Engine::pictureReady, asker, [source, waits, stream = source().stream, then = std::move(then)] {
+        const PictureSource now = source();
+        if (now.stream == stream && now.growth.sweep >= 0) return;
+        disconnect(*waits);
+        if (now.stream == stream) then(); // else another file was opened meanwhile
+    });
+    timeline_.play(false);
+    timeline_.goTo(timeline_.home());
 }
 
 void Live::record(bool on) {

@@ -5,6 +5,8 @@
 
 #include <QObject>
 
+#include <functional>
+
 namespace edgescan::ui {
 
 class Files;
@@ -28,6 +30,8 @@ public:
     /// bridge; `topic` and `joint` are those of its laser, empty: the ones that are found.
     void connectTo(const QString& host, int port, const scanner::SweepSettings& sweep, const std::string& topic = {},
                    const std::string& joint = {});
+    /// While a recording plays, a part of it is on the screen: stops playing, shows the sweep with which the file opens, then calls `then`.
+    void showWhole(QObject* asker, std::function<void()> then);
     void record(bool on);
     void keepLastMinute();
     /// Sets the folder of new recordings.

@@ -46,9 +46,9 @@ struct Part {
     QTextTable* table = nullptr;
     Extent extent;
 
-    [[nodiscard]] bool leads() const { // to what follows it
-        const bool picture = !block.text().isEmpty() && block.text().contains(QChar::ObjectReplacementCharacter);
-        return table == nullptr && (block.blockFormat().headingLevel() > 0 || picture);
+    [[nodiscard]] bool leads() const { // to what follows it; empty ones are around tables
+        const bool picture = block.text().contains(QChar::ObjectReplacementCharacter);
+        return table == nullptr && (block.blockFormat().headingLevel() > 0 || picture || block.text().trimmed().isEmpty());
     }
 };
 

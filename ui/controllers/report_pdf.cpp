@@ -1,6 +1,7 @@
 // Lays the page of a report out on paper.
 #include "ui/controllers/report_pdf.h"
 
+#include "ui/controllers/paper_drawings.h"
 #include "ui/controllers/paper_pages.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -37,6 +38,19 @@ void cut(QString& html, const QString& begin, const QString& end) {
     }
 }
 
+/// The drawing of the sizes as a picture.
+void drawSizes(QString& html) {
+    constexpr double kScale = 3.0; // sharp enough on paper
+    const QString begin = "<svg id=\"sizes\"", end = "</svg>";
+    const int from = static_cast<int>(html.indexOf(begin)), to = from < 0 ? -1 : static_cast<int>(html.indexOf(end, from));
+    if (to < 0) return;
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    imageOfDrawing(html.mid(from, to + end.size() - from), kScale).save(&buffer, "PNG");
+    html.replace(from, to + end.size() - from, "<p><img src=\"data:image/png;base64," + QString::fromLatin1(png.toBase64()) + "\"></p>");
+}
+
 /// The pictures become resources of the document, no larger than the page.
 QString withResources(const QString& html, QTextDocument& document) {
     const QString begin = "src=\"data:image/png;base64,", logo = "<p class=\"logo\">";
@@ -45,7 +59,10 @@ QString withResources(const QString& html, QTextDocument& document) {
     for (int at = static_cast<int>(html.indexOf(begin)); at >= 0; at = static_cast<int>(html.indexOf(begin, from))) {
         const int data = at + static_cast<int>(begin.size()), end = static_cast<int>(html.indexOf('"', data));
         if (end < 0) break;
-        const QImage image = QImage::fromData(QByteArray::fromBase64(html.mid(data, end - data).toLatin1()), "PNG");
+        QImage image = QImage::fromData(QByteArray::fromBase64(html.mid(data, end - data).toLatin1()), "PNG");
+        // "...">\n<svg class="numbers" ...": the numbers of the picture are drawn on it, and the drawing goes.
+        if (html.indexOf("<svg class=\"numbers\"", end) == end + 3)
+            drawOver(image, html.mid(end + 3, html.indexOf("</svg>", end) + 6 - (end + 3)));
         const int high = html.lastIndexOf(logo, at) >= 0 && html.indexOf("</p>", html.lastIndexOf(logo, at)) > at ? kLogoHigh : kHigh;
         const double scale =
             image.isNull() ? 1.0 : std::min(static_cast<double>(kWide) / image.width(), static_cast<double>(high) / image.height());
@@ -90,7 +107,7 @@ QByteArray laidOut(const std::string& html) {
     QString page = QString::fromStdString(html);
     cut(page, "<script", "</script>");
     cut(page, "<style", "</style>");
-    cut(page, "<svg", "</svg>");
+    drawSizes(page);
     cut(page, "<section class=\"onscreen\">", "</section>");
     cut(page, "<details class=\"onscreen\">", "</details>");
     // Columns of facts become rows of a table, which paper can show.
@@ -98,15 +115,22 @@ QByteArray laidOut(const std::string& html) {
     page.replace("<div><dt>", "<tr><td class=\"name\">").replace("</dt><dd>", "</td><td>").replace("</dd></div>", "</td></tr>");
     page.replace("\"></i>", "\">&nbsp;&nbsp;&nbsp;</i>&nbsp;");
     page.replace("</span><span", "</span>&nbsp;&nbsp; <span");
-    page.replace("<h2>Pictures</h2>", "<h2 style=\"page-break-before: always\">Pictures</h2>"); // a heading alone at the foot of a page
+    // A table of one cell holds a picture, its legend and its caption on one page.
+    page.replace("<figure class=\"picture\">", "<table width=\"100%\"><tr><td class=\"figure\">")
+        .replace("</figure>", "</td></tr></table>");
+    page.replace("<figcaption>", "<p class=\"note\">").replace("</figcaption>", "</p>");
     QTextDocument document;
     QFont font("Noto Sans");
     font.setPointSize(9);
     document.setDefaultFont(font);
-    document.setDefaultStyleSheet("h1 { font-size: 16pt; } h2 { font-size: 12pt; } td, th { padding: 2px 8px 2px 0px; text-align: left; }"
-                                  " td.name, .note, figcaption { color: #5b6268; } .warning { background-color: #fff3d6; }"
-                                  " pre { font-size: 7pt; white-space: pre-wrap; }");
-    document.setHtml(withResources(page, document));
+    document.setDefaultStyleSheet(
+        "h1 { font-size: 16pt; } h2 { font-size: 12pt; } td, th { padding: 2px 8px 2px 0px; text-align: left; }"
+        " #rocks td, #rocks th { font-size: 6pt; padding: 1px 0px 1px 5px; } #targets td, #measures td { font-size: 7.5pt; }"
+        " td.name, .note { color: #5b6268; } .warning { background-color: #fff3d6; }"
+        " pre { font-size: 7pt; white-space: pre-wrap; }");
+    page = withResources(page, document);
+    cut(page, "<svg", "</svg>"); // its numbers are on the picture
+    document.setHtml(page);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);

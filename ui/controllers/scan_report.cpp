@@ -50,6 +50,7 @@ void ScanReport::ask() {
     words.author = preferences_.text("report/author");
     words.logo = preferences_.text("report/logo");
     words.extension = preferences_.text("report/extension", ".html");
+    if (engine_.picture()->source.stream == remarkStream_) words.remark = remark_; // of the same scan, as in the report before
     ReportForm form(words, notice_.window());
     if (form.exec() != QDialog::Accepted) return;
     words = form.words();
@@ -57,6 +58,8 @@ void ScanReport::ask() {
     preferences_.keep("report/author", words.author);
     preferences_.keep("report/logo", words.logo);
     preferences_.keep("report/extension", words.extension);
+    remark_ = words.remark;
+    remarkStream_ = engine_.picture()->source.stream;
     SaveQuestion question;
     question.title = tr("Report");
     question.extension = words.extension;

@@ -47,6 +47,8 @@ private:
     NoticeBar& notice_;
     Preferences& preferences_;
     int working_ = 0;
+    QString remark_;                 // of the last report
+    std::uint64_t remarkStream_ = 0; // and its scan
 };
 
 } // namespace edgescan::ui

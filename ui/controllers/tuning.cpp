@@ -139,6 +139,8 @@ void Tuning::startWith(const edges::Preset& preset, const edges::Settings& setti
     starting_ = false;
 }
 
+bool Tuning::settled() const { return !counts_->behind(); }
+
 void Tuning::askOpenPreset() {
     const QString path =
         QFileDialog::getOpenFileName(panel_.window(), tr("Open preset"), preferences_.folder("presets"), tr("EdgeScan presets (*.json)"));

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] const edges::Parameter& lastChanged() const;
     void askOpenPreset();
     void askSavePreset();
+    /// The curve of edge counts is that of the picture.
+    [[nodiscard]] bool settled() const;
 
 private:
     void recall();

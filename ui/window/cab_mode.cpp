@@ -191,7 +191,10 @@ void CabMode::showScan() {
         const auto* first = scan.state.cells.data() + static_cast<std::ptrdiff_t>(line) * scan.beams();
         arrived += std::find(first, first + scan.beams(), CellState::Lost) == first + scan.beams() ? 1 : 0;
     }
-    QString facts = tr("%1 of %2 lines").arg(countText(arrived), countText(expected));
+    const Growth& growth = picture->source.growth;
+    const bool lengthUnknown = growth.sweep >= 0 && growth.expectedLines == 0 && arrived == expected;
+    QString facts =
+        lengthUnknown ? tr("%1 lines").arg(countText(arrived)) : tr("%1 of %2 lines").arg(countText(arrived), countText(expected));
     facts +=
         tr(" · %1 % no return")
             .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);

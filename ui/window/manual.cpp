@@ -82,11 +82,18 @@ QString manualPageOf(const QWidget* widget) {
     return QStringLiteral("index");
 }
 
+QStringList manualNames(const QString& page) {
+    const QString language = languageInUse();
+    if (language == "en") return {page};
+    // The list of all pages is English; the quick start has it at its side.
+    const QString guide = page == "index" ? QStringLiteral("guide/quick-start") : page;
+    return {QString(guide).replace("guide/", "guide/" + language + "/"), page};
+}
+
 QString manualFile(const QString& page) {
     const QString bin = QCoreApplication::applicationDirPath();
     for (const QString& folder : {bin + "/../share/doc/edgescan/html", bin + "/../manual"}) {
-        const QString translated = QString(page).replace("guide/", "guide/" + languageInUse() + "/");
-        for (const QString& name : {translated, page}) {
+        for (const QString& name : manualNames(page)) {
             const QFileInfo file(folder + "/" + name + ".html");
             if (file.isFile()) return file.canonicalFilePath();
         }

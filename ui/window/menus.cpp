@@ -185,7 +185,7 @@ Command calibrateCommand(Viewer& v, QMainWindow& window) {
 Command placeCommand(Viewer& v, QMainWindow& window) {
     auto* placing = new Placing(v.engine, v.files, v.notice, v.preferences, v.undo, &window);
     placing->setObjectName("placing");
-    return command("P&ose and Mounting…", "Ctrl+P", [placing] { placing->show(); });
+    return command("P&ose and Mounting…", "Ctrl+P", [&v, placing] { v.live.showWhole(placing, [placing] { placing->show(); }); });
 }
 
 Command scanMenu(Viewer& v, QMainWindow& window) {

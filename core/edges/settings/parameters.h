@@ -74,7 +74,7 @@ struct Parameter : TableRow<Settings> {
 /// Error if single values are allowed but contradict each other (near beyond far).
 [[nodiscard]] Result<Done> checkSettings(const Settings& settings);
 
-/// The label of the parameter's current choice ("Canny (thesis)").
+/// The label of the parameter's current choice ("Canny (thesis)"), or of all of them where there may be several.
 [[nodiscard]] std::string choiceLabel(const Parameter& parameter, const Settings& settings);
 
 /// {"kernel": 3, "sigma": "auto", "norm": "l1", ...}: every key of the table.

@@ -5,6 +5,8 @@
 #include "core/base/tolerance_text.h"
 #include "core/containers/png/png.h"
 #include "core/exports/html/html.h"
+#include "core/exports/html/numbered_picture.h"
+#include "core/exports/html/scan_pictures.h"
 #include "core/inspect/change_detection/change_report.h"
 #include "core/inspect/measure/cell_target.h"
 
@@ -39,7 +41,7 @@ std::string dipText(const inspect::CellTarget& target) {
 /// Where the cell is by the pose that the scan has now.
 Rows placeRows(const inspect::CellTarget& target) {
     if (target.probe.state != CellState::Valid) return {{"Distance", "nothing was measured in this cell"}};
-    const std::string tolerance = target.toleranceM > 0.0 ? fixedText(shownTolerance(target.toleranceM, 3), 3) : "not known";
+    const std::string tolerance = target.toleranceM > 0.0 ? fixedText(shownTolerance(target.toleranceM, 3), 3) + " m" : "not known";
     return {{"Distance", fixedText(target.distanceM, 3) + " m ± " + tolerance},
             {"X, Y, Z", tripleText(target.probe.pointM)},
             {"E, N, RL", target.probe.mineM ? tripleText(*target.probe.mineM) : kNoPose},
@@ -68,6 +70,21 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
     return "<tr><td>" + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
            (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
            (measured ? htmlText(inspect::measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
+}
+
+/// Where they are: their numbers on the gray levels.
+std::string targetsPicture(const edges::Detection& detection, const inspect::Notebook& notebook, int mostPixels) {
+    const int lines = detection.scan->lines(), beams = detection.scan->beams();
+    const int height = std::min(lines, mostPixels), width = std::min(beams, mostPixels);
+    std::vector<PictureNumber> numbers;
+    for (const inspect::PinnedTarget& target : notebook.targets) {
+        if (target.cell >= detection.scan->cells()) continue; // of an earlier shape of the scan
+        numbers.push_back({static_cast<std::uint32_t>(target.number), (target.cell % static_cast<unsigned>(beams) + 0.5) * width / beams,
+                           (target.cell / static_cast<unsigned>(beams) + 0.5) * height / lines, true});
+    }
+    std::size_t leftOut = 0;
+    return numberedFigure(grayPicture(detection, mostPixels), "Targets on gray levels", pictureNumbers(width, height, numbers, leftOut),
+                          "The targets by their numbers. Black is near, or nothing came back.");
 }
 
 int spread(const Rgb& c) { return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}); }
@@ -107,7 +124,7 @@ std::string swatch(const Rgb& c, const char* sign, const std::string& words) {
 
 } // namespace
 
-std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook) {
+std::string notebookSection(const edges::Detection& detection, const inspect::Notebook& notebook, int mostPixels) {
     if (notebook.empty()) return {};
     std::string html = "<h2>Targets and measures</h2>\n";
     const RangeNoise noise = inspect::noiseOf(detection);
@@ -116,7 +133,7 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
             "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>By the pose of now</th>"
             "<th>As it was pinned, where it differs</th><th>Pinned</th></tr></thead><tbody>\n";
         for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
-        html += "</tbody></table></div>\n";
+        html += "</tbody></table></div>\n" + targetsPicture(detection, notebook, mostPixels);
     }
     if (!notebook.measures.empty()) {
         html += "<div class=\"wide\"><table id=\"measures\">\n<thead><tr><th>Measured</th><th>Result, &plusmn; two standard deviations</th>"

@@ -4,6 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/tolerance_text.h"
 #include "core/exports/html/html.h"
+#include "core/exports/html/numbered_picture.h"
 #include "core/exports/html/scan_pictures.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/rocks/attributes/rock_columns.h"
@@ -106,45 +107,6 @@ private:
 /// An SVG element with the id "sizes". The curve must have rocks.
 std::string sizeDrawing(const rocks::SizeCurve& curve) { return Drawing(curve).svg(); }
 
-/// The place of a number, in pixels of the picture.
-struct PictureNumber {
-    std::uint32_t number = 0;
-    double x = 0.0, y = 0.0;
-    bool always = false; ///< also where it covers others, and on narrow screens
-};
-
-constexpr double kPartOfSide = 1.0 / 58; // height of a number, as part of the longer side of the picture
-constexpr double kDigitWidth = 0.62;     // of the height
-
-struct Box {
-    double x, y, halfWidth, halfHeight;
-    [[nodiscard]] bool covers(const Box& other) const {
-        return std::abs(x - other.x) < halfWidth + other.halfWidth && std::abs(y - other.y) < halfHeight + other.halfHeight;
-    }
-};
-
-/// An SVG element to be laid over a picture of width x height pixels. Those that are not `always` are left out where they would cover an
-/// earlier number; `leftOut` counts them.
-std::string pictureNumbers(int width, int height, const std::vector<PictureNumber>& numbers, std::size_t& leftOut) {
-    const double unit = std::max(width, height) * kPartOfSide;
-    std::string html = "<svg class=\"numbers\" style=\"--unit:" + fixedText(unit, 2) + "px\" viewBox=\"0 0 " + std::to_string(width) + " " +
-                       std::to_string(height) + "\" aria-hidden=\"true\">\n";
-    std::vector<Box> placed;
-    leftOut = 0;
-    for (const PictureNumber& each : numbers) {
-        const std::string digits = std::to_string(each.number);
-        const Box box{each.x, each.y, 0.5 * kDigitWidth * unit * static_cast<double>(digits.size()), 0.5 * unit};
-        if (!each.always && std::ranges::any_of(placed, [&](const Box& other) { return other.covers(box); })) {
-            ++leftOut;
-            continue;
-        }
-        placed.push_back(box);
-        html += "<text x=\"" + fixedText(each.x, 1) + "\" y=\"" + fixedText(each.y, 1) + "\"" + (each.always ? "" : " class=\"small\"") +
-                ">" + digits + "</text>\n";
-    }
-    return html + "</svg>\n";
-}
-
 using Json = nlohmann::ordered_json;
 
 constexpr int kFacePixels = 900;                             // along a side
@@ -220,11 +182,6 @@ std::vector<const rocks::Rock*> rocksInOrder(const rocks::Study& study) {
         if (!listed.contains(&rock)) order.push_back(&rock);
     }
     return order;
-}
-
-std::string numberedFigure(const std::string& png, const char* alternative, const std::string& numbers, const std::string& caption) {
-    return "<figure class=\"picture\"><div class=\"numbered\">" + htmlImage(png, alternative) + numbers + "</div><figcaption>" + caption +
-           "</figcaption></figure>\n";
 }
 
 std::string leftOutText(std::size_t leftOut) {

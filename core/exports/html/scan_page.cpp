@@ -18,14 +18,17 @@
 #include "core/exports/report.h"
 #include "core/files/point_tables/edge_colours.h"
 #include "core/inspect/measure/cell_target.h"
+#include "core/scan/georef/place_form.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/acquisition.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace edgescan::exports {
 namespace {
@@ -122,16 +125,33 @@ std::string factsOf(const edges::Detection& detection, const Json& record, const
     return facts + "</dl>\n";
 }
 
+/// "talin.boresight_rpy_deg" of a pose or calibration file as the form of the window names it: "Boresight".
+std::string withoutKeys(std::string text) {
+    for (const std::span<const PlaceField> form : {poseFields(), mountingFields()}) {
+        for (const PlaceField& field : form) {
+            const std::string key = std::string(field.group) + "." + field.key, label = field.label;
+            const std::size_t at = *field.group == '\0' ? text.npos : text.find(key);
+            const std::size_t end = std::min(label.find(" ["), label.find(':'));
+            if (at != text.npos) text.replace(at, key.size(), '"' + label.substr(0, end) + '"');
+        }
+    }
+    return text;
+}
+
 std::string warningsOf(const Json& record) {
     std::string html = "<h2>Warnings</h2>\n";
     const Json& warnings = record["warnings"];
     if (warnings.empty()) return html + "<p>None was raised when this file was read.</p>\n";
     for (std::size_t i = 0; i < std::min(warnings.size(), kMostWarnings); ++i)
-        html +=
-            "<p class=\"warning\">&#9888; " + htmlText(printable(warnings[i].is_string() ? warnings[i].get<std::string>() : "")) + "</p>\n";
+        html += "<p class=\"warning\">&#9888; " +
+                htmlText(printable(withoutKeys(warnings[i].is_string() ? warnings[i].get<std::string>() : ""))) + "</p>\n";
     if (warnings.size() > kMostWarnings) html += "<p>and " + std::to_string(warnings.size() - kMostWarnings) + " more in the record.</p>\n";
     return html;
 }
+
+/// In the order of CellState, as in the glossary.
+constexpr std::array<const char*, kCellStates> kStateWords{"measured", "no return", "status of the scanner", "outside the range window",
+                                                           "masked",   "lost line"};
 
 std::string completenessOf(const Scan& scan, const Json& record) {
     const auto counts = countCells(scan);
@@ -142,8 +162,8 @@ std::string completenessOf(const Scan& scan, const Json& record) {
                        "<th class=\"number\">Number</th><th class=\"number\">Share</th></tr></thead><tbody>\n";
     for (int s = 0; s < kCellStates; ++s) {
         const auto count = counts[static_cast<std::size_t>(s)];
-        html += "<tr><td>" + htmlText(cellStateName(static_cast<CellState>(s))) + "</td><td class=\"number\">" + std::to_string(count) +
-                "</td><td class=\"number\">" +
+        html += std::string("<tr><td>") + kStateWords.at(static_cast<std::size_t>(s)) + "</td><td class=\"number\">" +
+                std::to_string(count) + "</td><td class=\"number\">" +
                 fixedText(100.0 * static_cast<double>(count) / std::max(1.0, static_cast<double>(scan.cells())), 2) + " %</td></tr>\n";
     }
     return html + "<tr><td>all</td><td class=\"number\">" + std::to_string(scan.cells()) + "</td><td></td></tr>\n</tbody></table>\n";
@@ -154,8 +174,7 @@ std::string cssColour(const Rgb& colour) {
 }
 
 std::string edgeLegend(const edges::Detection& detection) {
-    constexpr const char* kNames[]{"edge",    "jump", "convex crease", "concave crease", "border of the data", "outline before a void",
-                                   "void rim"};
+    constexpr const char* kNames[]{"edge", "jump", "convex fold", "concave fold", "data border", "outline before a void", "void rim"};
     std::string html = "<div class=\"legend\">";
     const auto counts = edges::countClasses(detection);
     for (std::size_t kind = detection.classes ? 1 : 0; kind < (detection.classes ? std::size(kNames) : std::size_t{1}); ++kind) {
@@ -218,7 +237,7 @@ std::string settingsOf(const edges::Detection& detection) {
     for (const edges::Parameter& parameter : edges::parameters()) {
         if (!parameter.usedBy(detection.settings)) continue;
         const bool other = std::ranges::find(changed, std::string(parameter.key)) != changed.end();
-        const std::string value = edges::formatValue(parameter, parameter.get(detection.settings));
+        const std::string value = edges::choiceLabel(parameter, detection.settings);
         html += "<tr><td>" + htmlText(parameter.label) + "</td><td>" +
                 htmlText(value + (numberOf(value) ? std::string(" ") + parameter.unit : std::string())) + "</td><td>" +
                 (other ? "changed from the default" : "") + "</td></tr>\n";
@@ -309,7 +328,7 @@ std::string scanPage(const edges::Detection& detection, const PageWords& words, 
         "</h1>\n<p class=\"note\">Edges and rocks are candidates: geometry only, one viewpoint. What is hidden behind a surface was "
         "not measured.</p>\n";
     body += warningsOf(record) + remarkOf(words) + factsOf(detection, record, words) + viewOf(view) + picturesOf(detection) +
-            (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook)) +
+            (notes.notebook == nullptr ? std::string() : notebookSection(detection, *notes.notebook, kMostPagePixels)) +
             (rocks == nullptr ? std::string() : rockSection(detection, *rocks, *faces)) +
             (notes.change == nullptr ? std::string() : changeSection(detection, *notes.change, notes.earlier, kMostPagePixels)) +
             completenessOf(scan, record) + settingsOf(detection) + againOf(detection, record, words) + "</main>\n" +

@@ -3,6 +3,7 @@
 #include "core/containers/compression/zip_archive.h"
 #include "core/files/formats/format.h"
 #include "core/files/point_tables/text_layout.h"
+#include "core/files/point_tables/text_words.h"
 
 #include <algorithm>
 #include <array>
@@ -60,7 +61,7 @@ constexpr std::array<ForeignKind, 25> kByBytes{{
 }};
 
 /// Documents of text, in any case of letters, behind white space and a byte order mark.
-constexpr std::array<ForeignKind, 14> kByText{{
+constexpr std::array<ForeignKind, 15> kByText{{
     {"<!doctype html"sv, "a web page (HTML), not a scan", kFromSite},
     {"<html"sv, "a web page (HTML), not a scan", kFromSite},
     {"<svg"sv, "an SVG picture, not a scan", kNoScan},
@@ -73,6 +74,7 @@ constexpr std::array<ForeignKind, 14> kByText{{
     {"COFF"sv, "an OFF mesh, which is not read", kFromMeshLab},
     {"NOFF"sv, "an OFF mesh, which is not read", kFromMeshLab},
     {"#VRML"sv, "a VRML scene, which is not read", kFromMeshLab},
+    {"rock,line,beam,"sv, "a table of rocks, not a scan", kFromRaster},
     {"ncols "sv, "a raster of heights (Esri ASCII grid), not a scan", kFromRaster},
     {"DSAA"sv, "a raster of heights (Surfer grid), not a scan", kFromRaster},
 }};
@@ -113,6 +115,8 @@ constexpr std::array<ForeignKind, 24> kByName{{
 }};
 
 constexpr ForeignKind kBitmap{"BM"sv, "a BMP picture, not a scan", kNoScan};
+constexpr ForeignKind kDrawing{"0"sv, "a drawing (DXF), which is not read",
+                               "choose the scan, or save the points of the drawing as CSV, LAS or PLY"};
 constexpr ForeignKind kWorkbook{"xl/"sv, "an Excel workbook, not a table of text", "save the sheet as .csv"};
 constexpr ForeignKind kSpreadsheet{"mimetype"sv, "an OpenDocument spreadsheet, not a table of text", "save the sheet as .csv"};
 
@@ -137,7 +141,20 @@ const ForeignKind* kindByText(std::string_view text) {
     return found == kByText.end() ? nullptr : &*found;
 }
 
+/// Comments, then the start of a section: groups of a code and a value, a line each.
+bool isDrawing(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const TextLine code = textLineAt(text, at), value = textLineAt(text, code.next);
+        const std::string_view group = trimmed(code.text);
+        if (group == "0") return trimmed(value.text) == "SECTION";
+        if (group != "999" || value.next == at) return false;
+        at = value.next;
+    }
+    return false;
+}
+
 const ForeignKind* kindByBytes(const Source& source) {
+    if (isDrawing(source.text())) return &kDrawing;
     if (const ForeignKind* office = officeKind(source)) return office;
     if (const ForeignKind* document = kindByText(source.text())) return document;
     if (source.text().starts_with(kBitmap.mark) && firstByteThatIsNoText(source.text())) return &kBitmap;

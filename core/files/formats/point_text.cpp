@@ -8,6 +8,7 @@
 #include "core/files/point_tables/column_rows.h"
 #include "core/files/point_tables/description.h"
 #include "core/files/point_tables/point_columns.h"
+#include "core/files/point_tables/text_refusals.h"
 #include "core/files/point_tables/text_words.h"
 #include "core/files/point_tables/unnamed_cells.h"
 #include "core/scan/georef/placed_points.h"
@@ -152,10 +153,8 @@ void reserveRows(PointTable& table, const Source& source, const TextLayout& layo
 Result<Done> checkIsText(const Source& source) {
     if (source.text().starts_with("\xFF\xFE") || source.text().starts_with("\xFE\xFF"))
         return source.refused("this is text of two bytes per character (UTF-16)", "save it as UTF-8, or as CSV");
-    if (const auto byte = firstByteThatIsNoText(source.text())) {
-        return source.refusedAtByte(*byte, "this is neither text nor any scan format that is known",
-                                    "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
-    }
+    if (const auto byte = firstByteThatIsNoText(source.text()))
+        return source.refusedAtByte(*byte, "this is neither text nor any scan format that is known", kChooseScan);
     return Done{};
 }
 

@@ -66,9 +66,7 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
 
 /// A sweep that grows and lost nothing is under way, not incomplete: more lines come.
 std::string linesOf(const scanner::SweepProgress& sweep, Liveness liveness) {
-    if (liveness != Liveness::Live || !sweep.growing || sweep.received != sweep.lines) return sweep.text();
-    const std::string doubt = sweep.irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "";
-    return std::to_string(sweep.lines) + "/" + std::to_string(sweep.expected > 0 ? sweep.expected : sweep.lines) + " lines" + doubt;
+    return liveness == Liveness::Live && sweep.growing && sweep.received == sweep.lines ? sweep.textSoFar() : sweep.text();
 }
 
 void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {

@@ -141,7 +141,8 @@ void mirror(PointTable& table) {
 }
 
 std::string aboutSensor(const PointTable& table, const Source& source, double metres) {
-    if (!source.options->sensorM && table.sensor.isZero(0.0)) return "the origin, because no sensor position is known";
+    if (!source.options->sensorM && table.sensor.isZero(0.0))
+        return "the origin, because no sensor position is known (--sensor X,Y,Z gives it)";
     std::string text = source.options->sensorM ? "the sensor position given, (" : "the sensor position in the file, (";
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) text += ", ";
@@ -220,6 +221,14 @@ void attach(Scan& scan, const std::vector<AttachedPoint>& behind, const PointTab
     for (const AttachedPoint& point : behind) scan.attached.push_back({point.cell, point.pointM * metres});
 }
 
+/// Nothing in the file says that its points have a grid.
+std::string gridFoundSentence(const Scan& scan) {
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    if (polar == nullptr) polar = &*std::get<PointGeometry>(scan.geometry).angles;
+    return kListsOnlyPoints + std::to_string(scan.lines()) + " lines, " + std::to_string(scan.beams()) + " beams and mounting " +
+           (polar->axis == Axis::Spin ? "spin" : "sweep") + " were found from them.";
+}
+
 Result<Scan> scanOf(PointTable& table, const Source& source) {
     const Projection projection = source.options->projection;
     const bool sensorUnknown = dropImpossibleSensor(table, source);
@@ -256,6 +265,7 @@ Result<Scan> scanOf(PointTable& table, const Source& source) {
         const FreeAxis* moved = found.moved ? &*found.moved : nullptr;
         Scan scan = grid ? recoveredScan(table, std::move(*grid), source, found.inFrameOfFile, moved) : organisedScan(table, source);
         attach(scan, behind, table, source);
+        if (!organised) scan.warnings.push_back(gridFoundSentence(scan));
         if (laidOut)
             scan.warnings.push_back("The grid has as many lines and beams as the points name, " + std::to_string(scan.lines()) + " x " +
                                     std::to_string(scan.beams()) + ": a line or beam behind the last point is not in the file.");

@@ -27,6 +27,9 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 using nlohmann::json;
 
+constexpr const char* kEdgesOnly =
+    "This file is an export of edge points, not a scan: all other cells count as no return. Open the scan to find edges.";
+
 /// The grid of a list without ranges, and the cell of each of its points.
 struct SidecarGrid {
     Scan scan;
@@ -50,7 +53,8 @@ bool takeGeometry(Scan& scan, const GridDescription& grid) {
 /// Error: `what` says what is wrong with the record, as the end of a sentence.
 Result<SidecarGrid> gridOf(const json& record, std::size_t points, const Source& source, const std::string& where) {
     const auto refused = [&](const char* what) { return Error{what, where, ""}; };
-    const json::json_pointer hash("/export/sha256"), cells("/export/cells_of_points"), frame("/record/coordinates/frame");
+    const json::json_pointer hash("/export/sha256"), cells("/export/cells_of_points"), frame("/record/coordinates/frame"),
+        content("/record/content");
     if (!record.contains(hash) || record.at(hash) != json(sha256Hex(source.bytes))) return refused("was written for another one");
     const auto grid = parseDescription(jsonText(record.at("grid")), where);
     if (!grid) return refused("describes no grid");
@@ -67,6 +71,7 @@ Result<SidecarGrid> gridOf(const json& record, std::size_t points, const Source&
     sidecar.cells = std::move(*list);
     applyStateRuns(scan, *grid);
     takeDescription(scan, *grid);
+    if (record.contains(content) && record.at(content) == json("edge cloud")) scan.warnings.emplace_back(kEdgesOnly);
     if (record.contains(frame) && record.at(frame).is_string())
         sidecar.frame = frameNamed(record.at(frame).get<std::string>()).value_or(CoordinateFrame::Scanner);
     if (sidecar.frame != CoordinateFrame::Scanner && !scan.placement) return refused("does not hold the place of the scan in the mine");

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/order_statistic.h"
+#include "core/files/grid_recovery/regrid.h"
 #include "core/files/grid_recovery/unit.h"
 #include "core/files/plausibility/common_planes.h"
 #include "core/scan/angle_correction/straighten_scan.h"
@@ -93,7 +94,10 @@ bool warned(std::string_view words, const Scan& scan) {
     return std::ranges::any_of(scan.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
-bool anglesWereTaken(const Scan& scan) { return warned("does not say its angles", scan); }
+/// Grid and angles were found from a bare list of points.
+bool gridWasFound(const Scan& scan) { return warned(kListsOnlyPoints, scan); }
+
+bool anglesWereTaken(const Scan& scan) { return warned("does not say its angles", scan) || gridWasFound(scan); }
 
 OpeningPoint mountingOf(const Scan& scan, const PolarGeometry& polar, const ReadingOptions& options, const CommonPlanes& now) {
     const bool assumed = anglesWereTaken(scan) || warned("ASSUMED: the axis", scan);
@@ -153,8 +157,8 @@ OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, c
 }
 
 /// No surface distinguishes left from right: only a person who was there can.
-OpeningPoint orderOf(const PolarGeometry& polar, double step, const ReadingOptions& options) {
-    OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : Source::Said};
+OpeningPoint orderOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options) {
+    OpeningPoint point{"Order of the lines", options.lineStepDeg ? Source::Typed : gridWasFound(scan) ? Source::Guessed : Source::Said};
     point.taken = {"line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged",
                    {significantText(polar.lineDeg.front(), 4), significantText(polar.lineDeg.back(), 4)}};
     point.others.push_back({{"the other way round: left and right exchanged"}, withLines(options, -polar.lineDeg.front(), -step)});
@@ -162,6 +166,12 @@ OpeningPoint orderOf(const PolarGeometry& polar, double step, const ReadingOptio
 }
 
 std::optional<OpeningPoint> gridOf(const Scan& scan, const ReadingOptions& options) {
+    if (gridWasFound(scan)) {
+        OpeningPoint point{"Grid", Source::Guessed};
+        point.taken = {"%1 lines of %2 beams, found from the directions of the points",
+                       {std::to_string(scan.lines()), std::to_string(scan.beams())}};
+        return point;
+    }
     const auto* cloud = std::get_if<PointGeometry>(&scan.geometry);
     if (scan.pointsRead == 0 || cloud == nullptr || !cloud->angles || scan.attached.empty()) return std::nullopt;
     const auto step = evenStep(cloud->angles->beamDeg);
@@ -208,7 +218,7 @@ std::vector<OpeningPoint> openingCheck(const Scan& scan, const ReadingOptions& o
         add(mountingOf(scan, *polar, options, now));
         if (const auto step = evenStep(polar->lineDeg)) {
             add(stepOf(scan, *polar, *step, options, now, points.back().against.empty()));
-            add(orderOf(*polar, *step, options));
+            add(orderOf(scan, *polar, *step, options));
         }
     }
     add(gridOf(scan, options));

@@ -39,20 +39,6 @@ std::vector<std::string_view> cutAt(std::string_view line, char separator) {
     return cellsIn(line, layout);
 }
 
-/// Commas within quotes are not separators.
-std::vector<std::string_view> cutAtCommas(std::string_view line) {
-    std::vector<std::string_view> cells;
-    bool quoted = false;
-    std::size_t from = 0;
-    for (std::size_t at = 0; at <= line.size(); ++at) {
-        if (at < line.size() && line[at] == '"') quoted = !quoted;
-        if (at < line.size() && (line[at] != ',' || quoted)) continue;
-        cells.push_back(trimmed(line.substr(from, at - from)));
-        from = at + 1;
-    }
-    return cells;
-}
-
 /// With a point or a comma before its decimals, or with its thousands set apart.
 bool isAnyNumber(std::string_view cell) {
     if (isNumber(cell) || groupsOf(cell) != Grouped::No) return true;
@@ -67,7 +53,7 @@ std::vector<std::vector<std::string_view>> waysToCut(std::string_view line) {
     if (line.find('\t') != line.npos) return {cutAt(line, '\t')};
     std::vector<std::vector<std::string_view>> ways{cutAt(line, ' ')};
     const bool commasSeparate = line.find('"') != line.npos || line.find('.') != line.npos || line.find(' ') == line.npos;
-    if (commasSeparate && line.find(',') != line.npos) ways.push_back(cutAtCommas(line));
+    if (commasSeparate && line.find(',') != line.npos) ways.push_back(cutAt(line, ','));
     return ways;
 }
 

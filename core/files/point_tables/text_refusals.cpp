@@ -104,7 +104,7 @@ Error textWithoutNumbers(const Source& source) {
                                         "save the file with commas, semicolons, tabs or blanks between its numbers");
         }
     }
-    return source.refused("this is text without a row of numbers, so no scan", "choose a scan: raw grid, PCD, PLY, XYZ, CSV or .3d");
+    return source.refused("this is text without a row of numbers, so no scan", kChooseScan);
 }
 
 } // namespace edgescan::files

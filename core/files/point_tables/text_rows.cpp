@@ -157,8 +157,10 @@ const char* RowReader::endOfRow() {
 bool RowReader::readRow(std::vector<double>& numbers) {
     const auto isComment = [&] { return *at_ == '#' || *at_ == '%' || *at_ == '!' || (*at_ == '/' && at_ + 1 < rowEnd_ && at_[1] == '/'); };
     const char separator = layout_->separator;
+    const char* const row = at_;
     while (at_ < rowEnd_ && (*at_ == ' ' || *at_ == '"' || (*at_ == '\t' && separator != '\t'))) ++at_;
-    if (at_ == rowEnd_ || isComment() || *at_ == '\x1a') return true; // Ctrl+Z ended files once
+    if (at_ == rowEnd_ || isComment() || *at_ == '\x1a') return true;                               // Ctrl+Z ended files once
+    if (!layout_->labels && !layout_->mayBeWords.empty() && layout_->mayBeWords.front()) at_ = row; // it may begin with a quote
     if (layout_->labels && !skipLabel()) return true;
     for (;;) {
         const char* const cell = at_;
@@ -180,7 +182,7 @@ bool RowReader::readRow(std::vector<double>& numbers) {
 
 /// Past the text that follows the number of a cell; false where the number is needed.
 bool RowReader::passRestOf(const char* cell, std::vector<double>& numbers) {
-    while (at_ < rowEnd_ && *at_ != layout_->separator) ++at_;
+    at_ = endOfCell(cell, rowEnd_, layout_->separator);
     const std::size_t column = numbers.size() - 1;
     if (column < layout_->mayBeWords.size() && layout_->mayBeWords[column]) {
         numbers.back() = kMissing;
@@ -224,6 +226,13 @@ void RowReader::measureCell(std::size_t column, const char* from, const char* to
 
 bool RowReader::readCell(std::vector<double>& numbers) {
     const char separator = layout_->separator;
+    const char* const cell = at_;
+    const bool mayBeWords = numbers.size() < layout_->mayBeWords.size() && layout_->mayBeWords[numbers.size()];
+    if (mayBeWords && separator != ' ' && at_ < rowEnd_ && *at_ == '"') { // "21, 11": a text, though it begins with a number
+        at_ = endOfCell(cell, rowEnd_, separator);
+        numbers.push_back(kMissing);
+        return true;
+    }
     while (at_ < rowEnd_ && isBlank(*at_) && *at_ != separator) ++at_;
     if (at_ == rowEnd_ || (separator != ' ' && *at_ == separator)) {
         numbers.push_back(kMissing);
@@ -256,8 +265,9 @@ bool RowReader::readCell(std::vector<double>& numbers) {
     }
     const bool ends = end == rowEnd_ || isBlank(*end) || *end == separator;
     if (parsed.ec == std::errc::invalid_argument || !ends) {
-        if (numbers.size() < layout_->mayBeWords.size() && layout_->mayBeWords[numbers.size()]) {
-            while (at_ < rowEnd_ && *at_ != separator && !(separator == ' ' && isBlank(*at_))) ++at_;
+        if (mayBeWords) {
+            while (separator == ' ' && at_ < rowEnd_ && !isBlank(*at_)) ++at_;
+            if (separator != ' ') at_ = endOfCell(cell, rowEnd_, separator);
             numbers.push_back(kMissing);
             return true;
         }

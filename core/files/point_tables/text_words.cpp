@@ -131,6 +131,17 @@ bool isEmptyRow(std::string_view line) {
     return line.find_first_of(",;\t") != std::string_view::npos && std::ranges::all_of(wordsIn(line), isMissingMark);
 }
 
+const char* endOfCell(const char* from, const char* to, char separator) {
+    const char* at = from;
+    while (at < to && *at == ' ') ++at;
+    while (at < to && *at == '"') { // a quote within the text is written twice: its second half opens another text
+        const char* const closing = std::find(at + 1, to, '"');
+        if (closing == to) break; // of an inch, say
+        from = at = closing + 1;
+    }
+    return std::find(from, to, separator);
+}
+
 std::vector<std::string_view> cellsIn(std::string_view line, const TextLayout& layout) {
     std::vector<std::string_view> cells;
     const bool blanks = layout.separator == ' ';
@@ -141,7 +152,8 @@ std::vector<std::string_view> cellsIn(std::string_view line, const TextLayout& l
             if (at == line.size()) return cells;
         }
         std::size_t end = at;
-        while (end < line.size() && (blanks ? !isBlank(line[end]) : line[end] != layout.separator)) ++end;
+        while (blanks && end < line.size() && !isBlank(line[end])) ++end;
+        if (!blanks) end = static_cast<std::size_t>(endOfCell(line.data() + at, line.data() + line.size(), layout.separator) - line.data());
         cells.push_back(trimmed(line.substr(at, end - at)));
         at = end + 1;
     }

@@ -26,6 +26,9 @@ std::from_chars_result numberWithFortranExponent(const char* from, const char* t
 /// Nothing but separators, blanks and marks of missing numbers, and at least two cells.
 [[nodiscard]] bool isEmptyRow(std::string_view line);
 
+/// Where the cell that begins at `from` ends: at the next separator or at `to`. Separators within quotes belong to the cell.
+[[nodiscard]] const char* endOfCell(const char* from, const char* to, char separator);
+
 /// The text between the separators of a layout, a label included; without the last separator where no cell follows it.
 [[nodiscard]] std::vector<std::string_view> cellsIn(std::string_view line, const TextLayout& layout);
 

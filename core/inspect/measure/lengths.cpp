@@ -220,13 +220,13 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
 
 std::string lengthText(const MeasuredLength& length) {
     if (length.isBelow) return "< " + millimetres(length.smallestM);
-    return fixedText(length.valueM, 3) + " m ± " + fixedText(shownTolerance(length.toleranceM, 3), 3);
+    return fixedText(length.valueM, 3) + " m ± " + fixedText(shownTolerance(length.toleranceM, 3), 3) + " m";
 }
 
 std::string measureText(const MeasuredCells& measured) {
     if (measured.kind == MeasureKind::Angle) {
         if (measured.angleIsBelow) return "not resolved";
-        return fixedText(measured.angleDeg, 1) + "° ± " + fixedText(shownTolerance(measured.angleToleranceDeg, 1), 1);
+        return fixedText(measured.angleDeg, 1) + "° ± " + fixedText(shownTolerance(measured.angleToleranceDeg, 1), 1) + "°";
     }
     std::string text;
     for (const MeasuredLength& length : measured.lengths) text += (text.empty() ? "" : " × ") + lengthText(length);

@@ -39,8 +39,11 @@ struct SweepProgress {
 
     /// Nothing is missing, and the expected number of rows is there.
     [[nodiscard]] bool complete() const { return received == lines && (expected == 0 || lines >= expected); }
-    /// "1000/1000 lines", "INCOMPLETE 970/1000 lines", "INCOMPLETE 20/24 lines", "24/24 lines, COUNTERS IN DOUBT".
+    /// "1000/1000 lines", "INCOMPLETE 970/1000 lines", "INCOMPLETE 20/24 lines", "24/24 lines, COUNTERS IN DOUBT"; of unknown length
+    /// "243 lines", or "INCOMPLETE 240/243 lines" where lines are lost.
     [[nodiscard]] std::string text() const;
+    /// While it grows and nothing is missing: "312/1000 lines"; of unknown length "312 lines".
+    [[nodiscard]] std::string textSoFar() const;
 };
 
 /// "lines 3, 7 and 20 to 49": rows as text, at most `groups` groups.

@@ -71,11 +71,19 @@ std::string assumedText(const SweepSettings& settings, AngleSource source) {
     return kMountingAssumed + what + ". Give " + flags + " where that is wrong.";
 }
 
+/// "312/1000 lines"; `of` 0: how many the sweep has is not known.
+std::string linesText(int count, int of) { return std::to_string(count) + (of > 0 ? "/" + std::to_string(of) : "") + " lines"; }
+
 } // namespace
 
 std::string SweepProgress::text() const {
-    const std::string of = std::to_string(received) + "/" + std::to_string(expected > 0 ? expected : lines) + " lines";
-    return (complete() ? of : "INCOMPLETE " + of) + (irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "");
+    const int of = expected > 0 ? expected : lines;
+    return (complete() ? "" : "INCOMPLETE ") + linesText(received, expected > 0 || received < lines ? of : 0) +
+           (irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "");
+}
+
+std::string SweepProgress::textSoFar() const {
+    return linesText(lines, expected) + (irregular.countersInDoubt() ? ", COUNTERS IN DOUBT" : "");
 }
 
 std::string rowsText(const std::vector<int>& rows, int groups) {

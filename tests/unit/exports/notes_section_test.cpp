@@ -23,11 +23,13 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
                                 .pinnedUtc = "2026-11-21T08:00:00Z",
                                 .asPinned = {{"E, N, RL", "▲ no pose"}, {"Resolves", "31 mm"}}});
     const auto section = [&notebook](const Scan& of) {
-        return notebookSection(*edges::detectEdges(std::make_shared<const Scan>(of), edges::Settings{}), notebook);
+        return notebookSection(*edges::detectEdges(std::make_shared<const Scan>(of), edges::Settings{}), notebook, 900);
     };
     const std::string without = section(scan);
     EXPECT_NE(without.find("E, N, RL: ▲ no pose"), std::string::npos) << without;
     EXPECT_EQ(without.find("E, N, RL"), without.rfind("E, N, RL")); // what is the same is written once
+    EXPECT_NE(without.find("Targets on gray levels"), std::string::npos);
+    EXPECT_NE(without.find("<text x=\"40.5\" y=\"25.5\">1</text>"), std::string::npos) << "its number is where it is";
 
     scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
     const auto placed = edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{});

@@ -28,6 +28,8 @@ public:
     void show();
     /// Null before it was first shown.
     [[nodiscard]] OpeningCard* card() const { return card_; }
+    /// The file on the screen was checked.
+    [[nodiscard]] bool settled() const { return !check_.behind(); }
     /// For the file on the screen; empty until known.
     [[nodiscard]] const std::optional<std::vector<files::OpeningPoint>>& points() const { return points_; }
 

@@ -23,6 +23,8 @@ public:
     /// Writes pending changes.
     ~TargetStore() override;
 
+    /// No folder was given: nothing is stored.
+    [[nodiscard]] bool isOff() const { return folder_.isEmpty(); }
     /// Path of the targets of this scan; empty if they are not stored.
     [[nodiscard]] QString pathOf(const inspect::NotebookScan& scan) const;
     /// An empty notebook if no file exists. Error: the file is damaged or belongs to another scan; it is not changed or overwritten.

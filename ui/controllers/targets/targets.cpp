@@ -107,8 +107,9 @@ void Targets::followPicture() {
         notebook_ = {};
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
-        panel_.showNote(path.isEmpty() ? tr("Not stored: this picture does not come from a file, or EdgeScan runs with --no-settings.")
-                                       : QString());
+        panel_.showNote(!path.isEmpty()  ? QString()
+                        : store_.isOff() ? tr("Not stored: EdgeScan was started without its settings.")
+                                         : tr("Not stored: this picture does not come from a file."));
         if (const auto other = others_.find(key); other != others_.end()) {
             notebook_ = other->second;
         } else if (auto kept = store_.load(scan)) {

@@ -1,5 +1,6 @@
 // Shows the targets in panel and views.
 #include "core/scan/grid/assumed_mounting.h"
+#include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/rocks/rocks.h"
 #include "ui/controllers/targets/targets.h"
@@ -168,7 +169,9 @@ void Targets::setSource(const QString& source) {
 }
 
 void Targets::copyCard() {
-    if (active() != nullptr) QGuiApplication::clipboard()->setText(panel_.card().text());
+    if (active() == nullptr) return;
+    QGuiApplication::clipboard()->setText(panel_.card().text());
+    notice_.showNotice(NoticeBar::Kind::Done, tr("Target %1 is on the clipboard, as text.").arg(active()->number));
 }
 
 void Targets::copyAll() {
@@ -176,6 +179,8 @@ void Targets::copyAll() {
     for (const inspect::PinnedTarget& target : notebook_.targets)
         rows << tableRow(target.number, shownName(exactText(target.name)), knownOf(target.cell));
     QGuiApplication::clipboard()->setText(rows.join('\n') + "\n");
+    notice_.showNotice(NoticeBar::Kind::Done,
+                       tr("%1 targets are on the clipboard, as a table for a spreadsheet.").arg(notebook_.targets.size()));
 }
 
 } // namespace edgescan::ui

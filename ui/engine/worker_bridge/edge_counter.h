@@ -20,6 +20,8 @@ public:
     /// A new detection is on the screen. It is counted when no other detection follows shortly. It is not counted again if only the swept
     /// threshold changed.
     void want(const std::shared_ptr<const edges::Detection>& detection);
+    /// The newest count is still to come.
+    [[nodiscard]] bool behind() const { return curve_.behind(); }
 
 signals:
     /// The last count does not belong to the current detection.

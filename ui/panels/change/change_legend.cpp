@@ -2,6 +2,7 @@
 #include "ui/panels/change/change_legend.h"
 
 #include "core/inspect/change_detection/change_report.h"
+#include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
@@ -193,7 +194,8 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     unit_->setVisible(comparison != nullptr && rowsShown_);
     QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nchange a setting, or open another scan");
     if (comparison != nullptr && !working) {
-        how = shownText(inspect::registrationText(comparison->change.earlier.how)).replace("; ", "\n");
+        how = coreWords(inspect::registrationText(*comparison->asked.now->detection->scan, comparison->change.earlier.how))
+                  .replace("; ", "\n");
         if (comparison->change.earlier.how.outOfSpec) how = tr("▲ OUT OF SPEC") + '\n' + how;
         if (comparison->isOfTwoScans())
             how += '\n' + tr("median difference %1 mm\na change is more than %2 mm at 5 m")

@@ -3,6 +3,7 @@
 
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/gap_filling/gap_filling.h"
+#include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
 #include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
@@ -153,7 +154,7 @@ QGroupBox* ExportDialog::coordinatesBox() {
     coordinates_->button(static_cast<int>(files::usualFrame(*detection_->scan)))->setChecked(true);
     if (const auto why = files::checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
         const std::string& what = why.error().what;
-        auto* reason = new QLabel(tr("No mine grid: %1. Scan > Pose and Mounting takes a pose and a calibration.").arg(shownText(what)));
+        auto* reason = new QLabel(tr("No mine grid: %1. Scan > Pose and Mounting takes a pose and a calibration.").arg(coreSentence(what)));
         reason->setObjectName("reason");
         reason->setWordWrap(true);
         column->addWidget(reason);

@@ -11,6 +11,7 @@
 
 #include <QApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -34,6 +35,21 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
     made->setToolTip(help);
     return made;
 }
+
+/// A menu of fields: Tab goes from field to field, and Return accepts what was typed. A plain menu goes from entry to entry.
+class FieldsMenu : public QMenu {
+public:
+    using QMenu::QMenu;
+
+protected:
+    bool focusNextPrevChild(bool next) override { return QWidget::focusNextPrevChild(next); }
+    void keyPressEvent(QKeyEvent* event) override {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+            close();
+        else
+            QMenu::keyPressEvent(event);
+    }
+};
 
 } // namespace
 
@@ -94,11 +110,12 @@ void LivePanel::addSweepMenu() {
     sweepButton_->setText(tr("Sweep…"));
     sweepButton_->setToolTip(tr("Lines of a sweep, step per line, mounting"));
     sweepButton_->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(sweepButton_);
+    auto* menu = new FieldsMenu(sweepButton_);
     auto* form = new QWidgetAction(menu);
     form->setDefaultWidget(sweep_);
     menu->addAction(form);
     sweepButton_->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, sweep_, &SweepForm::begin);
     // One change for all typed values.
     connect(menu, &QMenu::aboutToHide, this, [this] {
         if (connected_) emit sweepRequested();

@@ -76,6 +76,7 @@ void ScannerLink::disconnectScanner() {
     files::LiveStatus last = feed->status();
     last.connection.phase = scanner::ConnectionPhase::Stopped;
     last.recording.reset();
+    last.connection.sentence.clear(); // "... is sending." was so until now
     health_ = files::healthOf(last);
     health_.end.clear();
     runInThread([this, feed, shows, stream, recorded]() -> std::function<void()> {

@@ -111,7 +111,8 @@ void StateBadge::paintEvent(QPaintEvent* /*event*/) {
     drawShape(painter, sign_, QRectF(margin, (height() - shape) / 2.0, shape, shape));
     painter.setPen(Qt::white);
     const QRect place = rect().adjusted(margin + shape + margin, 0, -margin / 2, 0);
-    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(text_, Qt::ElideRight, place.width()));
+    // The state is at one end, its time at the other: a narrow badge keeps both.
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(text_, Qt::ElideMiddle, place.width()));
 }
 
 StateBadge::Sign signOf(files::Liveness liveness) {

@@ -56,6 +56,11 @@ void SweepForm::showSettings(const scanner::SweepSettings& settings) {
     standing_->setChecked(!settings.continuous);
 }
 
+void SweepForm::begin() {
+    lines_->setFocus();
+    lines_->selectAll();
+}
+
 scanner::SweepSettings SweepForm::settings() const {
     scanner::SweepSettings settings = shown_;
     settings.expectedLines = lines_->value();

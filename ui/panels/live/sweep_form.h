@@ -18,6 +18,8 @@ public:
     explicit SweepForm(QWidget* parent = nullptr);
 
     void showSettings(const scanner::SweepSettings& settings);
+    /// Keys go to the first field, whose text is selected.
+    void begin();
     /// The last shown settings with the operator's changes.
     [[nodiscard]] scanner::SweepSettings settings() const;
 

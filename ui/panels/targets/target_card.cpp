@@ -151,8 +151,9 @@ void TargetCard::setRow(std::size_t row, const TargetRow& words, const QString& 
 }
 
 QString TargetCard::text() const {
-    const QString name = name_->text().isEmpty() ? name_->placeholderText() : name_->text();
-    QStringList lines{tr("Target %1: %2").arg(number_->text(), name), (distance_->text() + " " + tolerance_->text()).trimmed()};
+    const QString title =
+        name_->text().isEmpty() ? tr("Target %1").arg(number_->text()) : tr("Target %1: %2").arg(number_->text(), name_->text());
+    QStringList lines{title, (distance_->text() + " " + tolerance_->text()).trimmed()};
     for (const auto& [row, value] : rows_) {
         if (!row->isHidden()) lines << row->text() + ": " + value->text();
     }

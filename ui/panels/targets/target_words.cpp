@@ -57,7 +57,7 @@ TargetRow surfaceRow(const inspect::CellTarget& target) {
     if (!target.surface) return {QObject::tr("Surface"), QObject::tr("no plane fits"), QString()};
     return {
         QObject::tr("Surface"),
-        QObject::tr("%1° ± %2 off the beam")
+        QObject::tr("%1° ± %2° off the beam")
             .arg(fixed(target.surface->offBeamDeg, 0), fixed(shownTolerance(inspect::kReportedSigmas * target.surface->sigmaDeg, 0), 0)),
         QObject::tr("Between its normal and the beam: 0° faces the scanner. A plane through %1 cells, relief %2")
             .arg(target.surface->cells)
@@ -148,14 +148,14 @@ QString distanceText(const inspect::CellTarget& target) {
 
 QString toleranceText(const inspect::CellTarget& target) {
     if (target.probe.state != CellState::Valid) return {};
-    return target.toleranceM > 0.0 ? QStringLiteral("± %1").arg(fixed(shownTolerance(target.toleranceM, 3), 3))
+    return target.toleranceM > 0.0 ? QStringLiteral("± %1 m").arg(fixed(shownTolerance(target.toleranceM, 3), 3))
                                    : QObject::tr("± not known");
 }
 
 QString positionText(const inspect::CellTarget& target) {
     if (target.probe.state != CellState::Valid) return {};
     const Eigen::Vector3d& at = target.probe.mineM ? *target.probe.mineM : target.probe.pointM;
-    return (target.probe.mineM ? QObject::tr("E %1  N %2  RL %3 m") : QObject::tr("x %1  y %2  z %3 m"))
+    return (target.probe.mineM ? QObject::tr("E %1  N %2\nRL %3 m") : QObject::tr("x %1  y %2  z %3 m"))
         .arg(fixed(at.x(), 3), fixed(at.y(), 3), fixed(at.z(), 3));
 }
 

@@ -59,7 +59,7 @@ double CountCurve::yOf(std::size_t edges) const {
 }
 
 QString CountCurve::words(bool brief) const {
-    if (!curve_ || curve_->edges.empty()) return tr("counting the edge cells …");
+    if (!curve_ || curve_->edges.empty()) return found_ ? tr("counting the edge cells …") : QString(); // without a scan nothing is counted
     const auto next = std::ranges::lower_bound(curve_->thresholds, value_);
     const auto place = std::min(static_cast<std::size_t>(next - curve_->thresholds.begin()), curve_->edges.size() - 1);
     const std::size_t edges = found_ && found_->first == value_ ? found_->second : curve_->edges[place];

@@ -23,6 +23,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string_view>
@@ -120,13 +121,18 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     show(edges::Settings{});
 }
 
+/// Names of the built-in presets; files and the command line have them in English.
+[[maybe_unused]] constexpr std::array kPresetNames{QT_TRANSLATE_NOOP("QObject", "default"),      QT_TRANSLATE_NOOP("QObject", "log"),
+                                                   QT_TRANSLATE_NOOP("QObject", "thesis"),       QT_TRANSLATE_NOOP("QObject", "window"),
+                                                   QT_TRANSLATE_NOOP("QObject", "smooth-walls"), QT_TRANSLATE_NOOP("QObject", "default-3")};
+
 void EdgesPanel::addPresets(QGridLayout& grid) {
     presets_ = new QComboBox;
     presets_->setObjectName("presets");
     presets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     presets_->setMinimumContentsLength(8);
     for (const edges::Preset& preset : edges::builtInPresets()) {
-        presets_->addItem(shownText(preset.name));
+        presets_->addItem(QObject::tr(preset.name.c_str()), shownText(preset.name));
         presets_->setItemData(presets_->count() - 1, QObject::tr(preset.help.c_str()), Qt::ToolTipRole);
     }
     connect(presets_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
@@ -331,9 +337,9 @@ void EdgesPanel::showPresetName() { modified_->setText(modified() ? tr("• modi
 void EdgesPanel::setPreset(const edges::Preset& preset) {
     preset_ = preset;
     const QString name = shownName(exactText(preset.name), 60);
-    int index = presets_->findText(name);
+    int index = presets_->findData(name);
     if (index < 0) {
-        presets_->addItem(name);
+        presets_->addItem(name, name);
         index = presets_->count() - 1;
     }
     presets_->setCurrentIndex(index);

@@ -209,16 +209,20 @@ void RangeWindow::showWindow(RangeHandles::Window window, bool automatic) {
     handles_->setWindow(window);
     const QString ends = tr("%1 to %2 m").arg(window.first, 0, 'f', 1).arg(window.second, 0, 'f', 1);
     words_->setText(ends);
+    brief_ = QString("%1–%2 m").arg(window.first, 0, 'f', 1).arg(window.second, 0, 'f', 1);
+    full_ = ends;
     words_->setToolTip(automatic ? tr("automatic: %1").arg(ends) : ends);
     automatic_->setEnabled(!automatic);
     fit();
 }
 
-/// If the width is too small, the title is dropped before a number is cut.
+/// If the width is too small, the title is dropped, then the words between the numbers, before a number is cut.
 void RangeWindow::fit() {
     constexpr int kSpacing = 2 * 6 + 3 * 6; // px, of the line
-    const int others = automatic_->sizeHint().width() + lock_->sizeHint().width() + words_->fontMetrics().horizontalAdvance(words_->text());
-    title_->setVisible(title_->sizeHint().width() + others + kSpacing <= width());
+    const QFontMetrics metrics = words_->fontMetrics();
+    const int room = width() - kSpacing - automatic_->sizeHint().width() - lock_->sizeHint().width();
+    title_->setVisible(title_->sizeHint().width() + metrics.horizontalAdvance(full_) <= room);
+    words_->setText(metrics.horizontalAdvance(full_) <= room ? full_ : brief_);
 }
 
 void RangeWindow::resizeEvent(QResizeEvent* event) {

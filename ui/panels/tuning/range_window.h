@@ -85,6 +85,7 @@ private:
 
     QLabel* title_;
     QLabel* words_;
+    QString full_, brief_; // of the two ends
     QToolButton *automatic_, *lock_;
     RangeHandles* handles_;
 };

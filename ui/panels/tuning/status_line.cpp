@@ -33,7 +33,7 @@ QString number(double value, int decimals) { return QString::number(value, 'f', 
 
 QString rangeText(const edges::Probe& probe) {
     if (probe.filled)
-        return QObject::tr("filled, not measured: %1 m ± %2")
+        return QObject::tr("filled, not measured: %1 m ± %2 m")
             .arg(number(static_cast<double>(probe.filled->rangeMm) / 1000.0, 3),
                  number(shownTolerance(static_cast<double>(probe.filled->sdMm) / 1000.0, 3), 3));
     if (probe.state == CellState::Valid) return QObject::tr("range %1 m").arg(number(probe.rangeMm / 1000.0, 3));

@@ -3,6 +3,7 @@
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/save_scan.h"
+#include "core/files/point_tables/text_refusals.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>
@@ -185,10 +186,31 @@ TEST(BadInput, WhatIsNoScanIsNamed) {
     expectRefused(folder / "picture.xyz", "a PNG picture");
     expectRefused("/bin/sh", "a program");
     expectRefused("/dev/zero", "a device or a pipe");
+    writeText(folder / "drawing.dxf", "999\nfrom CAD\n  0\nSECTION\n  2\nENTITIES\n");
+    expectRefused(folder / "drawing.dxf", "this is a drawing (DXF)");
+    writeText(folder / "rocks.csv", "rock,line,beam,cells,x_m,y_m,z_m,in_front_of\n1,7,9,100,1.5,2.5,3.5,93 104\n");
+    expectRefused(folder / "rocks.csv", "this is a table of rocks");
     writeText(folder / "wide.txt", std::string("\xFF\xFEx\0y\0z\0", 8));
     expectRefused(folder / "wide.txt", "UTF-16");
     std::filesystem::create_symlink("loop.pcd", folder / "loop.pcd");
     EXPECT_FALSE(openScan(folder / "loop.pcd"));
+}
+
+TEST(BadInput, AQuoteThatIsNotClosedEnds) {
+    const Folder folder;
+    for (const char* text : {"x,y,z,note\n1,2,3,\"open\n", "\"x,y,z\n1,2,3\n", "x,y,z,note\n1,2,3,\"a\"\"\n", "# {\"a\":\"b\n\"\n"}) {
+        writeText(folder / "quote.csv", text);
+        EXPECT_FALSE(openScan(folder / "quote.csv")) << text;
+    }
+}
+
+TEST(BadInput, TheListOfWhatCanBeChosenNamesEveryFormat) {
+    const std::string list = asciiLower(kChooseScan);
+    for (const Format& format : formats()) {
+        const auto isNamed = [&](std::string_view extension) { return list.find(extension.substr(1)) != std::string::npos; };
+        if (format.read != nullptr && !format.reads.empty() && format.reads.front() != ".bin")
+            EXPECT_TRUE(std::ranges::any_of(format.reads, isNamed) || format.reads.front() == ".foxglove.mcap") << format.title;
+    }
 }
 
 TEST(BadInput, MissingRightsAreSaid) {

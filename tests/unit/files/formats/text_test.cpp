@@ -107,7 +107,8 @@ TEST(PointText, ColumnsAreFoundByName) {
     const auto scan = openScan(folder / "list.csv");
     ASSERT_TRUE(scan) << scan.error().sentence();
     EXPECT_EQ(scan->rangeMm, expected.rangeMm);
-    EXPECT_TRUE(scan->warnings.empty()) << scan->warnings.front(); // the header gave the unit
+    ASSERT_EQ(scan->warnings.size(), 1U); // the header gave the unit
+    EXPECT_TRUE(scan->warnings.front().starts_with("The file lists only points: ")) << scan->warnings.front();
 }
 
 // Survey and spreadsheet programs write names, codes and dates in any column.
@@ -123,7 +124,8 @@ TEST(PointText, ColumnsOfWordsAreNoneOfThePoint) {
             std::string numbers;
             for (int axis = 0; axis < 3; ++axis) numbers += numberText("%.7f", p[axis]) + s;
             if (s == ";") replaceAll(numbers, ".", ",");
-            text += (comma ? "17" : "\"CREST A\"") + s + numbers + "2026-11-21 04:05" + s + "\"Jo\"\n"; // a code may be a number
+            text += (comma ? "17" : "\"CREST" + s + " A\"") + s + numbers; // a code may be a number, and hold the separator in quotes
+            text += (comma ? "2026-11-21 04:05" : "\"21" + s + " 11\"") + s + "\"Jo" + s + " \"\"the eye\"\"\"\n";
             comma = !comma;
         }
         writeText(folder / "survey.csv", text);

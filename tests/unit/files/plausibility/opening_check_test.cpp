@@ -1,6 +1,7 @@
 // Evidence against a reading: rooms seen with wrong mounting, angles and units, and a room read correctly.
 #include "core/files/plausibility/opening_check.h"
 
+#include "core/files/grid_recovery/regrid.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/plausibility/common_planes.h"
 #include "core/scan/grid/cartesian.h"
@@ -98,6 +99,14 @@ TEST(OpeningCheck, AnUnitThatMakesARoomOfMillimetresIsDoubted) {
     ReadingOptions typed;
     typed.unitMm = 1000.0;
     EXPECT_EQ(pointOf(openingCheck(room(Axis::Spin, 1.0), typed), "Unit").source, OpeningPoint::Source::Typed);
+}
+
+TEST(OpeningCheck, WhatWasFoundFromABareListIsGuessed) {
+    Scan scan = room(Axis::Spin, 1.0);
+    scan.warnings.push_back(std::string(kListsOnlyPoints) + "120 lines, 120 beams and mounting spin were found from them.");
+    const auto points = openingCheck(scan, {});
+    for (const char* what : {"Mounting", "Line angles", "Order of the lines", "Grid"})
+        EXPECT_EQ(pointOf(points, what).source, OpeningPoint::Source::Guessed) << what;
 }
 
 TEST(OpeningCheck, ARealCorridorSaysHowItsScannerWasMounted) {

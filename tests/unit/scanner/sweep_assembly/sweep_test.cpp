@@ -260,6 +260,13 @@ TEST(Sweep, TimeAloneIsAVisibleWarning) {
     for (int row = 0; row < 20; ++row) EXPECT_NEAR(polarOf(*scan).lineDeg[std::size_t(row)], 9 * 0.04 * row, 1e-9);
 }
 
+TEST(Sweep, ASweepOfUnknownLengthNamesNoLength) {
+    SweepAssembler assembler = assembled({}, 40, {});
+    EXPECT_EQ(assembler.progress().text(), "40 lines");
+    EXPECT_EQ(assembler.progress().textSoFar(), "40 lines");
+    EXPECT_EQ(assembled({}, 40, {7}).progress().text(), "INCOMPLETE 39/40 lines") << "of the lines that it has so far";
+}
+
 TEST(Sweep, SplitBySizeWithLinesLostAcrossTheEnd) {
     SweepSettings settings;
     settings.expectedLines = 25;

@@ -1,0 +1,50 @@
+// Places numbers over a picture, the important ones first.
+#include "core/exports/html/numbered_picture.h"
+
+#include "core/base/number_text.h"
+#include "core/exports/html/html.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgescan::exports {
+namespace {
+
+constexpr double kPartOfSide = 1.0 / 58; // height of a number, as part of the longer side of the picture
+constexpr double kDigitWidth = 0.62;     // of the height
+
+struct Box {
+    double x, y, halfWidth, halfHeight;
+    [[nodiscard]] bool covers(const Box& other) const {
+        return std::abs(x - other.x) < halfWidth + other.halfWidth && std::abs(y - other.y) < halfHeight + other.halfHeight;
+    }
+};
+
+} // namespace
+
+std::string pictureNumbers(int width, int height, const std::vector<PictureNumber>& numbers, std::size_t& leftOut) {
+    const double unit = std::max(width, height) * kPartOfSide;
+    std::string html = "<svg class=\"numbers\" style=\"--unit:" + fixedText(unit, 2) + "px\" viewBox=\"0 0 " + std::to_string(width) + " " +
+                       std::to_string(height) + "\" aria-hidden=\"true\">\n";
+    std::vector<Box> placed;
+    leftOut = 0;
+    for (const PictureNumber& each : numbers) {
+        const std::string digits = std::to_string(each.number);
+        const Box box{each.x, each.y, 0.5 * kDigitWidth * unit * static_cast<double>(digits.size()), 0.5 * unit};
+        if (!each.always && std::ranges::any_of(placed, [&](const Box& other) { return other.covers(box); })) {
+            ++leftOut;
+            continue;
+        }
+        placed.push_back(box);
+        html += "<text x=\"" + fixedText(each.x, 1) + "\" y=\"" + fixedText(each.y, 1) + "\"" + (each.always ? "" : " class=\"small\"") +
+                ">" + digits + "</text>\n";
+    }
+    return html + "</svg>\n";
+}
+
+std::string numberedFigure(const std::string& png, const char* alternative, const std::string& numbers, const std::string& caption) {
+    return "<figure class=\"picture\"><div class=\"numbered\">" + htmlImage(png, alternative) + numbers + "</div><figcaption>" + caption +
+           "</figcaption></figure>\n";
+}
+
+} // namespace edgescan::exports
