@@ -11,6 +11,7 @@
 #include "core/exports/cell_columns.h"
 #include "core/exports/frame_points.h"
 #include "core/exports/record_parts.h"
+#include "core/exports/section_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/cell_runs.h"
@@ -46,10 +47,15 @@ struct Expected {
     std::size_t count = 0; ///< points or cells
     std::optional<PointBounds> bounds;
     const char* of = "points";
+    std::optional<Eigen::AlignedBox3d> box{}; ///< of what a section cuts
 };
 
 Expected expectedOf(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
     const ExportKind& kind = exportKind(content);
+    if (content == ExportContent::Section) {
+        const SectionContent cut = sectionContent(detection, options, options.frame);
+        return Expected{cut.rocks, std::nullopt, countedThings(kind), cut.box};
+    }
     if (kind.counts == ExportKind::Counts::Rocks)
         return Expected{options.rocks ? options.rocks->rocks.size() : 0, std::nullopt, countedThings(kind)};
     const bool points = isCloud(content) || (kind.holds == ExportKind::Holds::Scan && files::writtenFormat(path)->write != nullptr);
@@ -106,6 +112,7 @@ std::string sidecarText(const FileBytes& file, const std::string& record, GridBe
 /// The box of the points; of the cells of all rocks where rocks are written.
 Eigen::AlignedBox3d extentOf(ExportContent content, const Expected& expected, const edges::Detection& detection, CoordinateFrame frame,
                              const ExportOptions& options) {
+    if (expected.box) return *expected.box;
     Eigen::AlignedBox3d box;
     if (expected.bounds && expected.count > 0) box = {expected.bounds->leastM, expected.bounds->mostM};
     const ExportKind& kind = exportKind(content);

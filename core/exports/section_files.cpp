@@ -180,21 +180,38 @@ std::optional<Eigen::Vector3d> vectorOf(const Json& record, const char* key) {
     return vector;
 }
 
+Section cutBy(const edges::Detection& detection, const ExportOptions& options) {
+    std::optional<Grid<std::uint32_t>> labels;
+    if (options.rocks) labels = rocks::rockLabels(*options.rocks->segmentation, options.rocks->map);
+    return inspect::sectionOf(detection, *options.section, labels ? &*labels : nullptr);
+}
+
 } // namespace
+
+SectionContent sectionContent(const edges::Detection& detection, const ExportOptions& options, CoordinateFrame frame) {
+    SectionContent content;
+    if (!options.section || !files::checkFrame(*detection.scan, frame, "")) return content;
+    const Section section = cutBy(detection, options);
+    const FramePoints points(*detection.scan, frame);
+    for (const inspect::SectionLine& line : section.lines) {
+        for (const SectionVertex& vertex : line) content.box.extend(points.at(vertex.cell, vertex.pointM));
+    }
+    content.rocks = middlesOf(section).size();
+    return content;
+}
 
 Result<std::string> sectionBytes(const ExportInput& input) {
     const std::string where = input.path.string();
     if (!input.options.section) return Error{"a section needs a plane", where, "give two cells, or a rock, that it goes through"};
-    std::optional<Grid<std::uint32_t>> labels;
-    if (input.options.rocks) labels = rocks::rockLabels(*input.options.rocks->segmentation, input.options.rocks->map);
+    const bool withRocks = input.options.rocks != nullptr;
     const Scan& scan = *input.detection.scan;
-    const Section section = inspect::sectionOf(input.detection, *input.options.section, labels ? &*labels : nullptr);
+    const Section section = cutBy(input.detection, input.options);
     if (section.lines.empty()) return Error{"the plane of the section meets no surface", where, "choose two other cells"};
     const std::string extension = files::Source::lowerCase(input.path.extension());
     if (auto known = files::checkFrame(scan, input.options.frame, where); !known) return known.error();
     if (extension == ".csv") return csvSection(section, scan, input.options.frame);
-    if (extension == ".png") return containers::pngRgbBytes(picture(section, labels.has_value()), where);
-    return dxfSection(section, labels.has_value(), FramePoints(scan, input.options.frame).text(), input.record);
+    if (extension == ".png") return containers::pngRgbBytes(picture(section, withRocks), where);
+    return dxfSection(section, withRocks, FramePoints(scan, input.options.frame).text(), input.record);
 }
 
 Json planeRecord(const inspect::SectionPlane& plane) {

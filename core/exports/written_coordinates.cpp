@@ -11,14 +11,6 @@
 namespace edgescan::exports {
 namespace {
 
-constexpr double kLeastStepM = 0.001; // the least that is worth a sentence
-
-/// The step from a 4-byte number to the next, of the largest coordinate.
-double stepOfFloatsM(const Eigen::AlignedBox3d& box) {
-    const double largest = box.isEmpty() ? 0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0;
-}
-
 std::string originText(const Eigen::Vector3d& enhM) {
     return "E " + shortestText(enhM.x()) + ", N " + shortestText(enhM.y()) + ", RL " + shortestText(enhM.z());
 }
@@ -63,6 +55,11 @@ void addMissing(std::vector<std::string>& names, const std::vector<std::string>&
 }
 
 } // namespace
+
+double stepOfFloatsM(const Eigen::AlignedBox3d& box) {
+    const double largest = box.isEmpty() ? 0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0;
+}
 
 void WrittenCoordinates::add(const WrittenCoordinates& other) {
     box.extend(other.box);

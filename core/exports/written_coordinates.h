@@ -33,6 +33,10 @@ struct WrittenCoordinates {
 [[nodiscard]] WrittenCoordinates coordinatesOf(ExportContent content, const Scan& scan, const std::filesystem::path& path,
                                                const ExportOptions& options, const Eigen::AlignedBox3d& box);
 
+inline constexpr double kLeastStepM = 0.001; ///< the least that is worth a sentence
+/// The step from a 4-byte number to the next, of the largest coordinate in the box.
+[[nodiscard]] double stepOfFloatsM(const Eigen::AlignedBox3d& box);
+
 /// "Mine grid: E 498753.21 to 498771.90, ...", as sentences.
 [[nodiscard]] std::string coordinatesText(const WrittenCoordinates& written);
 

@@ -397,6 +397,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>una página para cualquier navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>No se pudo hacer el informe (%1).</translation></message>
+<message><source>RL [m]</source><translation>RL [m]</translation></message>
+<message><source>above the scanner [m]</source><translation>sobre el escáner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cción</translation></message>
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de la última medición: mida primero una distancia entre dos celdas.</translation></message>
@@ -504,6 +506,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
+<message><source>No rock changed, so there is no step to undo: click or draw on another part of the rock.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer: haga clic o dibuje en otra parte de la roca.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
@@ -518,8 +521,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
 <message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
-<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
@@ -585,6 +588,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of an opening.</source><translation>No se vio un paso libre entre estos dos bordes, separados %1 m en profundidad: haga clic en celdas de los bordes cercanos de una abertura.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
+<message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ El barrido continúa. Se ocultan las celdas que están allí ahora. Las líneas nuevas se muestran a cualquier distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
@@ -623,6 +627,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Remove All</source><translation>Quitar todos</translation></message>
 <message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nombre del objetivo %1, que está en esta roca:</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nombre de esta roca. Un nuevo objetivo sobre ella, número %1, lleva el nombre:</translation></message>
 <message><source>Name %1</source><translation>Nombrar %1</translation></message>
 <message><source>Lock %1</source><translation>Bloquear %1</translation></message>
 <message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
@@ -692,6 +697,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
 <message><source>cells</source><translation>celdas</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
+<message><source>Previous changed region</source><translation>Región cambiada anterior</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>nothing to compare with yet:
@@ -750,6 +756,11 @@ mantenga \ para verla</translation></message>
 <message><source>Choose File…</source><translation>Elegir archivo…</translation></message>
 <message><source>What</source><translation>Contenido</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
+<message><source>It draws edge lines: choose the edge points above.</source><translation>Dibuja líneas de bordes: elija arriba los puntos de borde.</translation></message>
+<message><source>The file holds x, y and z in metres from the scanner.</source><translation>El archivo contiene x, y y z en metros desde el escáner.</translation></message>
+<message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>El archivo contiene metros desde E %1, N %2, RL %3: un programa que no los suma muestra números pequeños.</translation></message>
+<message><source>The file holds Easting, Northing and RL in metres.</source><translation>El archivo contiene las coordenadas este y norte y el RL en metros.</translation></message>
+<message><source>Choose local metres for %1: numbers of 4 bytes would round them to steps of %2 mm.</source><translation>Elija metros locales para %1: los números de 4 bytes los redondearían a pasos de %2 mm.</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordenadas de la mina: E, N, RL</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
@@ -955,6 +966,14 @@ mantenga \ para verla</translation></message>
 <message><source>from the transforms, or from the joint that turned furthest</source><translation>según las transformaciones, o la articulación que más giró</translation></message>
 <message><source>from the joint %1</source><translation>según la articulación %1</translation></message>
 <message><source>Topics that are not used: %1</source><translation>Tópicos que no se usan: %1</translation></message>
+<message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Una parte de la roca %1 (%2 celdas) no se muestra como roca: </translation></message>
+<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that slider to see it.</source><translation>es menor que «Roca más pequeña» (%1 celdas). Baje ese control para verla.</translation></message>
+<message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fuera de la región de interés. Borre la región para verla.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
+<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece una pared, o está más allá de «Roca más lejana» (%1 m). Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
+<message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>
+<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el tamaño, así que otras rocas tienen otros: %1 y %2 más.</translation></message>
+<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Los números siguen el tamaño, así que otras rocas tienen otros: %1.</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
@@ -1018,6 +1037,7 @@ mantenga \ para verla</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
+<message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
 <message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
@@ -1206,7 +1226,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>grid %1</source><translation>cuadrícula %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distancia [m]</translation></message>
-<message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre el escáner [m]</translation></message>
 <message><source>Front</source><translation>Frente</translation></message>
 <message><source>Left</source><translation>Izq.</translation></message>
@@ -1242,6 +1261,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Color según la distancia a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
+<message><source>&amp;Previous Changed Region</source><translation>Región cambiada a&amp;nterior</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Olvidar A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fianza de los bordes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Colores y tamaños de los bordes según cuántos ajustes cercanos los hallan también</translation></message>
@@ -1455,7 +1475,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>degrees</source><translation>grados</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Menor pliegue de la superficie que es un borde.</translation></message>
 <message><source>Minimum length</source><translation>Longitud mínima</translation></message>
-<message><source>Shorter chains of edge cells are dropped.</source><translation>Las cadenas más cortas de celdas de borde se descartan.</translation></message>
+<message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>Las cadenas más cortas de celdas de borde se descartan. En un vacío, cada clase forma sus propias cadenas: un borde en dos clases son dos cadenas.</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
 <message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), el lado cercano de un vacío con algo más lejos detrás y el borde de un vacío abierto; y, lo que no es un borde, donde terminan los datos.</translation></message>
 <message><source>Hysteresis low</source><translation>Histéresis, umbral bajo</translation></message>

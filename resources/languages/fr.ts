@@ -397,6 +397,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>pages to print</source><translation>des pages à imprimer</translation></message>
 <message><source>a page for any browser</source><translation>une page pour tout navigateur</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Le rapport n'a pas pu être établi (%1).</translation></message>
+<message><source>RL [m]</source><translation>RL [m]</translation></message>
+<message><source>above the scanner [m]</source><translation>au-dessus du scanner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>&amp;Coupe</translation></message>
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités de la dernière mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
@@ -504,6 +506,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>region of interest</source><translation>région d'intérêt</translation></message>
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
+<message><source>No rock changed, so there is no step to undo: click or draw on another part of the rock.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler : cliquez ou dessinez sur une autre partie du bloc.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
@@ -518,8 +521,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
 <message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 cellules, %2 · molette : plus petit ou plus grand</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
-<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
 <message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
@@ -585,6 +588,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords, distants de %1 m en profondeur : cliquez des cellules sur les bords proches d'une ouverture.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
+<message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ Le balayage continue. Les cellules qui s'y trouvent maintenant sont masquées. Les nouvelles lignes sont montrées à toute distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
@@ -623,6 +627,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Remove All</source><translation>Tout supprimer</translation></message>
 <message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
 <message><source>Name %1</source><translation>Nommer %1</translation></message>
 <message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
 <message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
@@ -692,6 +697,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
 <message><source>cells</source><translation>cellules</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
+<message><source>Previous changed region</source><translation>Région modifiée précédente</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
 <message><source>nothing to compare with yet:
@@ -750,6 +756,11 @@ tenez \ pour la voir</translation></message>
 <message><source>Choose File…</source><translation>Choisir un fichier…</translation></message>
 <message><source>What</source><translation>Contenu</translation></message>
 <message><source>Format</source><translation>Format</translation></message>
+<message><source>It draws edge lines: choose the edge points above.</source><translation>Il dessine des lignes d'arêtes : choisissez les points d'arête ci-dessus.</translation></message>
+<message><source>The file holds x, y and z in metres from the scanner.</source><translation>Le fichier contient x, y et z en mètres depuis le scanner.</translation></message>
+<message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>Le fichier contient des mètres depuis E %1, N %2, RL %3 : un programme qui ne les ajoute pas affiche de petits nombres.</translation></message>
+<message><source>The file holds Easting, Northing and RL in metres.</source><translation>Le fichier contient les coordonnées est et nord et le RL en mètres.</translation></message>
+<message><source>Choose local metres for %1: numbers of 4 bytes would round them to steps of %2 mm.</source><translation>Choisissez les mètres locaux pour %1 : des nombres de 4 octets les arrondiraient à des pas de %2 mm.</translation></message>
 <message><source>Coordinates</source><translation>Coordonnées</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordonnées de la mine : E, N, RL</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
@@ -955,6 +966,14 @@ tenez \ pour la voir</translation></message>
 <message><source>from the transforms, or from the joint that turned furthest</source><translation>d'après les transformations, ou l'articulation qui a le plus tourné</translation></message>
 <message><source>from the joint %1</source><translation>d'après l'articulation %1</translation></message>
 <message><source>Topics that are not used: %1</source><translation>Topics qui ne sont pas utilisés : %1</translation></message>
+<message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Une partie du bloc %1 (%2 cellules) n'est pas montrée comme bloc : </translation></message>
+<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that slider to see it.</source><translation>elle est plus petite que « Plus petit bloc » (%1 cellules). Baissez ce curseur pour la voir.</translation></message>
+<message><source>it is outside the region of interest. Clear the region to see it.</source><translation>elle est hors de la zone d'intérêt. Effacez la zone pour la voir.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
+<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>elle ressemble à une paroi, ou elle est au-delà de « Bloc le plus éloigné » (%1 m). Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
+<message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
+<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent la taille, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
+<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Les numéros suivent la taille, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
 <message><source>something that is not a rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
@@ -1018,6 +1037,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
+<message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
 <message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
@@ -1206,7 +1226,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>grid %1</source><translation>grille %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distance [m]</translation></message>
-<message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Hauteur sur le scanner [m]</translation></message>
 <message><source>Front</source><translation>Avant</translation></message>
 <message><source>Left</source><translation>Gauche</translation></message>
@@ -1242,6 +1261,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Couleur selon la distance à A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
+<message><source>&amp;Previous Changed Region</source><translation>Région modifiée &amp;précédente</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Oublier A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiance des arêtes</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Couleurs et tailles des arêtes selon le nombre de réglages voisins qui les trouvent aussi</translation></message>
@@ -1455,7 +1475,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>degrees</source><translation>degrés</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Plus petit pli de la surface qui est une arête.</translation></message>
 <message><source>Minimum length</source><translation>Longueur minimale</translation></message>
-<message><source>Shorter chains of edge cells are dropped.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées.</translation></message>
+<message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées. Au bord d'un vide, chaque classe forme ses propres chaînes : un bord en deux classes est deux chaînes.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), le côté proche d'un vide derrière lequel il y a quelque chose de plus loin, et le bord d'un vide ouvert ; et, ce qui n'est pas une arête, là où finissent les données.</translation></message>
 <message><source>Hysteresis low</source><translation>Hystérésis, seuil bas</translation></message>

@@ -397,6 +397,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>pages to print</source><translation>páginas para imprimir</translation></message>
 <message><source>a page for any browser</source><translation>uma página para qualquer navegador</translation></message>
 <message><source>The report could not be made (%1).</source><translation>Não foi possível fazer o relatório (%1).</translation></message>
+<message><source>RL [m]</source><translation>RL [m]</translation></message>
+<message><source>above the scanner [m]</source><translation>acima do scanner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cção</translation></message>
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades da última medição: meça primeiro uma distância entre duas células.</translation></message>
@@ -504,6 +506,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>region of interest</source><translation>região de interesse</translation></message>
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
+<message><source>No rock changed, so there is no step to undo: click or draw on another part of the rock.</source><translation>Nenhuma rocha mudou, então não há nada a desfazer: clique ou desenhe em outra parte da rocha.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
@@ -518,8 +521,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
 <message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 células, %2 · roda: menor ou maior</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
-<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
 <message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
@@ -585,6 +588,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas, separadas %1 m em profundidade: clique em células das bordas próximas de uma abertura.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
+<message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ A varredura continua. Ocultam-se as células que estão ali agora. As linhas novas são mostradas a qualquer distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
@@ -623,6 +627,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Remove All</source><translation>Remover todos</translation></message>
 <message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nome do alvo %1, que está nesta rocha:</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nome desta rocha. Um novo alvo sobre ela, número %1, leva o nome:</translation></message>
 <message><source>Name %1</source><translation>Nomear %1</translation></message>
 <message><source>Lock %1</source><translation>Bloquear %1</translation></message>
 <message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
@@ -692,6 +697,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
 <message><source>cells</source><translation>células</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
+<message><source>Previous changed region</source><translation>Região alterada anterior</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>nothing to compare with yet:
@@ -750,6 +756,11 @@ segure \ para vê-la</translation></message>
 <message><source>Choose File…</source><translation>Escolher arquivo…</translation></message>
 <message><source>What</source><translation>Conteúdo</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
+<message><source>It draws edge lines: choose the edge points above.</source><translation>Desenha linhas de bordas: escolha acima os pontos de borda.</translation></message>
+<message><source>The file holds x, y and z in metres from the scanner.</source><translation>O arquivo contém x, y e z em metros a partir do scanner.</translation></message>
+<message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>O arquivo contém metros a partir de E %1, N %2, RL %3: um programa que não os soma mostra números pequenos.</translation></message>
+<message><source>The file holds Easting, Northing and RL in metres.</source><translation>O arquivo contém as coordenadas leste e norte e o RL em metros.</translation></message>
+<message><source>Choose local metres for %1: numbers of 4 bytes would round them to steps of %2 mm.</source><translation>Escolha metros locais para %1: números de 4 bytes os arredondariam em passos de %2 mm.</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordenadas da mina: E, N, RL</translation></message>
 <message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
@@ -955,6 +966,14 @@ segure \ para vê-la</translation></message>
 <message><source>from the transforms, or from the joint that turned furthest</source><translation>segundo as transformações, ou a junta que mais girou</translation></message>
 <message><source>from the joint %1</source><translation>segundo a junta %1</translation></message>
 <message><source>Topics that are not used: %1</source><translation>Tópicos que não são usados: %1</translation></message>
+<message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Uma parte da rocha %1 (%2 células) não é mostrada como rocha: </translation></message>
+<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that slider to see it.</source><translation>é menor que “Menor rocha” (%1 células). Baixe esse controle para vê-la.</translation></message>
+<message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fora da região de interesse. Apague a região para vê-la.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
+<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece uma parede, ou está além de “Rocha mais distante” (%1 m). Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
+<message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>
+<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem o tamanho, então outras rochas têm novos: %1 e mais %2.</translation></message>
+<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Os números seguem o tamanho, então outras rochas têm novos: %1.</translation></message>
 <message><source>at least %1</source><translation>pelo menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que não é uma rocha</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
@@ -1018,6 +1037,7 @@ segure \ para vê-la</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
+<message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
 <message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
@@ -1206,7 +1226,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>grid %1</source><translation>grade %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distância [m]</translation></message>
-<message><source>RL [m]</source><translation>RL [m]</translation></message>
 <message><source>Height above the scanner [m]</source><translation>Altura sobre o scanner [m]</translation></message>
 <message><source>Front</source><translation>Frente</translation></message>
 <message><source>Left</source><translation>Esq.</translation></message>
@@ -1242,6 +1261,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Cor conforme a distância a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
+<message><source>&amp;Previous Changed Region</source><translation>Região alterada a&amp;nterior</translation></message>
 <message><source>&amp;Forget A</source><translation>&amp;Esquecer A</translation></message>
 <message><source>Edge Con&amp;fidence</source><translation>Con&amp;fiança das bordas</translation></message>
 <message><source>Colours and sizes of edges by how many settings near these find them too</source><translation>Cores e tamanhos das bordas conforme quantos ajustes próximos também as encontram</translation></message>
@@ -1455,7 +1475,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>degrees</source><translation>graus</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Menor dobra da superfície que é uma borda.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
-<message><source>Shorter chains of edge cells are dropped.</source><translation>As cadeias mais curtas de células de borda são descartadas.</translation></message>
+<message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>As cadeias mais curtas de células de borda são descartadas. Num vazio, cada classe forma as suas próprias cadeias: uma borda em duas classes são duas cadeias.</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas), o lado próximo de um vazio com algo mais longe atrás e a beira de um vazio aberto; e, o que não é borda, onde os dados terminam.</translation></message>
 <message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>

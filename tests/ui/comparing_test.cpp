@@ -320,6 +320,52 @@ private slots:
         }
     }
 
+    // The buttons stay under the pointer while the legend gets the text of a region, and the way goes back as well.
+    void theButtonsOfTheRegionsStayUnderThePointer() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        const ChangeLegend& legend = on.viewer.changeLegend;
+        const std::size_t count = on.viewer.comparing.comparison()->change.regions.size();
+        QVERIFY(count > 2);
+        const auto place = [&](const QToolButton* button) { return button->mapTo(&on.window, QPoint(0, 0)); };
+        const QPoint next = place(legend.next()), previous = place(legend.previous());
+        const auto isRegion = [&](std::size_t n) { return legend.regionText().startsWith(QString("region %1 of %2").arg(n).arg(count)); };
+        const auto press = [&](QToolButton* button, const QPoint& at) {
+            QCOMPARE(on.window.childAt(at + QPoint(4, 4)), button);
+            QTest::mouseClick(button, Qt::LeftButton, Qt::NoModifier, QPoint(4, 4));
+            QVERIFY(eventually([&] { return on.viewer.views.cloud().atRest(); }));
+            QCOMPARE(place(button), at);
+        };
+        press(legend.next(), next);
+        QVERIFY2(isRegion(1), qPrintable(legend.regionText()));
+        press(legend.next(), next);
+        QVERIFY2(isRegion(2), qPrintable(legend.regionText()));
+        press(legend.previous(), previous);
+        QVERIFY2(isRegion(1), qPrintable(legend.regionText()));
+        QTest::keyClick(&on.window, Qt::Key_B, Qt::ShiftModifier);
+        QVERIFY2(isRegion(count), qPrintable(legend.regionText()));
+    }
+
+    // While A is drawn, badge and title name A.
+    void badgeAndTitleNameWhatIsDrawn() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        const QString badge = on.viewer.origin.text(), title = on.window.windowTitle();
+        QVERIFY2(badge.contains("after") && title.startsWith("after.json"), qPrintable(badge + title));
+        on.viewer.comparing.flip(true);
+        QVERIFY2(on.viewer.origin.text().startsWith(QString::fromUtf8("A · FILE before")), qPrintable(on.viewer.origin.text()));
+        QVERIFY2(on.window.windowTitle().startsWith("A: before.json"), qPrintable(on.window.windowTitle()));
+        on.viewer.comparing.flip(false);
+        QCOMPARE(on.viewer.origin.text(), badge);
+        QCOMPARE(on.window.windowTitle(), title);
+    }
+
     void withoutAnythingKeptTheKeysSaySo() {
         WindowFixture on;
         QVERIFY(on.show() && on.activate());

@@ -87,6 +87,50 @@ private slots:
         QVERIFY(!notice.unfolded());
     }
 
+    // Titles, their buttons and the view cube stay free, also below a note of many lines.
+    void aNoteCoversNoTitleAndNoCube() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_));
+        NoticeBar& notice = on.viewer.notice;
+        auto* cube = on.window.findChild<QWidget*>("view-cube");
+        QTRY_VERIFY(cube->isVisible());
+        const auto isFree = [&](const QWidget& widget) {
+            const QRect bar(notice.mapTo(&on.window, QPoint(0, 0)), notice.size());
+            return !widget.isVisible() || !bar.intersects(QRect(widget.mapTo(&on.window, QPoint(0, 0)), widget.size()));
+        };
+        for (const bool unfolded : {false, true}) {
+            notice.showNotice(NoticeBar::Kind::Warning, QString("a sentence that is long enough for lines ").repeated(20));
+            notice.unfold(unfolded);
+            QTRY_VERIFY(notice.isVisible());
+            QTRY_VERIFY(isFree(*cube));
+            for (const Pane* pane : on.window.findChildren<Pane*>()) QVERIFY2(isFree(*pane->aloneButton()), qPrintable(pane->title()));
+        }
+    }
+
+    // A hint and a success are about one step: they pass with the next one. What is wrong with the scan stays.
+    void aHintPassesWithTheNextStep() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        NoticeBar& notice = on.viewer.notice;
+        notice.hide();
+        const auto step = [&] { on.viewer.undo.push(new QUndoCommand("a step")); };
+        notice.showHint("click nearer");
+        step();
+        QVERIFY(!notice.isVisible());
+        notice.showNotice(NoticeBar::Kind::Done, "Saved");
+        on.viewer.undo.undo();
+        QVERIFY(!notice.isVisible());
+        notice.showNotice(NoticeBar::Kind::Warning, "the scan is old");
+        notice.showHint("click nearer");
+        step();
+        QVERIFY(notice.isVisible());
+        QCOMPARE(notice.text(), QString("the scan is old"));
+        step();
+        QVERIFY(notice.isVisible());
+        QCOMPARE(notice.earlier(), std::size_t{0});
+    }
+
     void noMenuOfTheWindowIsLong() {
         WindowFixture on;
         QVERIFY(on.show());

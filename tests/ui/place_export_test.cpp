@@ -10,6 +10,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
@@ -112,6 +113,58 @@ private slots:
         choice(dialog, "cloud").click();
         choice(dialog, "local").click();
         QCOMPARE(dialog.options().frame, CoordinateFrame::MineLocal);
+    }
+
+    // The dialog says what the numbers in the file count from: those of the file itself.
+    void theNumbersOfTheFileAreNamed() {
+        const auto detection = detectionOf(*files::openScan(placed_));
+        const std::vector<ExportDialog::Format> formats{{"PCD (*.pcd)", ".pcd"}, {"CSV (*.csv)", ".csv"}, {"PLY (*.ply)", ".ply"}};
+        const auto asked = [&](const char* format, const char* frame) {
+            ExportDialog dialog(detection, exports::ExportContent::EdgeCloud);
+            dialog.offerFormats(formats, format);
+            choice(dialog, frame).click();
+            return dialog.findChild<QLabel*>("numbers")->text();
+        };
+        const QString fromOrigin = "The file holds metres from E 620000, N 6200000, RL 250: ";
+        QVERIFY2(asked(".pcd", "mine").startsWith(fromOrigin), qPrintable(asked(".pcd", "mine")));
+        QVERIFY2(asked(".csv", "local").startsWith(fromOrigin), qPrintable(asked(".csv", "local")));
+        QCOMPARE(asked(".csv", "mine"), QString("The file holds Easting, Northing and RL in metres."));
+        QVERIFY2(asked(".ply", "mine").contains("Choose local metres for MeshLab"), qPrintable(asked(".ply", "mine")));
+        QCOMPARE(asked(".ply", "scanner"), QString("The file holds x, y and z in metres from the scanner."));
+        exports::ExportOptions options;
+        options.frame = CoordinateFrame::Mine;
+        options.ascii = true;
+        const auto file = folder_ / "mine.pcd";
+        QVERIFY(bool(exports::exportWithProvenance(exports::ExportContent::EdgeCloud, *detection, file, options)));
+        const QString first = QString::fromStdString(test::fileText(file)).section("DATA ascii\n", 1).section(' ', 0, 0);
+        QVERIFY2(std::abs(first.toDouble()) < 1000, qPrintable(first));
+        ExportDialog dialog(detection, exports::ExportContent::EdgeCloud);
+        dialog.offerFormats(formats, ".pcd");
+        dialog.findChild<QCheckBox*>("doubles")->setChecked(true);
+        QCOMPARE(dialog.numbersText(), QString("The file holds Easting, Northing and RL in metres."));
+        choice(dialog, "gray").click();
+        QCOMPARE(dialog.numbersText(), QString());
+    }
+
+    void whatMeansNothingTogetherCannotBeChosenTogether() {
+        const auto detection = detectionOf(*files::openScan(placed_));
+        ExportDialog dialog(detection, exports::ExportContent::EdgeCloud);
+        dialog.offerFormats({{"PCD (*.pcd)", ".pcd"}, {"Drawing (*.dxf)", ".dxf", true}}, ".dxf");
+        QCOMPARE(dialog.extension(), QString(".dxf"));
+        auto* doubles = dialog.findChild<QCheckBox*>("doubles");
+        auto* release = dialog.findChild<QCheckBox*>("dxf-2000");
+        QVERIFY(!doubles->isEnabled() && release->isEnabled());
+        release->setChecked(true);
+        QVERIFY(dialog.options().choices.dxf2000);
+        choice(dialog, "cloud").click();
+        QCOMPARE(dialog.extension(), QString(".pcd"));
+        const auto* list = dialog.findChild<QComboBox*>("format");
+        QVERIFY(!(list->model()->flags(list->model()->index(1, 0)) & Qt::ItemIsEnabled));
+        QCOMPARE(dialog.filters(), QStringList{"PCD (*.pcd)"});
+        QVERIFY(doubles->isEnabled() && !release->isEnabled());
+        QVERIFY(!dialog.options().choices.dxf2000);
+        choice(dialog, "edges").click();
+        QCOMPARE(dialog.extension(), QString(".dxf"));
     }
 
     void attachedPointsAreCountedWhenTheyAreWanted() {

@@ -8,6 +8,8 @@
 #include "ui/panels/rocks/rock_table.h"
 #include "ui/panels/rocks/rocks_panel.h"
 #include "ui/panels/rocks/size_curve_view.h"
+#include "ui/panels/section/section_card.h"
+#include "ui/panels/section/section_plot.h"
 
 #include <QCheckBox>
 #include <QDockWidget>
@@ -462,6 +464,8 @@ private slots:
             const rocks::Study& study = picture(on).study;
             const auto k = static_cast<std::uint32_t>(picture(on).labels.index(cell->y(), cell->x()));
             if (!rocks::splitAt(*study.segmentation, *study.tree, study.settings.level, k)) continue;
+            // The merged rock is split into what was merged.
+            if (rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, k, study.edits).unjoined) continue;
             const std::size_t regions = study.map.regions.size();
             QTest::keyClick(&on.window, Qt::Key_S);
             QVERIFY(on.viewer.rocks.tool() == RockTool::Split);
@@ -476,6 +480,156 @@ private slots:
             return;
         }
         QFAIL("no rock of the scene can be split");
+    }
+
+    // A click of a tool is a step of undo only where a rock changed, and it sets no target. The numbers of other rocks that changed are
+    // said.
+    void aToolLeavesAStepOnlyWhereSomethingChanged() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const auto count = static_cast<std::uint32_t>(picture(on).study.rocks.size());
+        const std::size_t first = picture(on).rock(1)->cell, last = picture(on).rock(count)->cell;
+        const std::uint32_t cells = picture(on).rock(1)->cells;
+        const Grid<std::uint32_t> before = picture(on).labels;
+        const std::size_t second = picture(on).rock(count - 1)->cell;
+        on.viewer.rocks.select({second, last});
+        on.viewer.rocks.mergeSelected();
+        QVERIFY(settled(on));
+        const std::uint32_t moved = picture(on).labelAt(first);
+        QCOMPARE(moved, std::uint32_t{1});
+        on.viewer.undo.undo();
+        QVERIFY(settled(on));
+        on.viewer.rocks.select({first, last});
+        on.viewer.rocks.mergeSelected();
+        QVERIFY(settled(on));
+        QCOMPARE(on.viewer.undo.index(), 1);
+        // The same again changes nothing.
+        on.viewer.rocks.select({first, last});
+        on.viewer.rocks.mergeSelected();
+        QVERIFY(settled(on));
+        QTRY_COMPARE(on.viewer.undo.count(), 1);
+        QVERIFY(settled(on));
+        QVERIFY2(on.viewer.notice.text().startsWith("No rock changed"), qPrintable(on.viewer.notice.text()));
+        // Split takes them apart again, and no target is set.
+        QTest::keyClick(&on.window, Qt::Key_S);
+        QTest::mouseClick(&on.viewer.views.gray(), Qt::LeftButton, Qt::NoModifier, pixelOn(on, on.viewer.views.gray(), 1));
+        QVERIFY(settled(on));
+        QVERIFY(on.viewer.targets.notebook().empty());
+        QCOMPARE(on.viewer.undo.count(), 2);
+        QVERIFY(picture(on).labels == before);
+        QCOMPARE(picture(on).rockAt(first)->cells, cells);
+        QVERIFY(on.viewer.rocks.edits().empty());
+        // Without the largest rock each other one has another number.
+        on.viewer.rocks.select({first});
+        on.viewer.rocks.callSelected(false);
+        QVERIFY(settled(on));
+        QVERIFY2(on.viewer.notice.text().startsWith(
+                     "Numbers follow size, so other rocks have new ones: 2 is now 1, 3 is now 2, 4 is now 3 and "),
+                 qPrintable(on.viewer.notice.text()));
+    }
+
+    // The part that a split leaves and that is not a rock is said, with the control that shows it.
+    void aPartThatIsNoRockIsSaid() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const rocks::Study& study = picture(on).study;
+        rocks::RockSettings settings = study.settings;
+        for (const rocks::Rock& rock : study.rocks) {
+            const auto family = rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, rock.cell, {});
+            if (family.split == family.nested.region) continue;
+            const std::uint32_t part = family.nested.pieces[family.split].cells;
+            if (part * 2 > rock.cells) continue;
+            settings.minimumCells = static_cast<int>(part) + 1;
+            const std::size_t cell = rock.cell;
+            on.viewer.rocks.useSettings(settings);
+            QVERIFY(settled(on));
+            QVERIFY(picture(on).rockAt(cell) != nullptr);
+            QTest::keyClick(&on.window, Qt::Key_S);
+            on.viewer.views.click(inspect::exactly(cell));
+            QVERIFY(settled(on));
+            QVERIFY2(on.viewer.notice.text().contains(QString("is smaller than “Smallest rock” (%1 cells)").arg(part + 1)),
+                     qPrintable(on.viewer.notice.text()));
+            return;
+        }
+        QFAIL("no rock of the scene has a small part");
+    }
+
+    // The name of a rock goes to the target on it; without one, a target comes with the name and not with the question.
+    void aRockIsNamedByTheTargetOnIt() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const auto named = [&](std::uint32_t label, const QString& name) {
+            QString question;
+            Meanwhile answer([&] {
+                auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+                if (dialog == nullptr) return false;
+                question = dialog->labelText();
+                dialog->setTextValue(name);
+                name.isEmpty() ? dialog->reject() : dialog->accept();
+                return true;
+            });
+            on.viewer.targets.askName(inspect::exactly(picture(on).rock(label)->cell));
+            return question;
+        };
+        QVERIFY(named(1, "").contains("A new target on it, number 1,"));
+        QVERIFY(on.viewer.targets.notebook().empty());
+        named(1, "Bertha");
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{1});
+        named(2, "Anna");
+        QVERIFY(named(1, "Berta").startsWith("Name of target 1"));
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{2});
+        QCOMPARE(on.viewer.targets.notebook().targets.front().name, std::string("Berta"));
+    }
+
+    void selectingSeveralRocksDoesNotMoveTheCloud() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280));
+        QVERIFY(settled(on));
+        const auto place = [&] { return QRect(on.viewer.cloud.mapTo(&on.window, QPoint(0, 0)), on.viewer.cloud.size()); };
+        on.viewer.rocks.select({picture(on).rock(1)->cell});
+        QCoreApplication::processEvents();
+        const QRect one = place();
+        on.viewer.rocks.select({picture(on).rock(1)->cell, picture(on).rock(2)->cell, picture(on).rock(3)->cell});
+        QCoreApplication::sendPostedEvents();
+        QCoreApplication::processEvents();
+        QCOMPARE(place(), one);
+        const RockCard& card = on.viewer.rocksPanel.card();
+        QVERIFY2(card.minimumSizeHint().width() <= 240, qPrintable(QString::number(card.minimumSizeHint().width())));
+    }
+
+    // A section through a rock opens on the rock; its axes are named, and the message of an export counts what is in it.
+    void aSectionThroughARockIsAboutThatRock() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const std::size_t cell = picture(on).rock(3)->cell;
+        on.viewer.rocks.select({cell});
+        on.viewer.sections.throughRock();
+        QTRY_VERIFY(on.viewer.sections.card() != nullptr && on.viewer.sections.card()->isVisible());
+        const SectionPlot& plot = on.viewer.sections.card()->plot();
+        const inspect::SectionPlane& plane = plot.section()->plane;
+        const CartesianTables points(*on.picture().detection->scan);
+        Eigen::AlignedBox2d rock;
+        for (std::size_t k = 0; k < picture(on).labels.size(); ++k) {
+            const Eigen::Vector3d way = points.point(k) - plane.originM;
+            if (picture(on).labelAt(k) == 3) rock.extend(Eigen::Vector2d(way.dot(plane.across), way.dot(plane.up)));
+        }
+        const QRectF shown(plot.placeOf({rock.min().x(), rock.max().y()}), plot.placeOf({rock.max().x(), rock.min().y()}));
+        QVERIFY(QRectF(plot.rect()).contains(shown));
+        QVERIFY2(shown.width() > 0.5 * plot.width() || shown.height() > 0.5 * plot.height(),
+                 qPrintable(QString("%1 x %2 px").arg(shown.width()).arg(shown.height())));
+        QCOMPARE(plot.heights().name, QString("above the scanner [m]"));
+        std::set<std::uint32_t> cut;
+        for (const inspect::SectionLine& line : plot.section()->lines) {
+            for (const inspect::SectionVertex& vertex : line) {
+                if (vertex.rock != 0) cut.insert(vertex.rock);
+            }
+        }
+        const inspect::SectionVertex& vertex = plot.section()->lines.front().front();
+        QVERIFY(std::abs(plot.heights().ofOriginM + vertex.atM.y() - vertex.pointM.z()) < 1e-9);
+        QVERIFY(cut.size() < picture(on).study.rocks.size());
+        on.viewer.sections.exportTo(QString::fromStdString((folder_ / "section.dxf").string()));
+        QTRY_VERIFY2(on.viewer.notice.text().contains(QString(": %1 rocks,").arg(cut.size())), qPrintable(on.viewer.notice.text()));
     }
 
     void aLineJoinsWhatItCrossesAndAnotherCuts() {

@@ -189,8 +189,17 @@ private slots:
         QCOMPARE(scan.rangeMm[targets(on)[1].cell], 18000.0F);
         // The throat: the clicks are on the wall behind, the length is that of the opening.
         on.viewer.measures.start(inspect::MeasureKind::Throat);
+        QSignalSpy words(&on.viewer.measures, &Measures::asked);
+        // A click on the wall in the middle of the void is far behind: its range is said. Two clicks on one wall have no free way.
+        click(gray, 30, 30);
+        QVERIFY2(words.last().front().toString().endsWith("the last click is at 18.00 m"), qPrintable(words.last().front().toString()));
+        QVERIFY(on.viewer.measures.removeLastPick());
+        click(gray, 5, 5);
+        click(gray, 5, 7);
+        QVERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("No free way"), qPrintable(on.viewer.notice.text()));
         click(gray, 30, 19);
         click(gray, 30, 41);
+        QVERIFY(!on.viewer.notice.isVisible()); // the second try is good
         const auto& throat = on.viewer.targets.notebook().measures.back();
         for (const std::uint32_t k : throat.cells) QCOMPARE(scan.rangeMm[k], 5000.0F);
         const auto measured = inspect::measureCells(scan, {}, throat.kind, throat.cells);

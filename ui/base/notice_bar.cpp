@@ -92,15 +92,26 @@ void NoticeBar::showNotice(Kind kind, const QString& text) {
     offerMore();
 }
 
-/// Confirmations are not stored for "earlier", nor notices that the next notice repeats.
+void NoticeBar::showHint(const QString& text) {
+    showNotice(Kind::Warning, text);
+    isHint_ = true;
+}
+
+void NoticeBar::endPassing() {
+    if (isHidden() || (kind_ != Kind::Done && !isHint_)) return;
+    earlier_.empty() ? hide() : showEarlier();
+}
+
+/// Confirmations and hints are not stored for "earlier", nor notices that the next notice repeats.
 void NoticeBar::keepShown() {
-    if (isHidden() || kind_ == Kind::Done || text_->text().isEmpty()) return;
+    if (isHidden() || kind_ == Kind::Done || isHint_ || text_->text().isEmpty()) return;
     earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_});
     if (earlier_.size() > kMostEarlier) earlier_.pop_front();
 }
 
 void NoticeBar::put(const Note& note) {
     kind_ = note.kind;
+    isHint_ = false;
     sign_->setText(kind_ == Kind::Error ? "✕ " + tr("Error") : kind_ == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
     paintKind();
     text_->setText(note.text);

@@ -26,6 +26,11 @@ public:
 
     void showNotice(Kind kind, const QString& text);
     void showError(const Error& error) { showNotice(Kind::Error, exactText(error.sentence())); }
+    /// Of a step that did not succeed, with what to do: it passes with the next step.
+    void showHint(const QString& text);
+    /// A step was made or undone: a hint or a success is no longer about what is on the screen. An earlier note that was not closed is
+    /// shown in its place.
+    void endPassing();
     /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens its folder, and `more` sentences.
     void showSaved(const QString& path, const QString& content = {}, const QString& more = {});
     /// Adds a button to the notice, until the next notice.
@@ -57,6 +62,7 @@ private:
     void offerMore();
 
     Kind kind_ = Kind::Done;
+    bool isHint_ = false;
     std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;
     ElidedLabel* line_; // the text in one line

@@ -91,6 +91,7 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
         emit byDistanceChanged(on);
     });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
+    connect(&legend_, &ChangeLegend::previousRegionRequested, this, &Comparing::previousRegion);
     connect(&engine_, &Engine::streamChanged, this, [this] {
         if (!std::exchange(pairWanted_, false) || files_.demo() != true) return;
         inspect::EarlierScan before{{}, engine_.settings()};
@@ -277,7 +278,7 @@ void Comparing::take(const ComparisonAsked& asked, const Compared& made) {
         const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;
         comparison_ = *made;
         if (otherScans) {
-            region_ = 0;
+            region_.reset();
             QStringList warnings;
             for (const std::string& warning : comparison_->change.earlier.how.warnings) warnings << shownText(warning);
             if (!warnings.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, warnings.join('\n'));
@@ -325,14 +326,17 @@ void Comparing::flip(bool on) {
     emit flipped(on);
 }
 
-void Comparing::nextRegion() {
+const Picture* Comparing::drawnA() const { return views_.flipped() ? pictureA_.get() : nullptr; }
+
+void Comparing::goToRegion(int by) {
     if (!comparison_ || comparison_->change.regions.empty()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("No surface came nearer or went farther: keep a scan as A and open another one."));
         return;
     }
     const auto& regions = comparison_->change.regions;
-    const std::size_t n = region_ % regions.size();
-    region_ = n + 1;
+    const std::size_t count = regions.size();
+    const std::size_t n = region_ ? (*region_ + (by > 0 ? 1 : count - 1)) % count : (by > 0 ? 0 : count - 1);
+    region_ = n;
     const inspect::ChangedRegion& region = regions[n];
     const auto& kinds = comparison_->change.ranges.cells;
     const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
@@ -341,7 +345,7 @@ void Comparing::nextRegion() {
     views_.cloud().lookAtCells(cellsOf(kinds, region));
     legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5,\nvisible %6 m², at %7 m")
                            .arg(n + 1)
-                           .arg(regions.size())
+                           .arg(count)
                            .arg(region.farther ? tr("farther") : tr("nearer"))
                            .arg(region.byM, 0, 'f', 2)
                            .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)

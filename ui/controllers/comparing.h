@@ -37,6 +37,8 @@ public:
     void keep();
     void forget();
     [[nodiscard]] const std::shared_ptr<const Picture>& pictureA() const { return pictureA_; }
+    /// A while it is drawn in place of the engine's picture; else null.
+    [[nodiscard]] const Picture* drawnA() const;
     /// A, as it can be made again; empty: there is none, or it is of no file.
     [[nodiscard]] const std::optional<inspect::EarlierScan>& part() const { return earlier_; }
     void setPart(const std::optional<inspect::EarlierScan>& part);
@@ -61,8 +63,9 @@ public:
     [[nodiscard]] const std::shared_ptr<const Comparison>& comparison() const { return comparison_; }
     /// True if no scan is being read or compared.
     [[nodiscard]] bool settled() const { return !reader_.behind() && !comparer_.behind(); }
-    /// All views zoom to the next changed region, the largest first.
-    void nextRegion();
+    /// All views zoom to the next changed region, the largest first, or to the one before.
+    void nextRegion() { goToRegion(1); }
+    void previousRegion() { goToRegion(-1); }
 
     /// Handles the key that flips while it is pressed.
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -98,6 +101,7 @@ private:
     void show();
     void showLegend();
     [[nodiscard]] bool comparable() const;
+    void goToRegion(int by);
 
     Engine& engine_;
     LinkedViews& views_;
@@ -113,9 +117,9 @@ private:
     bool shown_ = true;
     bool bySurfaces_ = false; ///< the operator lets the surfaces line up A with a scan without a place, or the other way round
     bool byDistance_ = false;
-    bool pairWanted_ = false; ///< the demo after the blast is being opened
-    std::size_t region_ = 0;
-    quint32 heldCode_ = 0; ///< of the flip key while it is pressed
+    bool pairWanted_ = false;           ///< the demo after the blast is being opened
+    std::optional<std::size_t> region_; ///< the changed region that the views zoomed to last
+    quint32 heldCode_ = 0;              ///< of the flip key while it is pressed
     std::unique_ptr<Works::Running> readingWork_, comparingWork_;
     std::shared_ptr<const Comparison> last_; // used only by compare()
     Derived<Reading, Read> reader_;

@@ -4,6 +4,7 @@
 #include "core/files/open_save/save_scan.h"
 #include "core/files/open_save/sidecar_grid.h"
 #include "core/inspect/measure/cell_target.h"
+#include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
@@ -23,6 +24,19 @@
 #include <optional>
 
 namespace edgescan::ui {
+
+namespace {
+
+/// RL where the scan has a place in the mine, else the height above the scanner.
+SectionHeights heightsOf(const Scan& scan, const inspect::SectionPlane& plane) {
+    if (scan.placement) {
+        const Eigen::Vector3d origin = localMinePoint(scan, scan.lines() / 2, scan.beams() / 2, plane.originM);
+        return {origin.z() + scan.placement->originEnhM.z(), Sections::tr("RL [m]")};
+    }
+    return {(plane.originM - CartesianTables(scan).sensor()).dot(plane.up), Sections::tr("above the scanner [m]")};
+}
+
+} // namespace
 
 Sections::Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& targets, NoticeBar& notice, Preferences& preferences)
     : engine_(engine), views_(views), rocks_(rocks), targets_(targets), notice_(notice), preferences_(preferences),
@@ -112,7 +126,7 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
         connect(&card_->plot(), &SectionPlot::hovered, this, [this](std::size_t cell) { views_.pointAt(cell); });
     }
     picture_ = question.picture;
-    card_->plot().show(section, question.aboutM);
+    card_->plot().show(section, question.aboutM, heightsOf(*question.picture->detection->scan, section->plane));
     QString words = tr("Vertical plane, true scale. Edges green%1.").arg(question.rocks ? tr(", rocks in colours") : QString());
     if (section->plane.upAssumed) words += " " + tr("▲ no pose: up is the scanner's z");
     card_->setWords(words);

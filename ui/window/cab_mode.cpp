@@ -76,7 +76,7 @@ void CabMode::connectHead() {
     connect(head.cancel(), &QToolButton::clicked, &window_.viewer().engine.works(), &Works::cancel);
     connect(head.locked(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.locked(), &HoldButton::releasedEarly, this,
-            [this] { window_.viewer().notice.showNotice(NoticeBar::Kind::Warning, tr("Hold Locked for one second to leave cab mode.")); });
+            [this] { window_.viewer().notice.showHint(tr("Hold Locked for one second to leave cab mode.")); });
     cancelSoon_.setSingleShot(true);
     cancelSoon_.setInterval(kCancelAfterMs);
     connect(&cancelSoon_, &QTimer::timeout, this, &CabMode::showWork);
@@ -173,7 +173,8 @@ void CabMode::showWork() {
 void CabMode::showScan() {
     if (!on_) return;
     const Picture* picture = window_.viewer().engine.picture().get();
-    const PictureOrigin origin = originOf(window_.viewer().engine, window_.viewer().live.scanner());
+    const PictureOrigin origin =
+        originOfDrawn(window_.viewer().engine, window_.viewer().live.scanner(), window_.viewer().comparing.drawnA());
     badge_->showState(origin.sign, origin.badge);
     badge_->setToolTip(origin.more);
     const QStringList warnings = window_.viewer().warnings.warnings();

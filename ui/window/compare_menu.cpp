@@ -39,6 +39,7 @@ Command compareMenu(Comparing& comparing) {
                        QObject::connect(&comparing, &Comparing::byDistanceChanged, &action, &QAction::setChecked);
                    }),
             linked(command("&Next Changed Region", "Shift+N", [&comparing] { comparing.nextRegion(); }), whileKept),
+            linked(command("&Previous Changed Region", "Shift+B", [&comparing] { comparing.previousRegion(); }), whileKept),
             kLine,
             linked(command("&Forget A", "", [&comparing] { comparing.forget(); }), whileKept),
         });

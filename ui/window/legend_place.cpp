@@ -29,6 +29,13 @@ bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
     return false;
 }
 
+/// True if the pointer is over a plate of the layout.
+bool hasPointer(const CloudView& cloud) {
+    const auto plates = cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly);
+    return std::ranges::any_of(
+        plates, [&](ViewPlate* plate) { return plate->isVisible() && cloud.layout()->indexOf(plate) >= 0 && plate->underMouse(); });
+}
+
 } // namespace
 
 void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
@@ -45,10 +52,12 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
         if (!label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true)) fitLegends(0);
         const bool right = !label.isEmpty() && isCovered(cloud, label, false) && !isCovered(cloud, label, true);
         QLayout* over = cloud.layout();
+        const bool stays = hasPointer(cloud); // no button moves away from under the pointer
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
         for (int n = 0; n < over->count(); ++n) {
             QWidget* plate = over->itemAt(n)->widget();
-            if (qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side) over->setAlignment(plate, side);
+            if (!stays && qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side)
+                over->setAlignment(plate, side);
         }
         over->activate(); // the scale avoids the legends where they are now
         if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label);

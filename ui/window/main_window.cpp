@@ -199,6 +199,7 @@ void MainWindow::layOutViews() {
     column->addWidget(&viewer_.timeline);
     viewer_.notice.setParent(centre);
     keepOverViews(viewer_.notice, *splitter_);
+    connect(&viewer_.undo, &QUndoStack::indexChanged, &viewer_.notice, &NoticeBar::endPassing);
     cab_ = new CabMode(*this, centre);
     addTour(*this, *top);
     addManualKey(*this);
@@ -253,7 +254,7 @@ void MainWindow::layOutTools() {
 }
 
 void MainWindow::showOrigin() {
-    const PictureOrigin origin = originOf(viewer_.engine, viewer_.live.scanner());
+    const PictureOrigin origin = originOfDrawn(viewer_.engine, viewer_.live.scanner(), viewer_.comparing.drawnA());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(viewer_.origin.text() + "\n" + origin.more);
     const QWidget& place = *viewer_.origin.parentWidget();
@@ -261,8 +262,8 @@ void MainWindow::showOrigin() {
     const int around = 2 * (looks.pixelMetric(QStyle::PM_ToolBarItemMargin) + looks.pixelMetric(QStyle::PM_ToolBarFrameWidth));
     constexpr int kLeastFrame = 8; // px, of its bar
     viewer_.tools.reserve(place.sizeHint().width() + std::max(kLeastFrame, around));
-    arrange(); // the badge has another width
-    viewer_.targets.setSource(origin.badge);
+    arrange();                                                                         // the badge has another width
+    viewer_.targets.setSource(originOf(viewer_.engine, viewer_.live.scanner()).badge); // also while A is drawn
     emit originShown();
 }
 
@@ -274,6 +275,10 @@ void MainWindow::connectEngine() {
     });
     connect(&viewer_.statusLine, &StatusLine::cancelRequested, &works, &Works::cancel);
     connect(&viewer_.engine, &Engine::replacingChanged, this, [this] {
+        showOrigin();
+        showTitle();
+    });
+    connect(&viewer_.comparing, &Comparing::flipped, this, [this] {
         showOrigin();
         showTitle();
     });
@@ -303,7 +308,10 @@ void MainWindow::connectEngine() {
 void MainWindow::showTitle() {
     if (!viewer_.engine.picture()) return;
     const QString arriving = viewer_.engine.replacing() ? tr("Opening another scan · still shown: ") : QString();
-    setWindowTitle(arriving + titleOf(*viewer_.engine.picture()->detection->scan) + viewer_.files.placeInSeries() + " - EdgeScan");
+    const Picture* a = viewer_.comparing.drawnA();
+    const QString drawn = a != nullptr ? "A: " + titleOf(*a->detection->scan)
+                                       : titleOf(*viewer_.engine.picture()->detection->scan) + viewer_.files.placeInSeries();
+    setWindowTitle(arriving + drawn + " - EdgeScan");
 }
 
 void MainWindow::showWarnings() { viewer_.warnings.showWarnings(warningsOf(*viewer_.engine.picture())); }

@@ -2,37 +2,67 @@
 #include "ui/window/notice_place.h"
 
 #include "ui/base/notice_bar.h"
+#include "ui/base/pane.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/view_cube.h"
 
 #include <QEvent>
 #include <QLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
 
 class NoticePlace : public QObject {
 public:
-    NoticePlace(NoticeBar& notice, QWidget& views) : QObject(&notice), notice_(notice), views_(views) {
+    NoticePlace(NoticeBar& notice, QWidget& views)
+        : QObject(&notice), notice_(notice), views_(views), cloud_(views.findChild<CloudView*>()) {
         for (QObject* watched : {static_cast<QObject*>(&notice), static_cast<QObject*>(&views)}) watched->installEventFilter(this);
+        if (auto* cloud = views.findChild<CloudView*>()) cloud->installEventFilter(this);
+        for (QWidget* pane : views.findChildren<Pane*>()) pane->installEventFilter(this); // they move when images and cloud share otherwise
     }
     bool eventFilter(QObject* watched, QEvent* event) override {
         const auto type = event->type();
-        if (watched == &views_ ? type == QEvent::Resize || type == QEvent::Move : type == QEvent::LayoutRequest || type == QEvent::Show)
-            place();
+        const bool isPlaced = type == QEvent::Resize || type == QEvent::Move;
+        if (watched == &notice_ ? type == QEvent::LayoutRequest || type == QEvent::Show : isPlaced) place();
+        if (watched == cloud_ && (type == QEvent::ShowToParent || type == QEvent::HideToParent)) place();
+        if (watched == cube_ && (type == QEvent::Show || type == QEvent::Hide)) place();
         return false;
     }
 
 private:
-    /// As high as its text needs at this width, and no higher than the views.
+    /// Below the titles of the panes, and next to the view cube on its wider side: title, buttons and cube stay free. As high as its text
+    /// needs at this width, and no higher than the views.
     void place() {
-        const int width = views_.width();
-        notice_.setGeometry(views_.x(), views_.y(), width, std::min(notice_.layout()->heightForWidth(width), views_.height()));
+        int top = 0;
+        const bool isCovered = cloud_ != nullptr && cloud_->isHidden(); // by the start page, which is below the notice
+        for (const Pane* pane : views_.findChildren<Pane*>()) {
+            const QPoint at = pane->mapTo(&views_, QPoint(0, 0));
+            if (!isCovered && pane->isVisible() && at.y() == 0) top = std::max(top, pane->content()->mapTo(&views_, QPoint(0, 0)).y());
+        }
+        QRect place = rectAt(0, views_.width(), top);
+        auto* cube = views_.findChild<ViewCube*>();
+        if (cube != nullptr && std::exchange(cube_, cube) != cube) cube->installEventFilter(this);
+        if (cube != nullptr && cube->isVisible()) {
+            const QRect taken(cube->mapTo(&views_, QPoint(0, 0)), cube->size());
+            const int after = taken.right() + 1;
+            if (place.intersects(taken))
+                place = taken.left() >= views_.width() - after ? rectAt(0, taken.left(), top) : rectAt(after, views_.width(), top);
+        }
+        notice_.setGeometry(place.translated(views_.pos()));
         notice_.raise();
+    }
+    [[nodiscard]] QRect rectAt(int left, int right, int top) const {
+        const int width = right - left;
+        return {left, top, width, std::min(notice_.layout()->heightForWidth(width), views_.height() - top)};
     }
 
     NoticeBar& notice_;
     QWidget& views_;
+    const CloudView* cloud_;
+    ViewCube* cube_ = nullptr; // watched
 };
 
 } // namespace

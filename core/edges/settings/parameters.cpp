@@ -72,7 +72,7 @@ const std::vector<Parameter>& table() {
          0, 3, 0.05, 2, EDGESCAN_NUMBER(Settings, growthPercent), 3, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Responses},
         {"crease", "Crease angle", "degrees", "Smallest fold of the surface that is an edge.",
          15, 90, 1, 0, EDGESCAN_NUMBER(Settings, creaseDeg), 90, kNoAuto, !kAdvanced, {}, !kSeveral, readers<kReadsCreases>, Stage::Responses},
-        {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped.",
+        {"min-length", "Minimum length", "cells", "Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.",
          1, 50, 1, 0, EDGESCAN_NUMBER(Settings, minimumLength), 50, kNoAuto, !kAdvanced, {}, !kSeveral, surface, Stage::Edges},
         {"classes", "Classes", "", "Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.",
          0, 63, 1, 0, EDGESCAN_NUMBER(Settings, classes), 63, kNoAuto, !kAdvanced, kClasses, kSeveral, readers<kReadsClasses>, Stage::Edges},

@@ -173,7 +173,8 @@ Format dxfFormat() {
             .read = readingOf<dxfPoints>,
             .write = dxfBytes,
             .keeps = Keeps::Points,
-            .inFloats = {"LibreCAD"}};
+            .inFloats = {"LibreCAD"},
+            .drawsEdges = true};
 }
 
 } // namespace edgescan::files

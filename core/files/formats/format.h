@@ -37,6 +37,7 @@ struct Format {
     bool aboutOrigin = false; ///< mine coordinates are 4-byte metres from their origin, which the file holds, unless doubles are asked for
     std::vector<const char*> inFloats{}; ///< programs that read its coordinates into 4-byte numbers
     bool writesByLines = false;          ///< `write` makes the columns that are to be made later (CloudColumns::linesLater) as it writes
+    bool drawsEdges = false;             ///< a drawing of edge lines: the window does not offer it for all points
     bool placesItself = false;           ///< pose and calibration are taken into account by `read`
 };
 

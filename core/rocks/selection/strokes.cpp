@@ -46,12 +46,60 @@ std::optional<Edit> cutAlong(const Segmentation& segments, const RegionMap& map,
     return Edit{EditKind::Cut, stroke};
 }
 
-WheelPieces wheelPiecesAt(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
+namespace {
+
+/// Whether at least two cells of a join are in the region.
+bool joins(const Edit& edit, const Segmentation& segments, const std::vector<std::uint32_t>& region) {
+    if (edit.kind != EditKind::Join) return false;
+    return std::ranges::count_if(edit.cells, [&](std::uint32_t k) {
+               return k < segments.segment.size() && std::ranges::binary_search(region, segments.segment[k]);
+           }) >= 2;
+}
+
+/// The pieces of the part at `k` as it was before edits joined it, the part itself last. Empty: no edit joined anything to it.
+struct JoinedPart {
+    std::vector<NestedPiece> pieces;
+    std::vector<Edit> unjoined;
+};
+std::optional<JoinedPart> joinedPartAt(const Segmentation& segments, const std::vector<std::uint32_t>& region, double level,
+                                       std::uint32_t k, std::span<const Edit> edits) {
+    std::vector<Edit> others;
+    for (const Edit& edit : edits) {
+        if (!joins(edit, segments, region)) others.push_back(edit);
+    }
+    if (others.size() == edits.size()) return std::nullopt;
+    const MergeTree before = mergeTree(segments.count(), segments.borders, pairsOf(segments, others));
+    NestedPieces all = nestedPieces(segments, before, level, k, 0);
+    JoinedPart part;
+    part.pieces.assign(all.pieces.begin(), all.pieces.begin() + static_cast<std::ptrdiff_t>(all.region) + 1);
+    const std::vector<std::uint32_t>& own = part.pieces.back().segments;
+    if (std::ranges::includes(own, region)) return std::nullopt;
+    for (Edit edit : edits) {
+        if (joins(edit, segments, region))
+            std::erase_if(edit.cells, [&](std::uint32_t cell) {
+                return cell < segments.segment.size() && std::ranges::binary_search(own, segments.segment[cell]);
+            });
+        if (edit.kind != EditKind::Join || edit.cells.size() >= 2) part.unjoined.push_back(std::move(edit));
+    }
+    return part;
+}
+
+} // namespace
+
+WheelPieces wheelPiecesAt(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k, std::span<const Edit> edits,
+                          std::size_t mostLarger) {
     WheelPieces family;
     NestedPieces all = nestedPieces(segments, tree, level, k, mostLarger);
-    const std::size_t split = bestSplit(all);
+    if (all.pieces.empty()) return family;
+    std::size_t split = bestSplit(all);
+    if (auto joined = joinedPartAt(segments, all.pieces[all.region].segments, level, k, edits)) {
+        split = joined->pieces.size() - 1;
+        family.unjoined = std::move(joined->unjoined);
+        joined->pieces.insert(joined->pieces.end(), all.pieces.begin() + static_cast<std::ptrdiff_t>(all.region), all.pieces.end());
+        all = {std::move(joined->pieces), split + 1};
+    }
     for (std::size_t n = 0; n < all.pieces.size(); ++n) {
-        if (n < all.region && all.pieces[n].cells < kFewestSplit) continue;
+        if (n < all.region && n != split && all.pieces[n].cells < kFewestSplit) continue;
         if (n == all.region) family.nested.region = family.nested.pieces.size();
         if (n == split) family.split = family.nested.pieces.size();
         family.nested.pieces.push_back(std::move(all.pieces[n]));

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace edgescan::rocks {
@@ -16,13 +17,18 @@ namespace edgescan::rocks {
 /// A line along which pieces are cut. Empty if the line is outside of all regions.
 [[nodiscard]] std::optional<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke);
 
-/// The pieces that the wheel steps through at a cell: those around it with 50 or more cells, and its region at the current level.
+/// The pieces that the wheel steps through at a cell: those around it with 50 or more cells, and its region at the current level. Where
+/// edits joined the region, the part at the cell as it was before is one of them, and smaller pieces are those of that part.
 struct WheelPieces {
     NestedPieces nested;
-    std::size_t split = 0; ///< index of the piece that splitAt() would split off; that of the region if there is no such piece
+    /// index of the piece that a click splits off: the joined part, else the piece of splitAt(); that of the region if there is no such
+    /// piece
+    std::size_t split = 0;
+    std::optional<std::vector<Edit>> unjoined{}; ///< all edits, without what joins the part `split` to the others; empty: nothing does
 };
-/// At most `mostLarger` pieces are larger than the region. Without pieces if the cell does not belong to a segment.
+/// At most `mostLarger` pieces are larger than the region. Without pieces if the cell does not belong to a segment. `edits`: those that the
+/// tree was made with.
 [[nodiscard]] WheelPieces wheelPiecesAt(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k,
-                                        std::size_t mostLarger = 8);
+                                        std::span<const Edit> edits, std::size_t mostLarger = 8);
 
 } // namespace edgescan::rocks

@@ -66,7 +66,7 @@ void Exports::setSelection(const std::vector<std::uint32_t>& cells) {
 
 void Exports::askSelected() {
     if (selection_) return askOf(exports::ExportContent::FullCloud, true);
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
+    notice_.showHint(tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
 }
 
 void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
@@ -79,7 +79,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
     std::vector<ExportDialog::Format> formats;
     for (const files::Format& each : files::formats()) {
         if (each.write == nullptr) continue;
-        for (const char* extension : each.writes) formats.push_back({filterOf(each, {extension}), extension});
+        for (const char* extension : each.writes) formats.push_back({filterOf(each, {extension}), extension, each.drawsEdges});
     }
     dialog.offerFormats(formats, preferences_.text("export/extension", ".pcd"));
     if (dialog.exec() != QDialog::Accepted) return;
@@ -93,7 +93,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
     if (!cloud)
         question.filters << tr("PNG picture (*.png)");
     else
-        for (const ExportDialog::Format& each : formats) question.filters << each.filter;
+        question.filters = dialog.filters();
     // The provenance record of the file is replaced too.
     question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
     const QString path = askWhereToSave(notice_.window(), question);

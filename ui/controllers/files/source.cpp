@@ -99,4 +99,11 @@ PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner) {
     return origin;
 }
 
+PictureOrigin originOfDrawn(const Engine& engine, const ScannerLink& scanner, const Picture* a) {
+    if (a == nullptr) return originOf(engine, scanner);
+    PictureOrigin origin = originOf(a, scanner);
+    origin.badge = "A · " + origin.badge;
+    return origin;
+}
+
 } // namespace edgescan::ui

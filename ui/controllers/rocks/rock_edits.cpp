@@ -2,6 +2,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
+#include "ui/panels/rocks/change_words.h"
 #include "ui/panels/rocks/rocks_panel.h"
 
 #include <algorithm>
@@ -69,16 +70,43 @@ void Rocks::setOperatorEdits(const OperatorEdits& byHand) {
 }
 
 void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after) {
-    undo_.push(new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), [this, stream = stream_](const OperatorEdits& value) {
+    auto* step = new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), [this, stream = stream_](const OperatorEdits& value) {
         if (stream_ == stream) setOperatorEdits(value);
         return stream_ == stream; // else the scan was closed, and its edits with it
-    }));
+    });
+    newestEdit_ = step;
+    undo_.push(step);
 }
 
 void Rocks::push(const QString& name, rocks::Edit edit) {
-    OperatorEdits after = operatorEdits();
-    after.edits.push_back(std::move(edit));
-    pushOperatorEdits(name, std::move(after));
+    std::vector<rocks::Edit> edits = edits_;
+    edits.push_back(std::move(edit));
+    pushEdits(name, std::move(edits));
+}
+
+/// What the step changed is judged when its rocks are known; before, this only is known of those on the screen that have all edits so far.
+void Rocks::pushEdits(const QString& name, std::vector<rocks::Edit> edits) {
+    const bool known = picture_ && !ofAnotherPicture() && picture_->study.edits == edits_ && picture_->study.settings == settings_;
+    judgedFrom_ = known ? picture_ : nullptr;
+    pushOperatorEdits(name, {std::move(edits), settings_.region});
+}
+
+/// A step that changed no rock is taken back. Else it is said which rocks have another number now, and which part is not a rock.
+void Rocks::judgeEdit() {
+    if (!judgedFrom_ || picture_->study.edits != edits_ || picture_->study.edits == judgedFrom_->study.edits) return;
+    const auto before = std::exchange(judgedFrom_, nullptr);
+    if (before->detection != picture_->detection || before->study.settings != picture_->study.settings) return;
+    const rocks::RegionChanges changes =
+        rocks::regionChanges(*before->study.segmentation, before->study.map, *picture_->study.segmentation, picture_->study.map);
+    if (!changes.any) {
+        if (undo_.index() > 0 && undo_.command(undo_.index() - 1) == newestEdit_) {
+            newestEdit_->setObsolete(true); // undo() removes it from the stack
+            undo_.undo();
+        }
+        return notice_.showHint(tr("No rock changed, so there is no step to undo: click or draw on another part of the rock."));
+    }
+    const QString words = changeWords(changes, *picture_);
+    if (!words.isEmpty()) notice_.showNotice(changes.lost.empty() ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, words);
 }
 
 void Rocks::mergeSelected() {
@@ -88,7 +116,7 @@ void Rocks::mergeSelected() {
         if (picture_->regionAt(cell) != nullptr) join.cells.push_back(static_cast<std::uint32_t>(cell));
     }
     if (join.cells.size() < 2) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was merged: select two rocks or more with Ctrl+click, or in the table."));
+        notice_.showHint(tr("Nothing was merged: select two rocks or more with Ctrl+click, or in the table."));
         return;
     }
     select({selected_.back()});

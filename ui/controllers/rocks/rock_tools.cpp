@@ -26,6 +26,7 @@ void Rocks::useTool(RockTool tool) {
     const RockTool before = std::exchange(tool_, tool);
     if (before != tool) {
         drag_.want(wantedBy(tool));
+        views_.setPinsOnClick(tool == RockTool::None); // a click of a tool changes rocks and no target
         views_.setTrail({});
         familyPicture_ = nullptr;
         if (before == RockTool::Split) showSelection();
@@ -37,7 +38,7 @@ void Rocks::choosePieceAt(std::size_t cell) {
     const Grid<std::uint32_t>& leaf = picture_->study.segmentation->segment;
     if (familyPicture_ == picture_ && leaf[familyCell_] == leaf[cell]) return;
     const rocks::Study& study = picture_->study;
-    family_ = rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, static_cast<std::uint32_t>(cell));
+    family_ = rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, static_cast<std::uint32_t>(cell), study.edits);
     familyPicture_ = picture_;
     familyCell_ = cell;
     piece_ = family_.split;
@@ -76,15 +77,20 @@ void Rocks::showPiece(const QObject* from) {
 void Rocks::splitAt(std::size_t cell) {
     if (picture_->regionAt(cell) == nullptr) {
         useTool(RockTool::None);
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: click on a rock, on the part that is a rock of its own."));
+        notice_.showHint(tr("Nothing was split: click on a rock, on the part that is a rock of its own."));
         return;
     }
     choosePieceAt(cell);
     const bool isLarger = piece_ > family_.nested.region;
     rocks::Edit edit = family_.nested.pieces[piece_].edit;
+    const auto unjoined = piece_ == family_.split ? family_.unjoined : std::nullopt;
     useTool(RockTool::None);
+    if (unjoined) {
+        select({cell});
+        return pushEdits(stepName("split of a rock"), *unjoined);
+    }
     if (edit.cells.empty()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was split: this rock is one piece without a line that separates parts."));
+        notice_.showHint(tr("Nothing was split: this rock is one piece without a line that separates parts."));
         return;
     }
     select({cell});
@@ -102,12 +108,12 @@ void Rocks::takeStroke(const std::vector<QPoint>& cells) {
     const rocks::Study& study = picture_->study;
     if (tool == RockTool::Join) {
         if (auto join = rocks::joinAlong(*study.segmentation, study.map, stroke)) return push(stepName("merge of rocks"), std::move(*join));
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was joined: draw the line from one rock over the crack into the next."));
+        notice_.showHint(tr("Nothing was joined: draw the line from one rock over the crack into the next."));
     }
     if (tool == RockTool::Cut) {
         auto cut = stroke.size() < 2 ? std::nullopt : rocks::cutAlong(*study.segmentation, study.map, stroke);
         if (cut) return push(stepName("cut of a rock"), std::move(*cut));
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing was cut: draw the line through a rock, from one side to the other."));
+        notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other."));
     }
 }
 
@@ -117,7 +123,7 @@ void Rocks::takeRegion(const std::vector<QPoint>& cells) {
     OperatorEdits after = operatorEdits();
     after.region = rocks::regionOfDrawing(drawn);
     if (after.region.empty())
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no region yet: draw the line round what counts, in one of the images."));
+        notice_.showHint(tr("There is no region yet: draw the line round what counts, in one of the images."));
     else
         pushOperatorEdits(stepName("region of interest"), std::move(after));
 }

@@ -102,6 +102,7 @@ void Rocks::forget() {
     picture_ = nullptr;
     asked_ = nullptr;
     familyPicture_ = nullptr;
+    judgedFrom_ = nullptr;
     selected_.clear();
     point(std::nullopt, nullptr);
     show();
@@ -165,6 +166,7 @@ void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
     if (!on_ || !engine_.picture() || (finder_.behind() && picture->detection->scan != engine_.picture()->detection->scan)) return;
     picture_ = picture;
     show();
+    judgeEdit();
     emit rocksShown();
 }
 

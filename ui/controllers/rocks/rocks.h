@@ -19,6 +19,7 @@
 #include <vector>
 
 class QMenu;
+class QUndoCommand;
 class QUndoStack;
 
 namespace edgescan::ui {
@@ -125,7 +126,9 @@ private:
     void click(const inspect::MeantCell& click);
     void splitAt(std::size_t cell);
     void push(const QString& name, rocks::Edit edit);
+    void pushEdits(const QString& name, std::vector<rocks::Edit> edits);
     void pushOperatorEdits(const QString& name, OperatorEdits after);
+    void judgeEdit();
     void takePreset(const rocks::Preset& preset);
     void takeStroke(const std::vector<QPoint>& cells);
     void takeRegion(const std::vector<QPoint>& cells);
@@ -159,7 +162,9 @@ private:
     std::shared_ptr<const RockPicture> familyPicture_;
     std::size_t familyCell_ = 0;
     rocks::WheelPieces family_;
-    std::size_t piece_ = 0; // index in the family
+    std::size_t piece_ = 0;                         // index in the family
+    std::shared_ptr<const RockPicture> judgedFrom_; // the rocks before the newest edit, until those after it are known
+    QUndoCommand* newestEdit_ = nullptr;            // of the undo stack, while it is there
     // Turning on without a pause is one step of undo: the number of the last one, what it turned, and when.
     int turn_ = 0;
     QString turned_;

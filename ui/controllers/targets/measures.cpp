@@ -77,9 +77,8 @@ bool Measures::removeLastPick() {
 
 void Measures::pick(const inspect::MeantCell& click) {
     if (!views_.shown() || views_.shown()->detection->scan->state[click.cell] != CellState::Valid) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.")
-                               .arg(inspect::kSnapReach));
+        notice_.showHint(tr("Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.")
+                             .arg(inspect::kSnapReach));
         return;
     }
     picked_.push_back(click);
@@ -98,8 +97,7 @@ void Measures::keepPicked() {
     if (kind_ == inspect::MeasureKind::Throat) {
         const auto ends = inspect::narrowestBetween(scan, CartesianTables(scan), cells[0], cells[1]);
         if (!ends) {
-            notice_.showNotice(
-                NoticeBar::Kind::Warning,
+            notice_.showHint(
                 tr("No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of "
                    "an opening.")
                     .arg(std::abs(scan.rangeMm[cells[0]] - scan.rangeMm[cells[1]]) / 1000.0, 0, 'f', 2));
@@ -111,10 +109,9 @@ void Measures::keepPicked() {
     const auto measured = inspect::measureCells(scan, {}, *kind_, cells);
     targets_.keepMeasure({*kind_, std::move(cells), std::move(clicked)});
     if (measured && measured->behindM > 0.0)
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("An end of this measurement is %1 m behind the surface under its line: check where its "
-                              "ends are, and click again on the near side if that was meant.")
-                               .arg(measured->behindM, 0, 'f', 2));
+        notice_.showHint(tr("An end of this measurement is %1 m behind the surface under its line: check where its "
+                            "ends are, and click again on the near side if that was meant.")
+                             .arg(measured->behindM, 0, 'f', 2));
 }
 
 void Measures::show() {
@@ -127,7 +124,10 @@ void Measures::show() {
         if (link.first < picked_.size() && link.second < picked_.size()) draft.links.push_back(link);
     }
     targets_.showDraft(draft);
-    emit asked(wordsFor(*kind_, picked_.size()));
+    QString words = wordsFor(*kind_, picked_.size());
+    if (!picked_.empty() && views_.shown()) // a rim that is far behind the opening that was meant shows by its range
+        words += tr(" · the last click is at %1 m").arg(views_.shown()->detection->scan->rangeMm[picked_.back().cell] / 1000.0, 0, 'f', 2);
+    emit asked(words);
 }
 
 } // namespace edgescan::ui

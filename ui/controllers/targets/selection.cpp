@@ -142,7 +142,7 @@ bool Selection::needSelection() {
         if (inspect::CellSet rocks = cellsOfRocks(rocks_); !rocks.empty()) select(std::move(rocks));
     }
     if (!state_.selected.empty()) return true;
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
+    notice_.showHint(tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
     return false;
 }
 

@@ -42,10 +42,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
     connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
         auto* rock = menu.findChild<QMenu*>(kRockMenu);
         if (rock == nullptr) return;
-        rock->addAction(tr("Na&me…"), this, [this, click] { // the name is that of a target on it
-            views_.pinByClick(click);
-            if (const inspect::PinnedTarget* target = active()) askName(*target);
-        });
+        rock->addAction(tr("Na&me…"), this, [this, click] { askName(click); });
         rock->addAction(tr("Meas&ure from Here"), this, [this, click] { emit measureRequested(click.cell); });
     });
     connect(&rocks_, &Rocks::rocksShown, this, &Targets::showCard);
@@ -150,13 +147,16 @@ void Targets::pin(std::size_t cell) {
     target.clicked = clicked;
     target.pinnedUtc = utcText(utcNow());
     after.targets.push_back(target);
-    if (onRock) rockPin_ = target.number;
+    if (onRock) {
+        rockPin_ = target.number;
+        rockMoves_ = nextDrag();
+    }
     change(stepName("Pin %1", target.number), std::move(after));
     emit pinned();
 }
 
 /// Clicking through the rocks does not leave a target on each: the last target that a click set on a rock moves with the clicks, until it
-/// is locked or named.
+/// is locked or named. Its moves are one step of undo.
 bool Targets::moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked) {
     inspect::Notebook after = notebook_;
     inspect::PinnedTarget* target = numbered(after, rockPin_);
@@ -165,7 +165,9 @@ bool Targets::moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked
     target->clicked = clicked;
     target->pinnedUtc = utcText(utcNow());
     target->asPinned.clear();
-    change(stepName("Move %1", target->number), std::move(after));
+    const QString name = stepName("Move %1", target->number);
+    undo_.push(new UndoStep<inspect::Notebook>(
+        rockMoves_, [name](const inspect::Notebook&, const inspect::Notebook&) { return name; }, notebook_, std::move(after), useHere()));
     return true;
 }
 
@@ -181,15 +183,32 @@ void Targets::removeAll() {
     if (after != notebook_) change(stepName("Remove All"), std::move(after));
 }
 
-// In a dialog of its own: the card may be behind the rock table or folded.
-void Targets::askName(const inspect::PinnedTarget& target) {
-    const int number = target.number;
+/// The target on the rock at this cell that has its name, else any target on it; null: the rock has no target.
+const inspect::PinnedTarget* Targets::onRockAt(std::size_t cell) const {
+    const std::uint32_t label = rocks_.picture() ? rocks_.picture()->labelAt(cell) : 0;
+    const inspect::PinnedTarget* found = nullptr;
+    for (const inspect::PinnedTarget& target : notebook_.targets) {
+        if (label == 0 || rocks_.picture()->labelAt(target.cell) != label) continue;
+        if (found == nullptr || (found->name.empty() && !target.name.empty())) found = &target;
+    }
+    return found;
+}
+
+// In a dialog of its own: the card may be behind the rock table or folded. A rock without a target gets one with its name, not before.
+void Targets::askName(const inspect::MeantCell& click) {
+    const std::size_t cell = rocks_.rockCellAt(click).value_or(click.cell);
+    const inspect::PinnedTarget* target = onRockAt(cell);
+    const int number = target != nullptr ? target->number : inspect::nextNumber(notebook_);
     QInputDialog dialog(panel_.window());
     dialog.setWindowTitle(tr("Name of a rock"));
-    dialog.setLabelText(tr("Name of target %1, which is on this rock:").arg(number));
-    dialog.setTextValue(shownName(exactText(target.name)));
+    dialog.setLabelText(target != nullptr ? tr("Name of target %1, which is on this rock:").arg(number)
+                                          : tr("Name of this rock. A new target on it, number %1, holds the name:").arg(number));
+    dialog.setTextValue(target != nullptr ? shownName(exactText(target->name)) : QString());
     if (auto* field = dialog.findChild<QLineEdit*>()) field->setMaxLength(panel_.card().name()->maxLength());
-    if (dialog.exec() == QDialog::Accepted) rename(number, dialog.textValue().simplified());
+    if (dialog.exec() != QDialog::Accepted) return;
+    const QString name = dialog.textValue().simplified();
+    if (onRockAt(cell) == nullptr && !name.isEmpty()) views_.pinByClick(cell == click.cell ? click : inspect::exactly(cell));
+    if (const inspect::PinnedTarget* named = onRockAt(cell)) rename(named->number, name);
 }
 
 void Targets::rename(int number, const QString& name) {
@@ -243,10 +262,15 @@ void Targets::setPart(const inspect::TargetsPart& part) {
 }
 
 void Targets::change(const QString& what, inspect::Notebook after) {
-    undo_.push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), [this, key = key_](const inspect::Notebook& value) {
+    undo_.push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), useHere()));
+}
+
+/// The notebook of the picture on the screen, if it is still there.
+std::function<bool(const inspect::Notebook&)> Targets::useHere() {
+    return [this, key = key_](const inspect::Notebook& value) {
         if (key_ == key) use(value);
         return key_ == key;
-    }));
+    };
 }
 
 void Targets::use(const inspect::Notebook& notebook) {

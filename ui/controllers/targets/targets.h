@@ -72,7 +72,8 @@ public:
     void remove(int number);
     /// Locked targets stay.
     void removeAll();
-    void askName(const inspect::PinnedTarget& target);
+    /// Asks for the name of the rock at the click and stores it with a target on it.
+    void askName(const inspect::MeantCell& click);
     void rename(int number, const QString& name);
     void lock(int number, bool on);
     void keepMeasure(const inspect::StoredMeasure& measure);
@@ -120,6 +121,8 @@ private:
     void keepConfidence();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
     [[nodiscard]] bool moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked);
+    [[nodiscard]] const inspect::PinnedTarget* onRockAt(std::size_t cell) const;
+    [[nodiscard]] std::function<bool(const inspect::Notebook&)> useHere();
     [[nodiscard]] inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number) const;
     [[nodiscard]] const inspect::CellTarget* knownOf(std::uint32_t cell) const;
     [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;
@@ -137,6 +140,7 @@ private:
     QString key_; // of the scan of the notebook
     inspect::Notebook notebook_;
     int rockPin_ = 0;                             // number of the target that follows clicks on rocks; 0: none
+    int rockMoves_ = 0;                           // the undo step of its moves
     std::map<QString, inspect::Notebook> others_; // of scans that were on the screen earlier
     std::vector<TargetMark> beside_;
     MeasureMark draft_;

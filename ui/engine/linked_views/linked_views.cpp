@@ -87,7 +87,7 @@ void LinkedViews::clickAt(std::size_t cell) {
 
 /// Ctrl selects several rocks and pins no cell.
 void LinkedViews::click(const inspect::MeantCell& click) {
-    if (tool_ == Tool::Pin && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
+    if (tool_ == Tool::Pin && pinsOnClick_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
         pinByClick(click);
     else
         for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);

@@ -59,6 +59,8 @@ public:
     [[nodiscard]] const std::optional<inspect::MeantCell>& pinningClick() const { return byClick_; }
     /// Clears the pinned cell and the box.
     void clearPin();
+    /// Off: a click with the tool Pin sets no target.
+    void setPinsOnClick(bool on) { pinsOnClick_ = on; }
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.
@@ -152,6 +154,7 @@ private:
     std::optional<std::size_t> hovered_;
     std::optional<std::size_t> pinned_;
     Tool tool_ = Tool::Pin;
+    bool pinsOnClick_ = true;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved the camera, and a growing cloud may be fitted again
     int fittedLines_ = 0;
     bool windowKept_ = false;

@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPixmap>
@@ -134,7 +135,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     : ViewPlate(parent), title_(wordsOf(this, "change-title")), unit_(wordsOf(this, "change-unit")), how_(wordsOf(this, "change-how")),
       covered_(wordsOf(this, "change-covered")), region_(wordsOf(this, "change-region")),
       byDistance_(new QCheckBox(tr("colour by distance from A"), this)), histogram_(new DistanceView(this)),
-      distances_(wordsOf(this, "change-distances")), next_(new QToolButton(this)) {
+      distances_(wordsOf(this, "change-distances")), previous_(new QToolButton(this)), next_(new QToolButton(this)) {
     setObjectName("change-legend");
     for (QLabel* label : {title_, how_, region_}) words_[label] = QString();
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -170,13 +171,22 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     setWords(*covered_, tr("Rocks cover them in the cloud"));
     covered_->hide();
     grid->addWidget(covered_, kChangeRows + 3, 0, 1, 2);
+    previous_->setArrowType(Qt::LeftArrow);
+    previous_->setToolTip(tr("Previous changed region"));
+    previous_->setAccessibleName(previous_->toolTip());
     next_->setText(tr("Next changed region"));
-    next_->setFocusPolicy(Qt::TabFocus);
+    auto* buttons = new QHBoxLayout; // at the foot, which stays where it is while the plate grows upwards
+    for (QToolButton* button : {previous_, next_}) {
+        button->setFocusPolicy(Qt::TabFocus);
+        buttons->addWidget(button);
+    }
+    buttons->addStretch(1);
     grid->addWidget(byDistance_, kChangeRows + 4, 0, 1, 2);
     grid->addWidget(histogram_, kChangeRows + 5, 0, 1, 2);
     grid->addWidget(distances_, kChangeRows + 6, 0, 1, 2);
-    grid->addWidget(next_, kChangeRows + 7, 0, 1, 2);
-    grid->addWidget(region_, kChangeRows + 8, 0, 1, 2);
+    grid->addWidget(region_, kChangeRows + 7, 0, 1, 2);
+    grid->addLayout(buttons, kChangeRows + 8, 0, 1, 2);
+    connect(previous_, &QToolButton::clicked, this, &ChangeLegend::previousRegionRequested);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
     hide();
 }
@@ -213,7 +223,8 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
                                   .arg(shortLength(distances->histogram.medianM))
                                   .arg(countText(distances->histogram.beyond))
                                   .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
-    next_->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
+    for (QToolButton* button : {previous_, next_})
+        button->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
     showRegion(QString());
     showFlipped(flipped_);
     show();

@@ -39,12 +39,14 @@ public:
     [[nodiscard]] QString titleText() const;
     [[nodiscard]] QString regionText() const;
     [[nodiscard]] QToolButton* next() const { return next_; }
+    [[nodiscard]] QToolButton* previous() const { return previous_; }
 
 signals:
     void rowsRequested(const edgescan::ui::ChangeRows& rows);
     /// The points are to have the colours of their distances from A, or not.
     void distancesRequested(bool on);
     void nextRegionRequested();
+    void previousRegionRequested();
 
 private:
     struct Row {
@@ -62,7 +64,7 @@ private:
     QCheckBox* byDistance_;
     DistanceView* histogram_;
     QLabel* distances_;
-    QToolButton* next_;
+    QToolButton *previous_, *next_;
     std::map<QLabel*, QString> words_; // before they are broken into lines
     QString before_;
     bool flipped_ = false;

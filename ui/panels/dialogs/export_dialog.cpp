@@ -1,6 +1,8 @@
 // The dialog before an export.
 #include "ui/panels/dialogs/export_dialog.h"
 
+#include "core/base/number_text.h"
+#include "core/exports/written_coordinates.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/gap_filling/gap_filling.h"
 #include "ui/base/core_words.h"
@@ -38,7 +40,8 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
                            QWidget* parent)
     : QDialog(parent), detection_(std::move(detection)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
       selected_(std::move(selected)), format_(new QComboBox), picture_(new QLabel(tr("PNG picture (*.png)"))), onlySelected_(new QCheckBox),
-      attached_(new QCheckBox), count_(new QLabel), buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
+      attached_(new QCheckBox), count_(new QLabel), numbers_(new QLabel),
+      buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Export"));
     auto* questions = new QWidget; // scrolls on a low screen: squeezed widgets would be unreadable
     auto* column = new QVBoxLayout(questions);
@@ -76,15 +79,26 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
     column->addStretch(1);
     showCounts();
     count_->setObjectName("count");
+    numbers_->setObjectName("numbers");
+    numbers_->setWordWrap(true);
+    numbers_->setMinimumHeight(3 * numbers_->fontMetrics().lineSpacing()); // the buttons do not move with the sentence
+    numbers_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* whole = new QVBoxLayout(this);
     area_ = scrolled(*questions);
     whole->addWidget(area_, 1);
     whole->addWidget(count_);
+    whole->addWidget(numbers_);
     whole->addWidget(buttons_);
     buttons_->button(QDialogButtonBox::Save)->setText(tr("Choose File…"));
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    for (QAbstractButton* button : contents_->buttons()) connect(button, &QAbstractButton::toggled, this, &ExportDialog::follow);
+    for (const QButtonGroup* group : {contents_, coordinates_}) {
+        for (QAbstractButton* button : group->buttons()) connect(button, &QAbstractButton::toggled, this, &ExportDialog::follow);
+    }
+    connect(format_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+        wantedFormat_ = format_->itemData(index).toString();
+        follow();
+    });
     for (const QCheckBox* box : {attached_, onlySelected_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::follow);
     contents_->button(static_cast<int>(wanted))->setChecked(true);
     follow();
@@ -97,7 +111,7 @@ void ExportDialog::fit() {
     const int wide = area_->minimumWidth() + kMargins;
     // Without a wrapped text a layout has no height for a width.
     const int high = std::max(questions.heightForWidth(wide), questions.sizeHint().height());
-    resize(QSize(wide, high + count_->sizeHint().height() + buttons_->sizeHint().height() + kMargins)
+    resize(QSize(wide, high + count_->sizeHint().height() + numbers_->minimumHeight() + buttons_->sizeHint().height() + kMargins)
                .boundedTo(QGuiApplication::primaryScreen()->availableSize() - QSize(0, kMargins)));
 }
 
@@ -127,15 +141,60 @@ QLayout* ExportDialog::formatRow() {
 }
 
 void ExportDialog::offerFormats(const std::vector<Format>& formats, const QString& wanted) {
-    for (const Format& format : formats) {
-        format_->addItem(format.filter, format.extension);
-        if (format.extension == wanted) format_->setCurrentIndex(format_->count() - 1);
-    }
+    formats_ = formats;
+    wantedFormat_ = wanted;
+    for (const Format& format : formats) format_->addItem(format.filter, format.extension);
     follow();
     fit();
 }
 
+bool ExportDialog::canHold(const Format& format) const {
+    return !format.drawsEdges || exports::exportKind(content()).counts == exports::ExportKind::Counts::EdgePoints;
+}
+
+QStringList ExportDialog::filters() const {
+    QStringList filters;
+    for (const Format& format : formats_) {
+        if (canHold(format)) filters << format.filter;
+    }
+    return filters;
+}
+
+/// A format that cannot hold the content is off in the list; the one that was chosen comes back with its content.
+void ExportDialog::followFormat() {
+    int shown = -1;
+    for (int n = 0; n < format_->count(); ++n) {
+        const Format& format = formats_[static_cast<std::size_t>(n)];
+        const bool can = canHold(format);
+        format_->setItemData(n, can ? QVariant() : QVariant(0), Qt::UserRole - 1); // flags of the item: 0 = off
+        format_->setItemData(n, can ? QVariant() : tr("It draws edge lines: choose the edge points above."), Qt::ToolTipRole);
+        if (can && (shown < 0 || format.extension == wantedFormat_)) shown = n;
+    }
+    if (shown >= 0) format_->setCurrentIndex(shown);
+}
+
 QString ExportDialog::extension() const { return exports::isCloud(content()) ? format_->currentData().toString() : QStringLiteral(".png"); }
+
+QString ExportDialog::numbersText() const {
+    if (!exports::isCloud(content())) return {};
+    const Scan& scan = *detection_->scan;
+    Eigen::AlignedBox3d box;
+    if (scan.placement) box.extend(scan.placement->originEnhM);
+    const auto written = exports::coordinatesOf(content(), scan, "export" + exactBytes(extension()), options(), box);
+    if (written.frame == CoordinateFrame::Scanner) return tr("The file holds x, y and z in metres from the scanner.");
+    const auto origin = [&](int axis) { return shownText(shortestText((*written.originEnhM)[axis])); };
+    if (written.frame == CoordinateFrame::MineLocal || !written.aboutOrigin.empty())
+        return tr("The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.")
+            .arg(origin(0), origin(1), origin(2));
+    const QString whole = tr("The file holds Easting, Northing and RL in metres.");
+    QStringList rounding;
+    for (const std::string& program : written.inFloats) rounding << shownText(program);
+    const double stepM = exports::stepOfFloatsM(written.box);
+    if (rounding.isEmpty() || stepM < exports::kLeastStepM) return whole;
+    return whole + ' ' +
+           tr("Choose local metres for %1: numbers of 4 bytes would round them to steps of %2 mm.")
+               .arg(rounding.join(", "), shownText(fixedText(stepM * 1000, 0)));
+}
 
 QGroupBox* ExportDialog::coordinatesBox() {
     auto* box = new QGroupBox(tr("Coordinates"));
@@ -174,7 +233,6 @@ QGroupBox* ExportDialog::writingBox() {
         words->setMinimumWidth(kWords);
         words->setBuddy(mark);
         mark->setAccessibleName(words->text());
-        if (choice.member == &files::WritingChoices::filled) mark->setEnabled(bool(detection_->filled)); // disabled if no cell was filled
         const int row = grid->rowCount();
         connect(mark, &QCheckBox::toggled, this, &ExportDialog::follow);
         grid->addWidget(mark, row, 0, Qt::AlignTop);
@@ -205,9 +263,12 @@ std::size_t ExportDialog::countOf(exports::ExportContent content, bool withAttac
                                                            [&](const AttachedPoint& point) { return wanted(point.cell); }));
 }
 
+/// Checked, and the chosen format can have it.
+bool ExportDialog::isWanted(std::size_t choice) const { return choices_[choice]->isChecked() && choices_[choice]->isEnabledTo(this); }
+
 bool ExportDialog::fillsToo() const {
     for (std::size_t n = 0; n < choices_.size(); ++n) {
-        if (files::kWritingChoices[n].member == &files::WritingChoices::filled) return choices_[n]->isChecked() && detection_->filled;
+        if (files::kWritingChoices[n].member == &files::WritingChoices::filled) return isWanted(n);
     }
     return false;
 }
@@ -247,7 +308,7 @@ exports::ExportOptions ExportDialog::options() const {
     options.includeAttached = exports::isCloud(content()) && attached_->isChecked();
     if (exports::isCloud(content()) && onlySelected_->isChecked()) options.selection = selected_.cells;
     for (std::size_t n = 0; n < choices_.size(); ++n)
-        options.choices.*files::kWritingChoices[n].member = exports::isCloud(content()) && choices_[n]->isChecked();
+        options.choices.*files::kWritingChoices[n].member = exports::isCloud(content()) && isWanted(n);
     return options;
 }
 
@@ -263,6 +324,14 @@ void ExportDialog::follow() {
     picture_->setVisible(!cloud);
     attached_->setEnabled(cloud);
     onlySelected_->setEnabled(cloud);
+    followFormat();
+    for (std::size_t n = 0; n < choices_.size(); ++n) {
+        const files::WritingChoice& choice = files::kWritingChoices[n];
+        const bool isForFilled = choice.member == &files::WritingChoices::filled;
+        const bool fits = format_->count() == 0 || choice.changes(exactBytes(extension()));
+        choices_[n]->setEnabled(fits && (!isForFilled || detection_->filled));
+    }
+    numbers_->setText(numbersText());
     showCounts();
     count_->setText(cloud ? tr("%1 points will be saved.").arg(countText(count())) : tr("%1 cells will be saved.").arg(countText(count())));
 }

@@ -5,6 +5,7 @@
 #include "core/exports/provenance.h"
 
 #include <QDialog>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -37,8 +38,11 @@ public:
     /// The formats of clouds, as filters of files: "Point Cloud Library (*.pcd)". Each has the extension that its files get.
     struct Format {
         QString filter, extension;
+        bool drawsEdges = false; ///< not for all points
     };
     void offerFormats(const std::vector<Format>& formats, const QString& wanted);
+    /// Those of the formats that the chosen content can have.
+    [[nodiscard]] QStringList filters() const;
     /// ".pcd"; of a picture ".png".
     [[nodiscard]] QString extension() const;
 
@@ -46,6 +50,8 @@ public:
     [[nodiscard]] exports::ExportOptions options() const;
     /// Number of points, or of cells of a picture, that would be saved.
     [[nodiscard]] std::size_t count() const;
+    /// What the coordinates in the file count from, as a sentence; empty for a picture.
+    [[nodiscard]] QString numbersText() const;
 
 private:
     [[nodiscard]] QGroupBox* contentBox();
@@ -58,6 +64,9 @@ private:
     void fit();
     void follow();
     void showCounts();
+    void followFormat();
+    [[nodiscard]] bool canHold(const Format& format) const;
+    [[nodiscard]] bool isWanted(std::size_t choice) const;
 
     std::shared_ptr<const edges::Detection> detection_;
     QButtonGroup* contents_;
@@ -69,11 +78,13 @@ private:
     mutable std::optional<std::vector<std::uint32_t>> filledCells_; // computed at first use
     std::vector<QCheckBox*> choices_;                               // in the order of kWritingChoices
     ExportSelection selected_;
+    std::vector<Format> formats_; // in the order of the list
+    QString wantedFormat_;        // extension of the format that was chosen last
     QComboBox* format_;
     QLabel* picture_; // the only format of pictures
     QCheckBox* onlySelected_;
     QCheckBox* attached_;
-    QLabel* count_;
+    QLabel *count_, *numbers_;
     QDialogButtonBox* buttons_;
 };
 

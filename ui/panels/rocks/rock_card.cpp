@@ -70,6 +70,7 @@ RockCard::RockCard(QWidget* parent)
     QFont bold = font();
     bold.setBold(true);
     title_->setFont(bold);
+    title_->setWordWrap(true); // several selected rocks must not widen the panel, which would move the cloud
     QFont large = bold;
     large.setPointSizeF(1.5 * font().pointSizeF());
     spans_->setFont(large);

@@ -23,8 +23,9 @@ constexpr double kMargin = 28.0;       // px
 constexpr double kReach = 24.0;        // px: a click or the mouse means a vertex within this
 constexpr double kTravel = 4.0;        // px: a press that moves farther is a drag
 constexpr double kLeastBetween = 60.0; // px between lines of the grid
-constexpr double kAround = 1.0;        // of what the section is about, shown on each side of it
-constexpr double kLeastAroundM = 0.5;
+constexpr double kAround = 0.15;       // of what the section is about, shown on each side of it
+constexpr double kLeastAroundM = 0.1;
+constexpr int kNamesLeft = 76;      // px: right of the numbers of heights
 constexpr double kNearPlane = 0.05; // share of the distance of two vertices and more: a point beyond is not in the section
 const QColor kGround(48, 48, 48), kGrid(80, 80, 80), kWords(200, 200, 200), kSurface(170, 170, 170), kEdge(0, 255, 0);
 
@@ -49,9 +50,10 @@ SectionPlot::SectionPlot(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::ClickFocus);
 }
 
-void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM) {
+void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM, const SectionHeights& heights) {
     section_ = std::move(section);
     aboutM_ = aboutM;
+    heights_ = heights;
     marked_ = nullptr;
     ends_.clear();
     length_.clear();
@@ -62,16 +64,13 @@ void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Ei
 
 void SectionPlot::fit() {
     if (!section_ || moved_) return;
-    // A wall far behind must not shrink what the section is about.
-    Eigen::AlignedBox2d around = aboutM_;
-    if (!around.isEmpty()) {
-        const Eigen::Vector2d more = Eigen::Vector2d::Constant(std::max(kLeastAroundM, kAround * around.sizes().maxCoeff()));
-        around = Eigen::AlignedBox2d(around.min() - more, around.max() + more);
-    }
-    Eigen::AlignedBox2d box;
-    for (const inspect::SectionLine& line : section_->lines) {
-        for (const inspect::SectionVertex& vertex : line) {
-            if (around.isEmpty() || around.contains(vertex.atM)) box.extend(vertex.atM);
+    Eigen::AlignedBox2d box = aboutM_;
+    if (!box.isEmpty()) { // a wall far behind must not shrink what the section is about
+        const Eigen::Vector2d more = Eigen::Vector2d::Constant(std::max(kLeastAroundM, kAround * box.sizes().maxCoeff()));
+        box = Eigen::AlignedBox2d(box.min() - more, box.max() + more);
+    } else {
+        for (const inspect::SectionLine& line : section_->lines) {
+            for (const inspect::SectionVertex& vertex : line) box.extend(vertex.atM);
         }
     }
     if (box.isEmpty()) return;
@@ -151,14 +150,20 @@ void SectionPlot::drawGrid(QPainter& painter) const {
         const QString words = QString::number(x + 0.0, 'f', decimals) + " m";
         if (at + 3 + letters.horizontalAdvance(words) <= width()) painter.drawText(QPointF(at + 3, height() - 4), words);
     }
-    for (double y = std::ceil((origin_.y() - height()) / perM_ / step) * step; origin_.y() - y * perM_ > 0; y += step) {
-        const double at = origin_.y() - y * perM_;
+    const double lowest = (origin_.y() - height()) / perM_ + heights_.ofOriginM;
+    const QString along = tr("along the section [m]");
+    const int right = width() - letters.horizontalAdvance(along) - 4;
+    for (double y = std::ceil(lowest / step) * step; origin_.y() - (y - heights_.ofOriginM) * perM_ > 0; y += step) {
+        const double at = origin_.y() - (y - heights_.ofOriginM) * perM_;
         painter.setPen(kGrid);
         painter.drawLine(QPointF(0, at), QPointF(width(), at));
         painter.setPen(kWords);
         const double above = at - 3 - letters.ascent() >= 0 ? at - 3 : at + letters.ascent() + 1; // the topmost has its words below
         if (above < height() - letters.height()) painter.drawText(QPointF(4, above), QString::number(y + 0.0, 'f', decimals) + " m");
     }
+    drawLabel(painter, QRect(right - 8, height() - 2 * letters.height() - 10, width() - right, letters.height() + 6),
+              Qt::AlignRight | Qt::AlignBottom, along);
+    drawLabel(painter, rect().adjusted(kNamesLeft, 10, -8, 0), Qt::AlignLeft | Qt::AlignTop, heights_.name);
 }
 
 void SectionPlot::drawLines(QPainter& painter) const {

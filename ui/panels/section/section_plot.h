@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <QString>
 #include <QWidget>
 
 #include <array>
@@ -14,6 +15,12 @@
 
 namespace edgescan::ui {
 
+/// What the heights of a section count from.
+struct SectionHeights {
+    double ofOriginM = 0.0; ///< of (0, 0) of the section
+    QString name{};         ///< of the axis, with its unit
+};
+
 /// Wheel: zoom; drag: move; click: the ends of a length. GUI thread only. Displays the values it is given and signals the operator's
 /// choices.
 class SectionPlot : public QWidget {
@@ -21,8 +28,9 @@ class SectionPlot : public QWidget {
 public:
     explicit SectionPlot(QWidget* parent = nullptr);
 
-    /// Null: no section. Shows what is around `aboutM`, across and up; all of it if that box is empty. The wheel shows the rest.
-    void show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM = {});
+    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. The wheel shows the rest.
+    void show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM = {}, const SectionHeights& heights = {});
+    [[nodiscard]] const SectionHeights& heights() const { return heights_; }
     /// Vertices that the plot is too narrow to show at this zoom.
     [[nodiscard]] std::size_t outside() const;
     [[nodiscard]] const std::shared_ptr<const inspect::Section>& section() const { return section_; }
@@ -59,6 +67,7 @@ private:
 
     std::shared_ptr<const inspect::Section> section_;
     Eigen::AlignedBox2d aboutM_;
+    SectionHeights heights_;
     double perM_ = 50.0; // pixels
     QPointF origin_;     // of (0, 0), pixels
     bool moved_ = false; // by the operator: a new size does not fit it again

@@ -2,6 +2,7 @@
 #include "core/rocks/attributes/study.h"
 #include "core/rocks/attributes/why_border.h"
 #include "core/rocks/selection/preset.h"
+#include "core/rocks/selection/region_changes.h"
 #include "core/rocks/selection/region_of_interest.h"
 #include "core/rocks/selection/strokes.h"
 #include "tests/support/rock_scene.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace edgescan::rocks {
 namespace {
@@ -90,7 +92,7 @@ TEST(RockEdits, WhatIsPartedStaysTwoAtEveryLevelAndAfterTurningTheMethod) {
 TEST(RockEdits, AClickSplitsARockInTwoAndTheWheelGoesUpThroughItsAncestors) {
     int split = 0;
     for (const Rock& rock : plain().rocks) {
-        const WheelPieces family = wheelPiecesAt(*plain().segmentation, *plain().tree, 0, rock.cell);
+        const WheelPieces family = wheelPiecesAt(*plain().segmentation, *plain().tree, 0, rock.cell, {});
         const auto& pieces = family.nested.pieces;
         for (std::size_t n = 1; n < pieces.size(); ++n) EXPECT_TRUE(std::ranges::includes(pieces[n].segments, pieces[n - 1].segments));
         ASSERT_LT(family.nested.region, pieces.size());
@@ -224,7 +226,7 @@ TEST(RockEdits, AStrokeOverACrackJoinsWhatItCrosses) {
 TEST(RockEdits, TheWheelReachesSmallerAndLargerPieces) {
     int smaller = 0, larger = 0;
     for (const Rock& rock : plain().rocks) {
-        const WheelPieces family = wheelPiecesAt(*plain().segmentation, *plain().tree, 0, rock.cell);
+        const WheelPieces family = wheelPiecesAt(*plain().segmentation, *plain().tree, 0, rock.cell, {});
         for (std::size_t n = 0; n < family.nested.pieces.size(); ++n) {
             const NestedPiece& piece = family.nested.pieces[n];
             if (n == family.nested.region) continue;
@@ -247,6 +249,82 @@ TEST(RockEdits, TheWheelReachesSmallerAndLargerPieces) {
     }
     EXPECT_EQ(smaller, 6);
     EXPECT_EQ(larger, 6);
+}
+
+// Rocks that do not touch, joined by hand: a split gives each back as it was, and the others stay joined.
+TEST(RockEdits, AJoinedRockIsSplitIntoWhatWasJoined) {
+    const std::vector<Rock>& rocks = plain().rocks;
+    std::vector<std::uint32_t> apart;
+    for (const Rock& rock : rocks) {
+        const auto touches = [&](std::uint32_t k) {
+            const std::uint32_t other = regionAt(plain(), k);
+            return std::ranges::any_of(plain().map.borders, [&](const RegionBorder& border) {
+                return border.a == std::min(other, rock.label) && border.b == std::max(other, rock.label);
+            });
+        };
+        if (std::ranges::none_of(apart, touches)) apart.push_back(rock.cell);
+        if (apart.size() == 3) break;
+    }
+    ASSERT_EQ(apart.size(), 3U);
+    const std::vector<Edit> edits{{EditKind::Join, {apart[0], apart[1]}}, {EditKind::Join, {apart[1], apart[2]}}};
+    const Study joined = studyRocks(sceneInputs(), {}, edits, &plain());
+    ASSERT_EQ(regionAt(joined, apart[0]), regionAt(joined, apart[2]));
+    const WheelPieces family = wheelPiecesAt(*joined.segmentation, *joined.tree, 0, apart[0], edits);
+    ASSERT_TRUE(family.unjoined);
+    EXPECT_LT(family.split, family.nested.region);
+    EXPECT_EQ(*family.unjoined, (std::vector<Edit>{edits[1]}));
+    const Study split = studyRocks(sceneInputs(), {}, *family.unjoined, &joined);
+    EXPECT_EQ(split.map.regions[regionAt(split, apart[0])].sums.cells, plain().map.regions[regionAt(plain(), apart[0])].sums.cells);
+    EXPECT_EQ(split.map.regions[regionAt(split, apart[0])].sums.cells, family.nested.pieces[family.split].cells);
+    EXPECT_EQ(regionAt(split, apart[1]), regionAt(split, apart[2]));
+    EXPECT_FALSE(wheelPiecesAt(*split.segmentation, *split.tree, 0, apart[0], *family.unjoined).unjoined);
+}
+
+TEST(RockEdits, WhatAnEditChangedIsKnown) {
+    const auto changes = [](const Study& before, const Study& after) {
+        return regionChanges(*before.segmentation, before.map, *after.segmentation, after.map);
+    };
+    EXPECT_FALSE(changes(plain(), plain()).any);
+    const std::uint32_t first = plain().rocks.front().cell, last = plain().rocks.back().cell;
+    const Study joined = studyRocks(sceneInputs(), {}, {{EditKind::Join, {first, last}}}, &plain());
+    EXPECT_TRUE(changes(plain(), joined).any);
+    // A joined rock joined again is the same rock.
+    const Study again = studyRocks(sceneInputs(), {}, {{EditKind::Join, {first, last}}, {EditKind::Join, {last, first}}}, &joined);
+    EXPECT_FALSE(changes(joined, again).any);
+    // Without the largest rock each other one goes up by one.
+    const Study without = studyRocks(sceneInputs(), {}, {{EditKind::NotRock, {first}}}, &plain());
+    const RegionChanges gone = changes(plain(), without);
+    ASSERT_EQ(gone.renumbered.size(), plain().rocks.size() - 1);
+    EXPECT_EQ(gone.renumbered.front(), (RegionChanges::Renumbered{2, 1}));
+    EXPECT_TRUE(gone.lost.empty()) << "it was called so";
+    // Cells are compared where the segments are others.
+    const Study cut = studyRocks(sceneInputs(), {}, {{EditKind::Cut, {first, first + 40}}});
+    EXPECT_NE(cut.segmentation, plain().segmentation);
+    EXPECT_FALSE(changes(cut, cut).any);
+}
+
+// The part that a split leaves below a limit of a rock is named with its rock.
+TEST(RockEdits, APartThatIsNoRockIsKnown) {
+    int found = 0;
+    for (const Rock& rock : plain().rocks) {
+        const auto edit = splitAt(*plain().segmentation, *plain().tree, 0, rock.cell);
+        if (!edit) continue;
+        const Study split = studyRocks(sceneInputs(), {}, {*edit}, &plain());
+        const RegionChanges changes = regionChanges(*plain().segmentation, plain().map, *split.segmentation, split.map);
+        EXPECT_TRUE(changes.any);
+        std::set<std::uint32_t> rockParts, otherParts;
+        for (std::uint32_t n = 1; n <= plain().segmentation->count(); ++n) {
+            if (plain().map.regionOfSegment[n] != rock.label) continue;
+            const std::uint32_t part = split.map.regionOfSegment[n];
+            (part <= split.map.rocks ? rockParts : otherParts).insert(part);
+        }
+        const auto lost = std::ranges::find(changes.lost, rock.label, &RegionChanges::Lost::rock);
+        EXPECT_EQ(lost != changes.lost.end(), rockParts.size() < 2 && !otherParts.empty());
+        if (lost == changes.lost.end()) continue;
+        EXPECT_TRUE(otherParts.contains(lost->region));
+        ++found;
+    }
+    EXPECT_GT(found, 0);
 }
 
 TEST(RockPresets, KeepSettingsAndEditsOfTheirOwnScanAlone) {
