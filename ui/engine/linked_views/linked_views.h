@@ -34,7 +34,8 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
-    /// The engine has a coarse picture, or its opening ended without a picture. It can be turned and zoomed; its cells cannot be pointed at.
+    /// The engine has a coarse picture, which can be turned and zoomed, but its cells cannot be pointed at. Or its opening ended without a
+    /// picture.
     void followCoarse();
     /// The picture in all views; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return state_.flippedTo ? state_.flippedTo : picture_; }
