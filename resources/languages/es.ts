@@ -501,6 +501,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>FILE</source><translation>ARCHIVO</translation></message>
 <message><source>no time</source><translation>sin hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>El archivo no dice cuándo se midió</translation></message>
+<message><source>COARSE PICTURE</source><translation>IMAGEN PRELIMINAR</translation></message>
+<message><source>Some points of the scan that is being opened.</source><translation>Algunos puntos del escaneo que se está abriendo.</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEN ANTERIOR</translation></message>
 <message><source>Another scan is being opened. This is the picture before it.</source><translation>Se está abriendo otro escaneo. Esta es la imagen anterior.</translation></message>
 <message><source>region of interest</source><translation>región de interés</translation></message>
@@ -644,7 +646,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Target %1 is on the clipboard, as text.</source><translation>El objetivo %1 está en el portapapeles, como texto.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 objetivos están en el portapapeles, como tabla para una hoja de cálculo.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
+<message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagen preliminar de %1 millones de celdas, falta el resto</translation></message>
+<message><source>The edges come with the rest of the scan</source><translation>Los bordes llegan con el resto del escaneo</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Aquí no hay ningún punto: no se midió nada, o está oculto.</translation></message>
+<message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>Se puede hacer clic en las celdas cuando el escaneo está completo: esta es una imagen preliminar.</translation></message>
 <message><source>Remove the target of this ce&amp;ll</source><translation>Quitar e&amp;l objetivo de esta celda</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
@@ -1209,6 +1214,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
 <message><source> · %1 filled</source><translation> · %1 rellenadas</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Bordes encontrados en %1 ms</translation></message>
+<message><source>%1 cells · edges pending</source><translation>%1 celdas · bordes pendientes</translation></message>
+<message><source>edges pending</source><translation>bordes pendientes</translation></message>
 <message><source>default settings</source><translation>ajustes predeterminados</translation></message>
 <message><source>settings: %1 changed</source><translation>ajustes: %1 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
@@ -1416,6 +1423,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>free rotation</source><translation>rotación libre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
+<message><source>coarse picture</source><translation>imagen preliminar</translation></message>
 <message><source>Next Sweep</source><translation>Barrido siguiente</translation></message>
 <message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>El barrido siguiente ha sustituido a %1, que tiene objetivos o mediciones. Deshacer (Ctrl+Z) lo recupera con ellos.</translation></message>
 <message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 ya no se compara como A, porque puede ser de otro lugar. Deshacer (Ctrl+Z) lo recupera.</translation></message>

@@ -501,6 +501,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>FILE</source><translation>FICHIER</translation></message>
 <message><source>no time</source><translation>sans heure</translation></message>
 <message><source>The file does not say when it was measured</source><translation>Le fichier ne dit pas quand il a été mesuré</translation></message>
+<message><source>COARSE PICTURE</source><translation>IMAGE GROSSIÈRE</translation></message>
+<message><source>Some points of the scan that is being opened.</source><translation>Quelques points du scan en cours d'ouverture.</translation></message>
 <message><source>OLD PICTURE</source><translation>ANCIENNE IMAGE</translation></message>
 <message><source>Another scan is being opened. This is the picture before it.</source><translation>Un autre scan s'ouvre. Ceci est l'image d'avant.</translation></message>
 <message><source>region of interest</source><translation>région d'intérêt</translation></message>
@@ -644,7 +646,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Target %1 is on the clipboard, as text.</source><translation>La cible %1 est dans le presse-papiers, sous forme de texte.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 cibles sont dans le presse-papiers, sous forme de tableau pour un tableur.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
+<message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Image grossière de %1 millions de cellules, le reste arrive</translation></message>
+<message><source>The edges come with the rest of the scan</source><translation>Les arêtes arrivent avec le reste du scan</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est masqué.</translation></message>
+<message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>On peut cliquer sur les cellules quand le scan est là en entier : ceci en est une image grossière.</translation></message>
 <message><source>Remove the target of this ce&amp;ll</source><translation>Supprimer &amp;la cible de cette cellule</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
@@ -1209,6 +1214,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
 <message><source> · %1 filled</source><translation> · %1 remplies</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Arêtes trouvées en %1 ms</translation></message>
+<message><source>%1 cells · edges pending</source><translation>%1 cellules · arêtes en attente</translation></message>
+<message><source>edges pending</source><translation>arêtes en attente</translation></message>
 <message><source>default settings</source><translation>réglages par défaut</translation></message>
 <message><source>settings: %1 changed</source><translation>réglages : %1 modifié(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
@@ -1416,6 +1423,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>free rotation</source><translation>rotation libre</translation></message>
 <message><source>orthographic</source><translation>orthographique</translation></message>
 <message><source>perspective</source><translation>perspective</translation></message>
+<message><source>coarse picture</source><translation>image grossière</translation></message>
 <message><source>Next Sweep</source><translation>Balayage suivant</translation></message>
 <message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>Le balayage suivant a remplacé %1, qui a des cibles ou des mesures. Annuler (Ctrl+Z) le ramène avec elles.</translation></message>
 <message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 n'est plus comparé comme A, car il peut venir d'un autre endroit. Annuler (Ctrl+Z) le ramène.</translation></message>

@@ -501,6 +501,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>FILE</source><translation>ARQUIVO</translation></message>
 <message><source>no time</source><translation>sem hora</translation></message>
 <message><source>The file does not say when it was measured</source><translation>O arquivo não diz quando foi medido</translation></message>
+<message><source>COARSE PICTURE</source><translation>IMAGEM GROSSEIRA</translation></message>
+<message><source>Some points of the scan that is being opened.</source><translation>Alguns pontos da varredura que está sendo aberta.</translation></message>
 <message><source>OLD PICTURE</source><translation>IMAGEM ANTERIOR</translation></message>
 <message><source>Another scan is being opened. This is the picture before it.</source><translation>Outra varredura está sendo aberta. Esta é a imagem anterior.</translation></message>
 <message><source>region of interest</source><translation>região de interesse</translation></message>
@@ -644,7 +646,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Target %1 is on the clipboard, as text.</source><translation>O alvo %1 está na área de transferência, como texto.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 alvos estão na área de transferência, como tabela para uma planilha.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
+<message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagem grosseira de %1 milhões de células, falta o resto</translation></message>
+<message><source>The edges come with the rest of the scan</source><translation>As arestas chegam com o resto da varredura</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Não há ponto aqui: nada foi medido, ou está oculto.</translation></message>
+<message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>Pode-se clicar nas células quando a varredura está completa: esta é uma imagem grosseira dela.</translation></message>
 <message><source>Remove the target of this ce&amp;ll</source><translation>Remover o a&amp;lvo desta célula</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
@@ -1209,6 +1214,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
 <message><source> · %1 filled</source><translation> · %1 preenchidas</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Bordas encontradas em %1 ms</translation></message>
+<message><source>%1 cells · edges pending</source><translation>%1 células · arestas pendentes</translation></message>
+<message><source>edges pending</source><translation>arestas pendentes</translation></message>
 <message><source>default settings</source><translation>ajustes padrão</translation></message>
 <message><source>settings: %1 changed</source><translation>ajustes: %1 modificado(s)</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
@@ -1416,6 +1423,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>free rotation</source><translation>rotação livre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
+<message><source>coarse picture</source><translation>imagem grosseira</translation></message>
 <message><source>Next Sweep</source><translation>Varredura seguinte</translation></message>
 <message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>A varredura seguinte substituiu %1, que tem alvos ou medições. Desfazer (Ctrl+Z) recupera-a com eles.</translation></message>
 <message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 já não é comparado como A, porque pode ser de outro lugar. Desfazer (Ctrl+Z) recupera-o.</translation></message>

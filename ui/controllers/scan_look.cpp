@@ -48,6 +48,7 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
         remember();
         emit changed();
     });
+    connect(&engine_, &Engine::coarseChanged, this, &ScanLook::followCoarse);
     connect(&views_, &LinkedViews::rangeWindowChanged, this, [this, remember] {
         showWindow();
         remember();
@@ -75,11 +76,15 @@ void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locke
 void ScanLook::followPicture() {
     showWindow();
     const auto& picture = engine_.picture();
-    if (!picture) return;
+    if (!picture) return followCoarse();
     if (coloured_.lock() == picture->cloud) return;
     coloured_ = picture->cloud;
     emit intensityKnown(picture->detection->scan->intensity.size() > 0);
     colours_.ask({picture->detection->scan, picture->cloud, by_, picture->cloud == counted_.lock()});
+}
+
+void ScanLook::followCoarse() {
+    if (const auto& coarse = engine_.coarse()) colours_.ask({coarse->detection->scan, coarse->cloud, by_, true});
 }
 
 void ScanLook::take(const Asked& asked, const Answer& answer) {

@@ -54,6 +54,7 @@ private:
         std::optional<RangeHistogram> histogram; ///< empty: already on the screen
         CloudColours colours;
     };
+    void followCoarse();
     void take(const Asked& asked, const Answer& answer);
     void showWindow();
 

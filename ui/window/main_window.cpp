@@ -282,6 +282,11 @@ void MainWindow::connectEngine() {
         showOrigin();
         showTitle();
     });
+    connect(&viewer_.engine, &Engine::coarseChanged, this, [this] {
+        const auto& coarse = viewer_.engine.coarse();
+        viewer_.statusLine.showCountsToCome(coarse ? std::optional(coarse->cells) : std::nullopt);
+        showOrigin();
+    });
     connect(&viewer_.engine, &Engine::settingsChanged, this, [this] { viewer_.statusLine.showSettings(viewer_.engine.settings()); });
     viewer_.statusLine.showSettings(viewer_.engine.settings());
     connect(&viewer_.engine, &Engine::failed, this,

@@ -48,11 +48,20 @@ QString cloudRemark(const CloudView& cloud) {
            (cloud.isParallel() ? Pane::tr("orthographic") : Pane::tr("perspective"));
 }
 
+/// Numbers and edges come with the picture of the whole.
+void showCoarse(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
+    const bool coarse = window.viewer().engine.coarse() != nullptr;
+    for (Pane* pane : {&range, &cloud}) pane->setNote(coarse ? Pane::tr("coarse picture") : QString());
+    edges.setNote(coarse ? Pane::tr("edges pending") : QString());
+    cloud.setRemark(coarse ? cloudRemark(window.viewer().views.cloud()) : QString());
+}
+
 } // namespace
 
 void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
     const auto update = [&] {
-        if (!window.viewer().engine.picture() || !window.viewer().views.shown()) return;
+        if (!window.viewer().engine.picture()) return showCoarse(window, range, edges, cloud);
+        if (!window.viewer().views.shown()) return;
         range.setNote(rangeNote(window));
         edges.setNote(edgeNote(window));
         cloud.setNote(cloudNote(window));
@@ -60,6 +69,7 @@ void keepPaneNotes(MainWindow& window, Pane& range, Pane& edges, Pane& cloud) {
     };
     QObject::connect(&window.viewer().views, &LinkedViews::picturesChanged, &window, update);
     QObject::connect(&window, &MainWindow::pictureShown, &window, update);
+    QObject::connect(&window.viewer().engine, &Engine::coarseChanged, &window, update);
     QObject::connect(&window.viewer().live, &Live::growthChanged, &window, update);
     CloudView& view = window.viewer().views.cloud();
     for (const auto changed : {&CloudView::parallelChanged, &CloudView::turntableChanged})

@@ -130,7 +130,8 @@ StartPage* showStart(MainWindow& w, Preferences& preferences) {
         if (auto* cab = w.findChild<QAction*>("cab-mode")) cab->trigger();
     });
     QObject::connect(page, &StartPage::keysRequested, &w, [&w] { showShortcuts(&w, w.actions()); });
-    QObject::connect(&w.viewer().engine, &Engine::pictureReady, page, &QWidget::hide);
+    for (const auto shown : {&Engine::pictureReady, &Engine::coarseChanged})
+        QObject::connect(&w.viewer().engine, shown, page, &QWidget::hide);
     page->showRecent(preferences.recentFiles());
     showSession(w, *page);
     offerTour(w, preferences);

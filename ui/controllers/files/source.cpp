@@ -90,6 +90,8 @@ PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
 
 PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner) {
     const Picture* picture = engine.picture().get();
+    if (engine.coarse())
+        return {StateBadge::Sign::Waiting, QObject::tr("COARSE PICTURE"), QObject::tr("Some points of the scan that is being opened.")};
     PictureOrigin origin = originOf(picture, scanner);
     const bool awaited = scanner.connected() && scanner.following() && picture != nullptr && picture->source.stream != scanner.stream();
     if (!engine.replacing() && !awaited) return origin;

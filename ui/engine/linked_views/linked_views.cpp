@@ -1,97 +1,35 @@
-// Shows a picture in images and cloud, and links pointing at a cell in one view with the other views.
+// Shows a picture in images and cloud. The mouse is in linked_views_mouse.cpp.
 #include "ui/engine/linked_views/linked_views.h"
 
 #include "core/edges/gray/gray.h"
 #include "ui/base/cell_marks.h"
-#include "ui/base/count_text.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
-
-#include <QCursor>
-#include <QGuiApplication>
-#include <QMenu>
-#include <QPolygonF>
-#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
 
 namespace edgescan::ui {
+namespace {
+
+QString openSomething() { return LinkedViews::tr("Open a scan: Ctrl+O, or drop a file here"); }
+
+/// "2.4", "18"
+QString millions(std::size_t cells) {
+    const double of = static_cast<double>(cells) * 1e-6;
+    return QString::number(of, 'f', of < 10.0 ? 1 : 0);
+}
+
+} // namespace
 
 LinkedViews::LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges, CloudView& cloud)
     : engine_(engine), images_{&gray, &edges}, cloud_(cloud) {
-    for (ImageView* view : images_) view->setNote(tr("Open a scan: Ctrl+O, or drop a file here"));
+    for (ImageView* view : images_) view->setNote(openSomething());
+    connect(&engine_, &Engine::coarseChanged, this, &LinkedViews::followCoarse);
     cloud_.setPointSizeFollows(true);
     linkImages();
     linkCloud();
-}
-
-void LinkedViews::linkImages() {
-    for (ImageView* view : images_) {
-        connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
-            if (const auto cell = cellAt(line, beam)) hover(cell, view);
-        });
-        connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
-        connect(view, &ImageView::clicked, this, [this](int line, int beam) {
-            if (const auto cell = cellAt(line, beam)) clickAt(*cell);
-        });
-        connect(view, &ImageView::outlined, this, &LinkedViews::imageOutlined);
-        connect(view, &ImageView::cleared, this, &LinkedViews::clearPin);
-        connect(view, &ImageView::menuRequested, this,
-                [this](int line, int beam, const QPoint& position) { openMenuAt(position, cellAt(line, beam)); });
-        connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
-        connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeRangeWindow);
-    }
-}
-
-void LinkedViews::linkCloud() {
-    connect(&cloud_, &CloudView::hovered, this, [this](qint64 cell) { hover(static_cast<std::size_t>(cell), &cloud_); });
-    connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
-    connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) { clickAt(static_cast<std::size_t>(cell)); });
-    connect(&cloud_, &CloudView::missed, this,
-            [this] { QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden."), &cloud_); });
-    connect(&cloud_, &CloudView::outlined, this, &LinkedViews::cloudOutlined);
-    connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
-        openMenuAt(position, cell >= 0 ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
-    });
-}
-
-void LinkedViews::openMenuAt(const QPoint& position, std::optional<std::size_t> cell) {
-    openMenu(position, cell ? std::optional(meant(*cell)) : std::nullopt);
-}
-
-void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click) {
-    QMenu menu;
-    menu.setObjectName("cell-menu");
-    if (click) {
-        const std::size_t cell = click->clicked;
-        emit cellMenuOpens(menu, *click);
-        if (pinned_ == cell || pinned_ == click->cell)
-            menu.addAction(tr("Remove the target of this ce&ll"), this, &LinkedViews::clearPin);
-        else
-            menu.addAction(tr("&Pin this cell"), this, [this, click] { pinByClick(*click); });
-        QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(cell)); });
-        fly->setEnabled(shown() && shown()->cloud->drawable(cell));
-        menu.addSeparator();
-    }
-    menu.addAction(tr("View from &scanner"), &cloud_, &CloudView::viewFromScanner);
-    menu.addAction(tr("F&it"), &cloud_, &CloudView::zoomToFit);
-    menu.exec(position);
-}
-
-/// Shift takes the clicked cell itself, whatever is near.
-void LinkedViews::clickAt(std::size_t cell) {
-    click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell));
-}
-
-/// Ctrl selects several rocks and pins no cell.
-void LinkedViews::click(const inspect::MeantCell& click) {
-    if (tool_ == Tool::Pin && pinsOnClick_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
-        pinByClick(click);
-    else
-        for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);
-    emit clicked(click);
 }
 
 void LinkedViews::setTool(Tool tool) {
@@ -110,35 +48,28 @@ void LinkedViews::setMarks(const CellMarks& marks) {
     cloud_.setMarks(marks);
 }
 
-/// All three views zoom to the content of the box; the box stays drawn until Esc.
-void LinkedViews::lookAtBox(const QRect& cells) {
-    if (!shown()) return;
-    const Scan& scan = *shown()->detection->scan;
-    const QRect inside = cells.intersected(QRect(0, 0, scan.beams(), scan.lines()));
-    if (inside.isEmpty()) return;
-    for (ImageView* view : images_) view->setBox(inside);
-    std::vector<std::uint32_t> held;
-    std::size_t edges = 0;
-    double nearest = 0.0, farthest = 0.0;
-    for (int line = inside.top(); line <= inside.bottom(); ++line) {
-        for (int beam = inside.left(); beam <= inside.right(); ++beam) {
-            const std::size_t k = scan.rangeMm.index(line, beam);
-            edges += (*shown()->detection->mask)[k] != 0 ? 1 : 0;
-            if (scan.state[k] != CellState::Valid) continue;
-            const double range = static_cast<double>(scan.rangeMm[k]) / 1000.0;
-            nearest = held.empty() ? range : std::min(nearest, range);
-            farthest = held.empty() ? range : std::max(farthest, range);
-            held.push_back(static_cast<std::uint32_t>(k));
-        }
+void LinkedViews::followCoarse() {
+    coarse_ = engine_.coarse();
+    if (coarse_) return showCoarse();
+    for (ImageView* view : images_) {
+        view->setImage(nullptr);
+        view->setNote(openSomething());
     }
-    gray().viewPort()->fitTo(QRectF(inside));
-    if (!held.empty()) cloud_.zoomToCells(held);
-    QString words = tr("box of %1 × %2 cells: %3 points, %4 edge cells")
-                        .arg(inside.height())
-                        .arg(inside.width())
-                        .arg(countText(held.size()), countText(edges));
-    if (!held.empty()) words += tr(", ranges %1 to %2 m").arg(nearest, 0, 'f', 2).arg(farthest, 0, 'f', 2);
-    emit boxed(words);
+    cloud_.setCloud(nullptr, nullptr);
+    cloud_.setNote(QString());
+}
+
+void LinkedViews::showCoarse() {
+    const edges::Detection& detection = *coarse_->detection;
+    applyAspect();
+    gray().setImage(state_.window ? std::make_shared<const QImage>(grayPicture(detection, state_.window, detection.scan->lines()))
+                                  : coarse_->gray);
+    cloud_.setCloud(detection.scan, coarse_->cloud);
+    fittedCamera_ = cloud_.camera();
+    const QString note = tr("Coarse picture of %1 million cells, the rest is coming").arg(millions(coarse_->cells));
+    gray().setNote(note);
+    cloud_.setNote(note);
+    edges().setNote(tr("The edges come with the rest of the scan"));
 }
 
 void LinkedViews::followPicture() {
@@ -222,11 +153,16 @@ void LinkedViews::showNewScan() {
     if (!windowKept_) setRangeWindow(std::nullopt);
     applyAspect();
     ViewPort& viewPort = *gray().viewPort();
-    if (viewPort.imageSize() != shown()->gray->size()) {
+    const bool replacesCoarse = std::exchange(coarse_, nullptr) != nullptr;
+    if (replacesCoarse) {
+        viewPort.setFinerImage(shown()->gray->size());
+        cloud_.setNote(QString());
+    } else if (viewPort.imageSize() != shown()->gray->size()) {
         viewPort.setImageSize(shown()->gray->size());
         viewPort.fit();
     }
-    cloud_.setCloud(shown()->detection->scan, shown()->cloud);
+    const bool turned = replacesCoarse && cloud_.camera() != fittedCamera_;
+    cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
     noteFit();
     for (ImageView* view : images_) {
         view->setNote(QString());
@@ -380,7 +316,8 @@ RangeSpan LinkedViews::rangesShown() const {
 }
 
 void LinkedViews::applyAspect() {
-    const auto* polar = shown() ? std::get_if<PolarGeometry>(&shown()->detection->scan->geometry) : nullptr;
+    const edges::Detection* detection = coarse_ ? coarse_->detection.get() : shown() ? shown()->detection.get() : nullptr;
+    const auto* polar = detection != nullptr ? std::get_if<PolarGeometry>(&detection->scan->geometry) : nullptr;
     if (!trueAngles_ || polar == nullptr || polar->beamDeg.size() < 2 || polar->lineDeg.size() < 2) {
         gray().viewPort()->setSquarePixels();
         return;

@@ -34,6 +34,9 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
+    /// The engine has a coarse picture, which can be turned and zoomed, but its cells cannot be pointed at. Or its opening ended without a
+    /// picture.
+    void followCoarse();
     /// The picture in all views; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return state_.flippedTo ? state_.flippedTo : picture_; }
     [[nodiscard]] ImageView& gray() { return *images_[0]; }
@@ -130,9 +133,11 @@ signals:
 private:
     void linkImages();
     void linkCloud();
+    [[nodiscard]] bool waitsForTheWhole(QWidget& view) const;
     void openMenuAt(const QPoint& position, std::optional<std::size_t> cell);
     void clickAt(std::size_t cell);
     void lookAtBox(const QRect& cells);
+    void showCoarse();
     void draw();
     void applyScene();
     void showCaption();
@@ -147,7 +152,8 @@ private:
     std::array<ImageView*, 2> images_;     // gray, edges
     const ImageView* captionIn_ = nullptr; // null: the cloud
     CloudView& cloud_;
-    std::shared_ptr<const Picture> picture_; // of the engine
+    std::shared_ptr<const Picture> picture_;      // of the engine
+    std::shared_ptr<const CoarsePicture> coarse_; // on the screen until the first picture of its scan
     SceneState state_;
     Overlays overlays_;
     Scene scene_;

@@ -90,6 +90,7 @@ void Engine::cancel() {
 void Engine::dropArrival() {
     if (!arriving_) return;
     arriving_.reset();
+    setCoarse(nullptr);
     pictures_.giveUp();
     asked_.scan = picture_ ? picture_->detection->scan : nullptr;
     asked_.source = picture_ ? picture_->source : PictureSource{};
@@ -113,9 +114,14 @@ void Engine::follow(const std::shared_ptr<const Scan>& scan, const PictureSource
     post(scan, source);
 }
 
+void Engine::setCoarse(const std::shared_ptr<const CoarsePicture>& coarse) {
+    if (std::exchange(coarse_, coarse) != coarse) emit coarseChanged();
+}
+
 void Engine::post(const std::shared_ptr<const Scan>& scan, const PictureSource& source) {
     asked_.scan = scan;
     asked_.source = source;
+    asked_.coarseFirst = arriving_ && !picture_ && scan->cells() > coarseAbove_;
     pictures_.ask(asked_);
 }
 
@@ -241,6 +247,11 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked, const Asker& aske
         show("placing the points", 0.0);
         cloud_ = nullptr;
         cloudScan_ = nullptr;
+        if (asked.coarseFirst) {
+            asker.show([this, coarse = makeCoarsePicture(*asked.scan, asked.settings), stream = asked.source.stream] {
+                if (arriving_ && arriving_->stream == stream) setCoarse(coarse);
+            });
+        }
         cloud_ = makeCloudGeometry(*asked.scan);
         cloudScan_ = asked.scan;
     }
@@ -262,6 +273,7 @@ void Engine::takePicture(const std::shared_ptr<const Picture>& newest) {
     const bool arrives = arriving_ && newest->source.stream == arriving_->stream;
     if (arrives) {
         inputs_ = arriving_->inputs;
+        coarse_ = nullptr; // the views replace it by the picture
         const QString path = std::exchange(arriving_, std::nullopt)->path;
         emit opened(path);
     }

@@ -8,6 +8,7 @@
 #include "core/edges/settings/settings.h"
 #include "core/exports/provenance.h"
 #include "core/files/open_save/open_scan.h"
+#include "ui/engine/worker_bridge/coarse_picture.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
 #include "ui/engine/worker_bridge/works.h"
@@ -24,7 +25,8 @@
 
 namespace edgescan::ui {
 
-/// GUI thread only. The screen does not change until the next scan has its first picture.
+/// GUI thread only. The screen does not change until the next scan has its first picture; while it is empty, a large scan has a coarse one
+/// before.
 class Engine : public QObject {
     Q_OBJECT
 public:
@@ -58,6 +60,10 @@ public:
 
     /// The newest picture, null before the first.
     [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
+    /// Of the scan that is being opened, until its first picture is there; null: it is small, or another scan is on the screen.
+    [[nodiscard]] const std::shared_ptr<const CoarsePicture>& coarse() const { return coarse_; }
+    /// Scans with more cells have a coarse picture first.
+    void setCoarseAbove(std::size_t cells) { coarseAbove_ = cells; }
 
     /// Saves the shown picture's data, in the scan's usual frame unless `options` says otherwise.
     void save(exports::ExportContent what, const QString& path, const std::optional<exports::ExportOptions>& options = std::nullopt);
@@ -67,6 +73,8 @@ signals:
     void workProgressed(const QString& stage, double fraction);
     void workEnded();
     void replacingChanged(bool on);
+    /// A coarse picture came; or it is gone, because its opening was cancelled or failed.
+    void coarseChanged();
     /// A scan was read, and its first picture comes with the next signal.
     void opened(const QString& path);
     /// `count`: points or cells in the file. `coordinates`: their frame and extent; empty for pictures.
@@ -105,7 +113,9 @@ private:
         std::shared_ptr<const Scan> scan;
         edges::Settings settings;
         PictureSource source;
+        bool coarseFirst = false;
     };
+    void setCoarse(const std::shared_ptr<const CoarsePicture>& coarse);
     [[nodiscard]] std::shared_ptr<const Picture> run(const Asked& asked, const Asker& asker); // pool's thread
     void takePicture(const std::shared_ptr<const Picture>& newest);
 
@@ -116,6 +126,8 @@ private:
     QTimer replacingTimer_;
     bool replacing_ = false;
     std::shared_ptr<const Picture> picture_;
+    std::shared_ptr<const CoarsePicture> coarse_;
+    std::size_t coarseAbove_ = kCoarseAbove;
     int savings_ = 0;
     std::shared_ptr<const InputClaims> inputs_; // of the last opened scan
     std::mutex retiredMutex_;

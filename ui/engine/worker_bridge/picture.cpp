@@ -1,6 +1,7 @@
 // Makes the images of a detection.
 #include "ui/engine/worker_bridge/picture.h"
 
+#include "core/base/bands.h"
 #include "core/edges/gray/gray.h"
 #include "core/scan/gap_filling/gap_filling.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -200,11 +202,15 @@ std::shared_ptr<const Picture> makePicture(const std::shared_ptr<const edges::De
     const int rows = shownLines(*detection->scan, source.growth);
     const bool grayHolds = last && last->detection->gray == detection->gray && last->detection->filled == detection->filled &&
                            last->detection->scan == detection->scan && last->gray->height() == rows;
-    picture->gray = grayHolds ? last->gray : std::make_shared<const QImage>(grayPicture(*detection, std::nullopt, rows));
-    picture->edges = std::make_shared<const QImage>(edgePicture(*detection, rows));
-    picture->overlay = std::make_shared<const QImage>(edgeOverlay(*detection, kUsualColours, false, rows));
-    picture->edgeCells = edgeCellsOf(*detection);
-    picture->lost = lostAreas(*detection->scan);
+    const auto drawn = [](QImage image) { return std::make_shared<const QImage>(std::move(image)); };
+    runParts(bandsFor(detection->scan->cells(), 0),
+             {[&] { picture->edges = drawn(edgePicture(*detection, rows)); },
+              [&] { picture->overlay = drawn(edgeOverlay(*detection, kUsualColours, false, rows)); },
+              [&] { picture->gray = grayHolds ? last->gray : drawn(grayPicture(*detection, std::nullopt, rows)); },
+              [&] {
+                  picture->edgeCells = edgeCellsOf(*detection);
+                  picture->lost = lostAreas(*detection->scan);
+              }});
     return picture;
 }
 

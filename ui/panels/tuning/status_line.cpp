@@ -261,6 +261,12 @@ void StatusLine::showCounts(const edges::Detection& detection) {
     factLabel(Fact::Counts).label->setToolTip(text + "\n" + tr("Edges found in %1 ms").arg(number(detection.totalMs, 1)));
 }
 
+void StatusLine::showCountsToCome(std::optional<std::size_t> cells) {
+    const QString text = cells ? tr("%1 cells · edges pending").arg(countText(*cells)) : QString();
+    showFact(Fact::Counts, text, cells ? tr("edges pending") : QString(), false);
+    factLabel(Fact::Counts).label->setToolTip(text);
+}
+
 void StatusLine::showBox(const QString& words) { showFact(Fact::Box, words, {}, false); }
 
 void StatusLine::showSettings(const edges::Settings& settings) {

@@ -39,6 +39,8 @@ public:
     /// The content of the selected box; empty: no box.
     void showBox(const QString& words);
     void showCounts(const edges::Detection& detection);
+    /// While the scan has only a coarse picture; empty: no scan is coming.
+    void showCountsToCome(std::optional<std::size_t> cells);
     /// The frame of the scan, with the origin of local coordinates. `growing`: more lines come, so that the sweep is not incomplete yet.
     void showPlace(const Scan& scan, bool growing = false);
     /// Marks a picture from a file, with its time of measurement. A followed scanner is shown in the live panel instead.

@@ -1,8 +1,11 @@
 // Images of half, quarter ... size for zooming out.
 #include "ui/views/image/pyramid.h"
 
+#include "core/base/bands.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace edgescan::ui {
@@ -27,6 +30,7 @@ int meanLevel(int a, int b, int c, int d) { return (a + b + c + d + 2) / 4; }
 
 template <class Mean>
 QRgb channels(QRgb a, QRgb b, QRgb c, QRgb d, Mean mean) {
+    if (a == b && a == c && a == d) return a; // most of an edge map
     const auto of = [&](int (*channel)(QRgb)) { return mean(channel(a), channel(b), channel(c), channel(d)); };
     return qRgba(of(qRed), of(qGreen), of(qBlue), of(qAlpha));
 }
@@ -35,16 +39,22 @@ template <class Pixel, class Merge>
 QImage halve(const QImage& from, Merge merge) {
     const bool isOpaque = from.format() == QImage::Format_RGB32;
     QImage to((from.width() + 1) / 2, (from.height() + 1) / 2, isOpaque ? QImage::Format_ARGB32_Premultiplied : from.format());
-    for (int y = 0; y < to.height(); ++y) {
-        const auto* upper = reinterpret_cast<const Pixel*>(from.constScanLine(2 * y));
-        const auto* lower = reinterpret_cast<const Pixel*>(from.constScanLine(std::min(2 * y + 1, from.height() - 1)));
-        auto* out = reinterpret_cast<Pixel*>(to.scanLine(y));
-        for (int x = 0; x < to.width(); ++x) {
-            const int left = 2 * x;
-            const int right = std::min(left + 1, from.width() - 1);
-            out[x] = merge(upper[left], upper[right], lower[left], lower[right]);
+    std::uint8_t* const pixels = to.bits(); // once: it is not for several threads
+    const auto perLine = static_cast<std::ptrdiff_t>(to.bytesPerLine());
+    const int width = to.width();
+    const auto cells = static_cast<std::size_t>(from.width()) * static_cast<std::size_t>(from.height());
+    runInBands(to.height(), bandsFor(cells, 0), [&](int first, int last) {
+        for (int y = first; y < last; ++y) {
+            const auto* upper = reinterpret_cast<const Pixel*>(from.constScanLine(2 * y));
+            const auto* lower = reinterpret_cast<const Pixel*>(from.constScanLine(std::min(2 * y + 1, from.height() - 1)));
+            auto* out = reinterpret_cast<Pixel*>(pixels + y * perLine);
+            for (int x = 0; x < width; ++x) {
+                const int left = 2 * x;
+                const int right = std::min(left + 1, from.width() - 1);
+                out[x] = merge(upper[left], upper[right], lower[left], lower[right]);
+            }
         }
-    }
+    });
     return to;
 }
 

@@ -23,6 +23,20 @@ void ViewPort::setImageSize(QSize beamsByLines) {
     emit changed();
 }
 
+void ViewPort::setFinerImage(QSize beamsByLines) {
+    if (fitted_ || imageSize_.isEmpty()) {
+        setImageSize(beamsByLines);
+        return fit();
+    }
+    const double perBeam = static_cast<double>(beamsByLines.width()) / imageSize_.width();
+    const double perLine = static_cast<double>(beamsByLines.height()) / imageSize_.height();
+    imageSize_ = beamsByLines;
+    centre_ = {centre_.x() * perBeam, centre_.y() * perLine};
+    zoom_ /= perLine;
+    keepInReach();
+    emit changed();
+}
+
 void ViewPort::setAspect(double widthByHeight) {
     if (!(widthByHeight > 0.0)) return;
     const double aspect = std::clamp(widthByHeight, 1.0 / kMaxAspect, kMaxAspect);

@@ -32,6 +32,8 @@ public:
     /// Beams x lines. A new number of beams fits the image again. The same size or more lines keep zoom and place (a re-tune, a live scan),
     /// unless the whole image was visible.
     void setImageSize(QSize beamsByLines);
+    /// The same picture with smaller cells: the part of it that is seen stays where it is.
+    void setFinerImage(QSize beamsByLines);
     void setAspect(double widthByHeight);
     /// "True angle" aspect: beam step and line step in degrees.
     void setTrueAngle(double beamStepDeg, double lineStepDeg);

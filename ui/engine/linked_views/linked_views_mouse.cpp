@@ -1,0 +1,130 @@
+// The mouse in the three views: pointing, clicks, menus and boxes.
+#include "ui/base/count_text.h"
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
+
+#include <QCursor>
+#include <QGuiApplication>
+#include <QMenu>
+#include <QPolygonF>
+#include <QToolTip>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+
+void LinkedViews::linkImages() {
+    for (ImageView* view : images_) {
+        connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
+            if (const auto cell = cellAt(line, beam)) hover(cell, view);
+        });
+        connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
+        connect(view, &ImageView::clicked, this, [this, view](int line, int beam) {
+            if (waitsForTheWhole(*view)) return;
+            if (const auto cell = cellAt(line, beam)) clickAt(*cell);
+        });
+        connect(view, &ImageView::outlined, this, [this, view](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
+            if (!waitsForTheWhole(*view)) emit imageOutlined(corners, modifiers);
+        });
+        connect(view, &ImageView::cleared, this, &LinkedViews::clearPin);
+        connect(view, &ImageView::menuRequested, this,
+                [this](int line, int beam, const QPoint& position) { openMenuAt(position, cellAt(line, beam)); });
+        connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
+        connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeRangeWindow);
+    }
+}
+
+void LinkedViews::linkCloud() {
+    connect(&cloud_, &CloudView::hovered, this, [this](qint64 cell) { hover(static_cast<std::size_t>(cell), &cloud_); });
+    connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
+    connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) {
+        if (!waitsForTheWhole(cloud_)) clickAt(static_cast<std::size_t>(cell));
+    });
+    connect(&cloud_, &CloudView::missed, this,
+            [this] { QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden."), &cloud_); });
+    connect(&cloud_, &CloudView::outlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
+        if (!waitsForTheWhole(cloud_)) emit cloudOutlined(corners, modifiers);
+    });
+    connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
+        openMenuAt(position, cell >= 0 && !coarse_ ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
+    });
+}
+
+/// Says so.
+bool LinkedViews::waitsForTheWhole(QWidget& view) const {
+    if (!coarse_) return false;
+    QToolTip::showText(QCursor::pos(), tr("Cells can be clicked when the whole scan is here: this is a coarse picture of it."), &view);
+    return true;
+}
+
+void LinkedViews::openMenuAt(const QPoint& position, std::optional<std::size_t> cell) {
+    openMenu(position, cell ? std::optional(meant(*cell)) : std::nullopt);
+}
+
+void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click) {
+    QMenu menu;
+    menu.setObjectName("cell-menu");
+    if (click) {
+        const std::size_t cell = click->clicked;
+        emit cellMenuOpens(menu, *click);
+        if (pinned_ == cell || pinned_ == click->cell)
+            menu.addAction(tr("Remove the target of this ce&ll"), this, &LinkedViews::clearPin);
+        else
+            menu.addAction(tr("&Pin this cell"), this, [this, click] { pinByClick(*click); });
+        QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(cell)); });
+        fly->setEnabled(shown() && shown()->cloud->drawable(cell));
+        menu.addSeparator();
+    }
+    menu.addAction(tr("View from &scanner"), &cloud_, &CloudView::viewFromScanner);
+    menu.addAction(tr("F&it"), &cloud_, &CloudView::zoomToFit);
+    menu.exec(position);
+}
+
+/// Shift takes the clicked cell itself, whatever is near.
+void LinkedViews::clickAt(std::size_t cell) {
+    click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell));
+}
+
+/// Ctrl selects several rocks and pins no cell.
+void LinkedViews::click(const inspect::MeantCell& click) {
+    if (tool_ == Tool::Pin && pinsOnClick_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
+        pinByClick(click);
+    else
+        for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);
+    emit clicked(click);
+}
+
+/// All three views zoom to the content of the box; the box stays drawn until Esc.
+void LinkedViews::lookAtBox(const QRect& cells) {
+    if (!shown()) return;
+    const Scan& scan = *shown()->detection->scan;
+    const QRect inside = cells.intersected(QRect(0, 0, scan.beams(), scan.lines()));
+    if (inside.isEmpty()) return;
+    for (ImageView* view : images_) view->setBox(inside);
+    std::vector<std::uint32_t> held;
+    std::size_t edges = 0;
+    double nearest = 0.0, farthest = 0.0;
+    for (int line = inside.top(); line <= inside.bottom(); ++line) {
+        for (int beam = inside.left(); beam <= inside.right(); ++beam) {
+            const std::size_t k = scan.rangeMm.index(line, beam);
+            edges += (*shown()->detection->mask)[k] != 0 ? 1 : 0;
+            if (scan.state[k] != CellState::Valid) continue;
+            const double range = static_cast<double>(scan.rangeMm[k]) / 1000.0;
+            nearest = held.empty() ? range : std::min(nearest, range);
+            farthest = held.empty() ? range : std::max(farthest, range);
+            held.push_back(static_cast<std::uint32_t>(k));
+        }
+    }
+    gray().viewPort()->fitTo(QRectF(inside));
+    if (!held.empty()) cloud_.zoomToCells(held);
+    QString words = tr("box of %1 × %2 cells: %3 points, %4 edge cells")
+                        .arg(inside.height())
+                        .arg(inside.width())
+                        .arg(countText(held.size()), countText(edges));
+    if (!held.empty()) words += tr(", ranges %1 to %2 m").arg(nearest, 0, 'f', 2).arg(farthest, 0, 'f', 2);
+    emit boxed(words);
+}
+
+} // namespace edgescan::ui
