@@ -8,6 +8,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/change/change_legend.h"
+#include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/edge_legend.h"
 
 #include <QAction>

@@ -177,11 +177,15 @@ private slots:
         }
         QVERIFY(all > 50);
         QVERIFY2(alike * 50 <= all, qPrintable(QString("%1 of %2").arg(alike).arg(all)));
+        on.viewer.rocksPanel.slider()->setFocus();
+        QTest::keyClick(on.viewer.rocksPanel.slider(), Qt::Key_Home); // the finest pieces have the most doubtful outlines
+        QVERIFY(settled(on));
+        const RockPicture& fine = picture(on);
         int doubtful = 0;
-        for (const rocks::Rock& rock : shown.study.rocks) {
+        for (const rocks::Rock& rock : fine.study.rocks) {
             std::set<QRgb> inks; // of the face, borders included
-            for (std::size_t k = 0; k < shown.labels.size(); ++k) {
-                if (shown.labels[k] == rock.label) inks.insert(shown.faces->pixel(on.viewer.views.placeOf(k)));
+            for (std::size_t k = 0; k < fine.labels.size(); ++k) {
+                if (fine.labels[k] == rock.label) inks.insert(fine.faces->pixel(on.viewer.views.placeOf(k)));
             }
             QCOMPARE(static_cast<int>(inks.size()), isDoubtful(rock) ? 3 : 2);
             doubtful += isDoubtful(rock) ? 1 : 0;

@@ -66,7 +66,7 @@ Scan camera(const Eigen::Vector3d& sensor) {
     Scan scan;
     scan.rangeMm = Grid<float>(60, 80);
     scan.state = Grid<CellState>(60, 80, CellState::Valid);
-    PointGeometry cloud{Grid<Eigen::Vector3d>(60, 80), sensor};
+    PointGeometry cloud{Grid<Eigen::Vector3d>(60, 80, Eigen::Vector3d::Zero()), sensor};
     for (int i = 0; i < 60; ++i) {
         for (int j = 0; j < 80; ++j) {
             const double depth = (j > 30 && j < 50 && i > 20 && i < 40 ? 1.25 : 2.0) + 0.01 * std::sin(i * 0.7) * std::cos(j * 0.4);
@@ -83,7 +83,7 @@ Scan camera(const Eigen::Vector3d& sensor) {
 Scan tripod() {
     Scan scan = tilt();
     const CartesianTables tables(scan);
-    PointGeometry cloud{Grid<Eigen::Vector3d>(scan.lines(), scan.beams()), Eigen::Vector3d(12.5, -3.25, 1.75)};
+    PointGeometry cloud{Grid<Eigen::Vector3d>(scan.lines(), scan.beams(), Eigen::Vector3d::Zero()), Eigen::Vector3d(12.5, -3.25, 1.75)};
     cloud.angles = std::get<PolarGeometry>(scan.geometry);
     for (std::size_t k = 0; k < scan.cells(); ++k) cloud.pointsM[k] = tables.point(k) + cloud.sensorM;
     scan.geometry = cloud;

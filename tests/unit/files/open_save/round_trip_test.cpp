@@ -115,7 +115,7 @@ TEST(RoundTrip, ListsOfPointsHaveNoDigitsOfArithmetic) {
     Scan scan;
     scan.rangeMm = Grid<float>(1, 2);
     scan.state = Grid<CellState>(1, 2, CellState::Valid);
-    PointGeometry geometry{Grid<Eigen::Vector3d>(1, 2), Eigen::Vector3d::Zero()};
+    PointGeometry geometry{Grid<Eigen::Vector3d>(1, 2, Eigen::Vector3d::Zero()), Eigen::Vector3d::Zero()};
     geometry.pointsM[0] = {-319.3588 * 0.01, 0.1 + 0.2, 100.0 - 1e-13}; // as centimetres become metres
     geometry.pointsM[1] = {1.0 / 3.0, -1e-12, 2.5};
     for (std::size_t k = 0; k < 2; ++k) scan.rangeMm[k] = static_cast<float>(geometry.pointsM[k].norm() * 1000);

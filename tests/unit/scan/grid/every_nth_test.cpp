@@ -19,7 +19,8 @@ void expectSamePoints(const Scan& some, const Scan& all, int n) {
         for (int j = 0; j < some.beams(); ++j) {
             EXPECT_EQ(some.state.at(i, j), all.state.at(n * i, n * j));
             EXPECT_EQ(some.rangeMm.at(i, j), all.rangeMm.at(n * i, n * j));
-            if (some.state.at(i, j) == CellState::Valid) EXPECT_EQ(tables.point(i, j), whole.point(n * i, n * j));
+            if (some.state.at(i, j) != CellState::Valid) continue;
+            EXPECT_EQ(tables.point(i, j), whole.point(n * i, n * j));
         }
     }
 }
@@ -39,7 +40,7 @@ TEST(EveryNth, HasTheCellsOfTheScan) {
 TEST(EveryNth, HasThePointsAndIntensitiesOfACloud) {
     Scan scan = makeScan({.lines = 7, .beams = 20, .seed = 4});
     PointGeometry given;
-    given.pointsM = Grid<Eigen::Vector3d>(7, 20);
+    given.pointsM = Grid<Eigen::Vector3d>(7, 20, Eigen::Vector3d::Zero());
     for (std::size_t k = 0; k < scan.cells(); ++k) given.pointsM[k] = {0.1 * static_cast<double>(k), 1e6 / 3, -static_cast<double>(k)};
     given.sensorM = {1, 2, 3};
     scan.geometry = given;

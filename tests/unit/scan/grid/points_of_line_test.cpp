@@ -56,7 +56,7 @@ TEST(PointsOfLine, AreThoseOfItsCells) {
 TEST(PointsOfLine, OfAnOrganisedCloudAreAsRead) {
     Scan scan = makeScan({.lines = 6, .beams = 20, .seed = 4});
     PointGeometry given;
-    given.pointsM = Grid<Eigen::Vector3d>(6, 20);
+    given.pointsM = Grid<Eigen::Vector3d>(6, 20, Eigen::Vector3d::Zero());
     for (std::size_t k = 0; k < scan.cells(); ++k) given.pointsM[k] = {0.1 * static_cast<double>(k), 1e6 / 3, -static_cast<double>(k)};
     scan.geometry = given;
     scan.state[7] = CellState::NoReturn;
