@@ -41,9 +41,9 @@ struct WantedExport {
 [[nodiscard]] std::vector<WantedExport> wantedExports(const ExportPaths& paths, exports::ExportKind::Needs needs,
                                                       const std::string& scanName, CoordinateFrame frame);
 
-/// "a.pcd, standard output".
 /// Their names without folders.
 [[nodiscard]] std::string namesText(const std::vector<std::string>& paths);
+/// "a.pcd, standard output".
 [[nodiscard]] std::string placesText(const std::vector<std::string>& paths);
 
 } // namespace edgescan::cli

@@ -3,6 +3,7 @@
 
 #include "core/base/bounded_json.h"
 #include "core/base/foreign_text.h"
+#include "core/base/held_file.h"
 #include "core/base/json_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
@@ -23,7 +24,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <span>
 
 namespace edgescan::exports {
@@ -255,15 +255,13 @@ void compareFiles(const std::string& found, const std::vector<FileBytes>& again,
 } // namespace
 
 bool isReport(const fs::path& file) {
-    std::string head(64, '\0'); // an export may be large
-    std::ifstream in(file, std::ios::binary);
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(in.gcount()));
+    const auto held = holdFile(file); // an export may be large
+    if (!held) return false;
+    const std::string_view all = textOf(held->bytes()), head = all.substr(0, 64);
     if (head.starts_with("<!DOCTYPE html>") || head.starts_with("%PDF")) return true;
     const std::size_t key = head.find('"');
     if (!head.starts_with('{') || key == head.npos || head.compare(key, 8, "\"schema\"") != 0 || files::sidecarOf(file)) return false;
-    const auto bytes = readWholeFile(file);
-    return bytes && embeddedRecord(textOf(*bytes)).empty();
+    return embeddedRecord(all).empty();
 }
 
 Result<Verification> verifyExport(const fs::path& exported, const std::optional<fs::path>& scansFolder) {

@@ -2,7 +2,6 @@
 #include "cloud_demo_scan.h"
 #include "tests/ui/run_test.h"
 
-#include "core/files/open_save/open_scan.h"
 #include "ui/views/cloud/camera_motion.h"
 #include "ui/views/cloud/cloud_geometry.h"
 #include "ui/views/cloud/drawing_budget.h"
@@ -15,8 +14,6 @@
 #include <numbers>
 #include <random>
 #include <set>
-#include <span>
-#include <string>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -140,25 +137,6 @@ private slots:
             if (cloud->drawable(k)) QVERIFY((cloud->point(k).cast<double>() + cloud->originM - points[k]).norm() < 1e-4);
         }
         QVERIFY(cloud->axes.up.isApprox(Vector3d::UnitZ()));
-        QVERIFY(cloud->axes.forward.isApprox(Vector3d::UnitY()));
-    }
-
-    // The lines turn about the y axis, so that the rows of the image are not level; the frame of the list is.
-    void aListOfPointsHasItsZAxisUp() {
-        std::string text = "X,Y,Z\n";
-        for (int i = 0; i < 60; ++i) {
-            for (int j = 0; j < 80; ++j) {
-                const double turn = (25.0 + 2.0 * i) * std::numbers::pi / 180, off = (j - 40.0) * std::numbers::pi / 180;
-                const Vector3d at = 4.0 * Vector3d(std::sin(off) * std::cos(turn), std::cos(off), std::sin(off) * std::sin(turn));
-                text += std::to_string(at.x()) + "," + std::to_string(at.y()) + "," + std::to_string(at.z()) + "\n";
-            }
-        }
-        const Result<Scan> scan = files::readScanBytes(std::as_bytes(std::span(text)), ".csv");
-        QVERIFY(scan);
-        QVERIFY(scan->pointsRead > 0);
-        const auto cloud = makeCloudGeometry(*scan);
-        QVERIFY(cloud->axes.up.isApprox(Vector3d::UnitZ()));
-        QVERIFY(cloud->scannerView.up.z() > 0.9);
         QVERIFY(cloud->axes.forward.isApprox(Vector3d::UnitY()));
     }
 

@@ -113,12 +113,14 @@ private slots:
     void cancelEmptiesTheViews() {
         WindowFixture on;
         QVERIFY(on.show());
+        StartPage* page = showStart(on.window, on.preferences);
         QVERIFY(openUntilCoarse(on, scan_, [&] { on.viewer.engine.cancel(); }));
         QVERIFY(eventually([&] { return !on.viewer.engine.working(); }));
         QVERIFY(!on.viewer.engine.picture() && !on.viewer.engine.coarse());
         QVERIFY(!on.viewer.gray.image() && !on.viewer.cloud.geometryOfCloud());
         QVERIFY(on.viewer.gray.note().startsWith("Open a scan"));
         QVERIFY(on.viewer.statusLine.countsShown().isEmpty());
+        QVERIFY(page->isVisible());
         // The next scan has its own.
         QVERIFY(openUntilCoarse(on, scan_, [] {}) && on.settled());
     }

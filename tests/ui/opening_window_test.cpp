@@ -127,11 +127,11 @@ private slots:
         auto* offer = notice.findChild<QToolButton*>("notice-action");
         auto* earlier = notice.findChild<QToolButton*>("notice-earlier");
         QVERIFY(offer->isVisible() && !earlier->isVisible());
-        const QString first = notice.text();
+        const QString first = notice.text(), missing = QString::fromStdString((folder_ / "missing.json").string());
         for (const int again : {1, 2}) {
             Q_UNUSED(again)
-            QTest::keyClick(&on.window, Qt::Key_I);
-            QVERIFY2(notice.text().startsWith("Nothing is selected"), qPrintable(notice.text()));
+            on.viewer.files.open({missing});
+            QVERIFY(eventually([&] { return notice.text().contains("missing.json") && on.settled(); }));
             QVERIFY(!offer->isVisible() && earlier->isVisible());
             QCOMPARE(earlier->text(), QString("1 earlier")); // the same notice twice counts once
         }
@@ -139,7 +139,13 @@ private slots:
         QCOMPARE(notice.text(), first);
         QVERIFY(offer->isVisible());
         QTest::mouseClick(earlier, Qt::LeftButton); // the button cycles
-        QVERIFY(notice.text().startsWith("Nothing is selected"));
+        QVERIFY(notice.text().contains("missing.json"));
+        // A hint is about one step: it hides no notice and does not come back.
+        QTest::keyClick(&on.window, Qt::Key_I);
+        QVERIFY2(notice.text().startsWith("Nothing is selected"), qPrintable(notice.text()));
+        QCOMPARE(earlier->text(), QString("2 earlier"));
+        QTest::mouseClick(earlier, Qt::LeftButton);
+        QVERIFY(notice.text().contains("missing.json"));
         QTest::mouseClick(earlier, Qt::LeftButton);
         QTest::mouseClick(offer, Qt::LeftButton);
         QVERIFY(on.viewer.opening.card() != nullptr && QTest::qWaitForWindowExposed(on.viewer.opening.card(), kPatienceMs));

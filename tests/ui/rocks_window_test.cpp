@@ -513,6 +513,7 @@ private slots:
         QVERIFY(settled(on));
         QTRY_COMPARE(on.viewer.undo.count(), 1);
         QVERIFY(settled(on));
+        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
         QVERIFY2(on.viewer.notice.text().startsWith("No rock changed"), qPrintable(on.viewer.notice.text()));
         // Split takes them apart again, and no target is set.
         QTest::keyClick(&on.window, Qt::Key_S);
@@ -576,6 +577,13 @@ private slots:
             return question;
         };
         QVERIFY(named(1, "").contains("A new target on it, number 1,"));
+        QVERIFY(on.viewer.targets.notebook().empty());
+        // The target of the last click stays on its rock.
+        click(on, 3);
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{1});
+        QVERIFY(named(4, "Cora").contains("A new target on it, number 2,"));
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{2});
+        while (on.viewer.undo.canUndo()) on.viewer.undo.undo();
         QVERIFY(on.viewer.targets.notebook().empty());
         named(1, "Bertha");
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{1});

@@ -98,7 +98,7 @@ void NoticeBar::showHint(const QString& text) {
 }
 
 void NoticeBar::endPassing() {
-    if (isHidden() || (kind_ != Kind::Done && !isHint_)) return;
+    if (isHidden() || (kind_ != Kind::Done && !isHint_) || !action_->isHidden()) return; // "Saved" has a button
     earlier_.empty() ? hide() : showEarlier();
 }
 

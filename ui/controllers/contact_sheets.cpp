@@ -8,6 +8,7 @@
 #include "ui/controllers/tuning.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/dialogs/contact_card.h"
+#include "ui/panels/tuning/edges_panel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,8 +75,8 @@ void ContactSheets::add(const edges::SheetEntry& entry, const QImage& picture) {
     const edges::Parameter& p = *shown_.parameter;
     edges::Settings with = shown_.settings;
     p.set(with, entry.value);
-    const QString value = p.choices.empty() ? QString::number(entry.value, 'f', p.decimals) + " " + QObject::tr(p.unit)
-                                            : QObject::tr(edges::choiceLabel(p, with).c_str());
+    const QString value =
+        p.choices.empty() ? QString::number(entry.value, 'f', p.decimals) + " " + QObject::tr(p.unit) : choiceWords(p, with);
     card_->add(picture, tr("%1 edge cells · %2").arg(countText(entry.edges), value.trimmed()));
 }
 

@@ -170,7 +170,7 @@ void Live::showHealth() {
     const bool own = !shown || showsScanner();
     const bool held = scanner_.connected() && !scanner_.following() && shown && own;
     // After Stop the counted sweep may be the one after the held picture.
-    const bool otherSweep = shown && own && shown->source.growth.sweep + 1 != scanner_.health().sweep;
+    const bool otherSweep = !scanner_.connected() && shown && own && shown->source.growth.sweep + 1 != scanner_.health().sweep;
     panel_.showHealth(scanner_.health(), !own                 ? HealthStrip::Picture::Other
                                          : held || otherSweep ? HealthStrip::Picture::Held
                                                               : HealthStrip::Picture::Follows);

@@ -54,7 +54,9 @@ QPainterPath pathOf(const QString& steps) {
 /// `unit`: height of the numbers over a picture; 0: a text of a drawing on white.
 void drawText(QPainter& painter, const Element& element, const QString& words, double unit) {
     QFont font("Noto Sans");
-    font.setPixelSize(static_cast<int>(unit > 0 ? unit : element.number("font-size")));
+    constexpr int kDrawn = 100; // px: then scaled to its height, which may be less than a pixel
+    const double high = unit > 0 ? unit : element.number("font-size");
+    font.setPixelSize(kDrawn);
     font.setBold(unit > 0);
     const QFontMetricsF metrics(font);
     const QString anchor = unit > 0 ? QStringLiteral("middle") : element.text("text-anchor");
@@ -65,7 +67,8 @@ void drawText(QPainter& painter, const Element& element, const QString& words, d
     painter.save();
     painter.translate(element.number("x"), element.number("y"));
     if (element.text("transform").startsWith("rotate(-90")) painter.rotate(-90);
-    if (unit > 0) painter.strokePath(path, QPen(Qt::black, kOutline * unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.scale(high / kDrawn, high / kDrawn);
+    if (unit > 0) painter.strokePath(path, QPen(Qt::black, kOutline * kDrawn, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(path, unit > 0 ? Qt::white : Qt::black);
     painter.restore();
 }

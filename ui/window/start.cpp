@@ -130,8 +130,9 @@ StartPage* showStart(MainWindow& w, Preferences& preferences) {
         if (auto* cab = w.findChild<QAction*>("cab-mode")) cab->trigger();
     });
     QObject::connect(page, &StartPage::keysRequested, &w, [&w] { showShortcuts(&w, w.actions()); });
-    for (const auto shown : {&Engine::pictureReady, &Engine::coarseChanged})
-        QObject::connect(&w.viewer().engine, shown, page, &QWidget::hide);
+    QObject::connect(&w.viewer().engine, &Engine::pictureReady, page, &QWidget::hide);
+    QObject::connect(&w.viewer().engine, &Engine::coarseChanged, page, // a cancelled opening goes back to the page
+                     [&w, page] { page->setVisible(!w.viewer().engine.coarse() && !w.viewer().engine.picture()); });
     page->showRecent(preferences.recentFiles());
     showSession(w, *page);
     offerTour(w, preferences);

@@ -283,7 +283,7 @@ std::string choiceLabel(const Parameter& parameter, const Settings& settings) {
             if ((static_cast<unsigned>(parameter.get(settings)) & static_cast<unsigned>(choice.value)) != 0)
                 labels += (labels.empty() ? "" : ", ") + std::string(choice.label);
         }
-        return labels;
+        return labels.empty() ? formatValue(parameter, parameter.get(settings)) : labels;
     }
     const auto found = std::ranges::find_if(parameter.choices, [&](const Choice& c) { return c.value == parameter.get(settings); });
     return found == parameter.choices.end() ? formatValue(parameter, parameter.get(settings)) : found->label;

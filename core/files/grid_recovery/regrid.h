@@ -17,8 +17,8 @@
 
 namespace edgescan::files {
 
-/// What to do about a cloud whose sensor's place is not known.
 inline constexpr const char* kListsOnlyPoints = "The file lists only points: "; ///< begins the warning about a grid found from them
+/// What to do about a cloud whose sensor's place is not known.
 inline constexpr const char* kGiveSensor = "give --sensor X,Y,Z, the place in metres that the scan was taken from";
 
 /// A cloud without a grid and where it is looked at from.

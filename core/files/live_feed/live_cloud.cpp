@@ -62,7 +62,7 @@ void LiveCloud::makeScan() {
         } else {
             scan->name = newest->topic.name;
             scanner::SweepProgress& progress = newest_.progress;
-            progress.lines = progress.received = scan->lines();
+            progress.lines = progress.received = progress.expected = scan->lines();
             progress.cells = countCells(*scan);
             progress.newestNs = newest->message->hostNs;
             ++progress.account.sweeps;

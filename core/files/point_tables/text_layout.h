@@ -4,6 +4,7 @@
 #include "core/files/point_tables/source.h"
 
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -95,6 +96,7 @@ private:
     bool passRestOf(const char* cell, std::vector<double>& numbers);
     const char* endOfRow();
     bool readCell(std::vector<double>& numbers);
+    std::from_chars_result parseNumber(const char* from, double& value) const;
     bool readUsualCell(std::vector<double>& numbers);
     void measureCell(std::size_t column, const char* from, const char* to);
     void countDigits(const char* from, const char* to);

@@ -224,22 +224,8 @@ void RowReader::measureCell(std::size_t column, const char* from, const char* to
     countDigits(from, to);
 }
 
-bool RowReader::readCell(std::vector<double>& numbers) {
-    const char separator = layout_->separator;
-    const char* const cell = at_;
-    const bool mayBeWords = numbers.size() < layout_->mayBeWords.size() && layout_->mayBeWords[numbers.size()];
-    if (mayBeWords && separator != ' ' && at_ < rowEnd_ && *at_ == '"') { // "21, 11": a text, though it begins with a number
-        at_ = endOfCell(cell, rowEnd_, separator);
-        numbers.push_back(kMissing);
-        return true;
-    }
-    while (at_ < rowEnd_ && isBlank(*at_) && *at_ != separator) ++at_;
-    if (at_ == rowEnd_ || (separator != ' ' && *at_ == separator)) {
-        numbers.push_back(kMissing);
-        return true;
-    }
-    const char* from = at_ + (*at_ == '+' ? 1 : 0);
-    double value = kMissing;
+/// Like std::from_chars, with what other programs write: a comma, a Fortran exponent, a number too large or too small for the type.
+std::from_chars_result RowReader::parseNumber(const char* from, double& value) const {
     std::from_chars_result parsed{};
     if (layout_->decimalComma) {
         std::array<char, 64> copy{};
@@ -258,6 +244,26 @@ bool RowReader::readCell(std::vector<double>& numbers) {
         const bool tiny = power != std::string_view::npos && power + 1 < word.size() && word[power + 1] == '-';
         value = tiny ? 0.0 : std::numeric_limits<double>::infinity();
     }
+    return parsed;
+}
+
+bool RowReader::readCell(std::vector<double>& numbers) {
+    const char separator = layout_->separator;
+    const char* const cell = at_;
+    const bool mayBeWords = numbers.size() < layout_->mayBeWords.size() && layout_->mayBeWords[numbers.size()];
+    if (mayBeWords && separator != ' ' && at_ < rowEnd_ && *at_ == '"') { // "21, 11": a text, though it begins with a number
+        at_ = endOfCell(cell, rowEnd_, separator);
+        numbers.push_back(kMissing);
+        return true;
+    }
+    while (at_ < rowEnd_ && isBlank(*at_) && *at_ != separator) ++at_;
+    if (at_ == rowEnd_ || (separator != ' ' && *at_ == separator)) {
+        numbers.push_back(kMissing);
+        return true;
+    }
+    const char* from = at_ + (*at_ == '+' ? 1 : 0);
+    double value = kMissing;
+    const std::from_chars_result parsed = parseNumber(from, value);
     const char* end = parsed.ptr;
     if (parsed.ec != std::errc::invalid_argument && isOldNan(end, rowEnd_)) {
         value = kMissing;

@@ -1,10 +1,12 @@
 // Finds the files of a bag's folder by metadata.yaml, or by what is there.
 #include "core/files/ros/bag_folder.h"
 
+#include "core/base/whole_file.h"
+
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <optional>
+#include <string_view>
 
 namespace edgescan::files {
 namespace {
@@ -48,10 +50,14 @@ std::string trimmed(const std::string& text) {
 std::vector<std::string> namesIn(const fs::path& metadata) {
     constexpr std::size_t kLongest = 4096;
     std::vector<std::string> names;
-    std::ifstream file(metadata);
+    const auto bytes = readWholeFile(metadata); // a pipe is refused
+    if (!bytes) return names;
     bool inList = false;
-    for (std::string line; std::getline(file, line) && names.size() < kMostParts && line.size() < kLongest;) {
-        const std::string text = trimmed(line);
+    for (std::string_view rest = textOf(*bytes); !rest.empty() && names.size() < kMostParts;) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        if (line.size() >= kLongest) break;
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        const std::string text = trimmed(std::string(line));
         if (inList && !text.starts_with("- ")) break;
         if (inList) {
             const fs::path name = fs::path(trimmed(text.substr(2))).filename();

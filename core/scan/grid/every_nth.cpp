@@ -1,6 +1,9 @@
 // Leaves out lines and beams.
 #include "core/scan/grid/every_nth.h"
 
+#include "core/scan/grid/placement.h"
+
+#include <memory>
 #include <utility>
 
 namespace edgescan {
@@ -34,6 +37,15 @@ PointGeometry everyNth(const PointGeometry& points, int n) {
     return some;
 }
 
+/// The poses of the lines that remain.
+std::shared_ptr<const Placement> everyNth(const std::shared_ptr<const Placement>& placement, int n) {
+    if (!placement || placement->poses.size() <= 1) return placement;
+    auto some = std::make_shared<Placement>(*placement);
+    some->poses.clear();
+    for (std::size_t i = 0; i < placement->poses.size(); i += static_cast<std::size_t>(n)) some->poses.push_back(placement->poses[i]);
+    return some;
+}
+
 } // namespace
 
 Scan everyNth(const Scan& scan, int n) {
@@ -43,7 +55,7 @@ Scan everyNth(const Scan& scan, int n) {
     some.intensity = everyNth(scan.intensity, n);
     some.geometry = std::visit([n](const auto& geometry) -> Geometry { return everyNth(geometry, n); }, scan.geometry);
     some.unitMm = scan.unitMm;
-    some.placement = scan.placement;
+    some.placement = everyNth(scan.placement, n);
     return some;
 }
 

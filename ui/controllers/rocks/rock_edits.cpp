@@ -99,11 +99,11 @@ void Rocks::judgeEdit() {
     const rocks::RegionChanges changes =
         rocks::regionChanges(*before->study.segmentation, before->study.map, *picture_->study.segmentation, picture_->study.map);
     if (!changes.any) {
-        if (undo_.index() > 0 && undo_.command(undo_.index() - 1) == newestEdit_) {
-            newestEdit_->setObsolete(true); // undo() removes it from the stack
-            undo_.undo();
-        }
-        return notice_.showHint(tr("No rock changed, so there is no step to undo: click or draw on another part of the rock."));
+        if (undo_.index() == 0 || undo_.command(undo_.index() - 1) != newestEdit_) return;
+        newestEdit_->undo();            // the stack calls undo() of no obsolete step,
+        newestEdit_->setObsolete(true); // which it only removes
+        undo_.undo();
+        return notice_.showHint(tr("No rock changed, so nothing is to be undone: click or draw on another part of the rock."));
     }
     const QString words = changeWords(changes, *picture_);
     if (!words.isEmpty()) notice_.showNotice(changes.lost.empty() ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, words);

@@ -85,7 +85,9 @@ void Rocks::splitAt(std::size_t cell) {
     rocks::Edit edit = family_.nested.pieces[piece_].edit;
     const auto unjoined = piece_ == family_.split ? family_.unjoined : std::nullopt;
     useTool(RockTool::None);
-    if (unjoined) {
+    if (unjoined) { // all edits of these rocks but the joins: a later one is not in it
+        if (picture_->study.edits != edits_)
+            return notice_.showHint(tr("The rocks are still being computed: split again when they are here."));
         select({cell});
         return pushEdits(stepName("split of a rock"), *unjoined);
     }

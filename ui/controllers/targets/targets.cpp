@@ -207,7 +207,10 @@ void Targets::askName(const inspect::MeantCell& click) {
     if (auto* field = dialog.findChild<QLineEdit*>()) field->setMaxLength(panel_.card().name()->maxLength());
     if (dialog.exec() != QDialog::Accepted) return;
     const QString name = dialog.textValue().simplified();
-    if (onRockAt(cell) == nullptr && !name.isEmpty()) views_.pinByClick(cell == click.cell ? click : inspect::exactly(cell));
+    if (onRockAt(cell) == nullptr && !name.isEmpty()) {
+        rockPin_ = 0; // a new target: the last one stays on its rock
+        views_.pinByClick(cell == click.cell ? click : inspect::exactly(cell));
+    }
     if (const inspect::PinnedTarget* named = onRockAt(cell)) rename(named->number, name);
 }
 

@@ -249,7 +249,7 @@ std::shared_ptr<const Picture> Engine::run(const Asked& asked, const Asker& aske
         cloudScan_ = nullptr;
         if (asked.coarseFirst) {
             asker.show([this, coarse = makeCoarsePicture(*asked.scan, asked.settings), stream = asked.source.stream] {
-                if (arriving_ && arriving_->stream == stream) setCoarse(coarse);
+                if (!picture_ && !coarse_ && arriving_ && arriving_->stream == stream) setCoarse(coarse);
             });
         }
         cloud_ = makeCloudGeometry(*asked.scan);

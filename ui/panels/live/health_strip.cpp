@@ -50,7 +50,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     const bool present = health.liveness == files::Liveness::Live;
     const auto badge = [present](StateBadge* each, StateBadge::Sign sign, const std::string& text) {
         each->showState(sign == StateBadge::Sign::Good && !present ? StateBadge::Sign::Off : sign, coreWords(text));
-        each->setToolTip(coreWords(text)); // a narrow strip cuts its end off
+        each->setToolTip(coreWords(text)); // a narrow strip cuts it
         each->setVisible(!text.empty());
     };
     // A fault of the scanner has priority over the picture's relation to it.

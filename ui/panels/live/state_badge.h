@@ -19,7 +19,7 @@ public:
     [[nodiscard]] Sign sign() const { return sign_; }
     [[nodiscard]] QString text() const { return text_; }
     [[nodiscard]] QSize sizeHint() const override;
-    /// The end of a long text is cut off (…) where there is no room for it. Otherwise the badge always has room for all of it.
+    /// The middle of a long text is cut out (…) where there is no room for it. Otherwise the badge always has room for all of it.
     void setShrinks();
     [[nodiscard]] QSize minimumSizeHint() const override;
 

@@ -8,11 +8,20 @@
 
 namespace edgescan::ui {
 
+QString choiceWords(const edges::Parameter& parameter, const edges::Settings& settings) {
+    QStringList words;
+    const auto chosen = static_cast<unsigned>(parameter.get(settings));
+    for (const edges::Choice& choice : parameter.choices) {
+        if (parameter.several && (chosen & static_cast<unsigned>(choice.value)) != 0) words << QObject::tr(choice.label);
+    }
+    return words.isEmpty() ? QObject::tr(edges::choiceLabel(parameter, settings).c_str()) : words.join(", ");
+}
+
 QString EdgesPanel::valueText(const char* key) const {
     const edges::Parameter& p = *edges::findParameter(key);
     const double value = p.get(shown_);
     const QString unit = p.choices.empty() && *p.unit != '\0' ? " " + QObject::tr(p.unit) : QString();
-    if (!p.choices.empty()) return QObject::tr(edges::choiceLabel(p, shown_).c_str());
+    if (!p.choices.empty()) return choiceWords(p, shown_);
     if (!std::isnan(value)) return QString::number(value, 'f', p.decimals) + unit;
     const double inUse = automaticValue(p);
     return std::isnan(inUse) ? tr("auto") : tr("%1%2 auto").arg(QString::number(inUse, 'f', p.decimals), unit);

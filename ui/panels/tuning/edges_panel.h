@@ -26,6 +26,9 @@ namespace edgescan::ui {
 class CountCurve;
 class ParameterRow;
 
+/// The chosen entries of a list of choices, in the language of the window.
+[[nodiscard]] QString choiceWords(const edges::Parameter& parameter, const edges::Settings& settings);
+
 /// GUI thread only. Displays settings and signals the operator's changes; it changes no settings itself.
 class EdgesPanel : public QWidget {
     Q_OBJECT

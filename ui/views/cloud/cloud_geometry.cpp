@@ -200,12 +200,10 @@ ViewFrame frameOf(const Vector3d& forward, const Vector3d& up) {
 
 void fillFrames(const Scan& scan, const CartesianTables& tables, const std::vector<std::uint32_t>& sample, CloudGeometry& out) {
     const Vector3d forward = meanDirection(out, sample);
-    // Lists of points are in a frame of their own, whose z axis points up, unless it is the viewing direction as in a scanner's own frame.
-    const bool levelled = (std::holds_alternative<PointGeometry>(scan.geometry) || scan.pointsRead > 0) && std::abs(forward.z()) < 0.9;
+    const bool levelled = std::holds_alternative<PointGeometry>(scan.geometry) && std::abs(forward.z()) < 0.9;
     // In the scanner's own frame z is the viewing direction, so only the rows define "up".
     const Vector3d fallback = levelled ? Vector3d::UnitZ() : (std::abs(forward.y()) < 0.9 ? Vector3d::UnitY() : Vector3d::UnitZ());
-    const std::optional<Vector3d> rowZero = levelled && scan.pointsRead > 0 ? std::nullopt : towardsRowZero(tables, out, forward);
-    out.scannerView = frameOf(forward, rowZero.value_or(fallback));
+    out.scannerView = frameOf(forward, towardsRowZero(tables, out, forward).value_or(fallback));
     const Vector3d up = levelled ? Vector3d(Vector3d::UnitZ()) : nearestAxis(out.scannerView.up, Vector3d::Zero());
     out.axes = frameOf(nearestAxis(forward, up), up);
 }

@@ -1,11 +1,14 @@
 // Bags that rosbag2 split into several files are one scan; what is missing or damaged is named.
 #include "core/files/open_save/open_scan.h"
 #include "core/files/open_save/topics_of_file.h"
+#include "core/files/ros/bag_folder.h"
 #include "tests/support/ros_sweeps.h"
 #include "tests/support/run_program.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
+
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -127,6 +130,14 @@ TEST(SplitBag, MissingAndDamagedPartsAreNamedAndTheRestIsThere) {
         for (int part = 0; part < kParts; ++part) write(bag / nameOf(part, extension), Bytes(3000, 'x'));
         EXPECT_NE(openScan(bag).error().sentence().find("bell"), std::string::npos);
     }
+}
+
+TEST(SplitBag, APipeInPlaceOfTheListHangsNothing) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "metadata.yaml").c_str(), 0600), 0);
+    const auto bag = files::filesOfBag(folder.path());
+    ASSERT_TRUE(bag) << bag.error().sentence();
+    EXPECT_EQ(bag->path, folder.path());
 }
 
 TEST(SplitBag, FilesOfSeveralBagsAreNotOne) {

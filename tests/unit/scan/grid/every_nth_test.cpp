@@ -2,6 +2,7 @@
 #include "core/scan/grid/every_nth.h"
 
 #include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/placement.h"
 #include "tests/support/point_lists.h"
 
 #include <gtest/gtest.h>
@@ -49,4 +50,15 @@ TEST(EveryNth, HasThePointsAndIntensitiesOfACloud) {
     expectSamePoints(some, scan, 3);
     EXPECT_EQ(std::get<PointGeometry>(some.geometry).sensorM, given.sensorM);
     EXPECT_EQ(some.intensity, Grid<float>(3, 7, 5.0F));
+}
+
+TEST(EveryNth, HasThePosesOfItsLines) {
+    Scan scan = makeScan({.lines = 7, .beams = 20, .seed = 5});
+    Placement placement;
+    placement.poses.resize(7);
+    for (int i = 0; i < 7; ++i) placement.poses[static_cast<std::size_t>(i)].translationM.x() = i;
+    scan.placement = std::make_shared<const Placement>(placement);
+    const Scan some = everyNth(scan, 3);
+    ASSERT_EQ(some.placement->poses.size(), 3U);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(some.placement->poses[static_cast<std::size_t>(i)].translationM.x(), 3.0 * i);
 }
