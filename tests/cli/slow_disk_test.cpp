@@ -65,12 +65,13 @@ public:
         const auto opened = files::Recording::open(path_);
         return opened ? linesOf(*opened) : 0;
     }
-    /// As the progress on stderr says: the newest "LIVE  312/312 lines".
+    /// As the progress on stderr says: the newest "LIVE  312 lines" or "LIVE  312/1000 lines".
     [[nodiscard]] int linesReceived() const {
         const std::string text = output(".err");
         const std::size_t end = text.rfind(" lines");
-        const std::size_t slash = end == std::string::npos ? end : text.rfind('/', end);
-        return slash == std::string::npos ? 0 : std::stoi(text.substr(slash + 1, end - slash - 1));
+        if (end == std::string::npos) return 0;
+        const std::size_t space = text.rfind(' ', end - 1);
+        return std::stoi(text.substr(space + 1, end - space - 1)); // ends at the slash
     }
 
 private:
