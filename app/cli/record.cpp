@@ -56,12 +56,12 @@ bool finished(const Record& record, const files::LiveStatus& status, std::chrono
 std::vector<std::string> remarks(const files::LiveStatus& status, const files::RecordingState& recorded) {
     std::vector<std::string> all = status.sweep.irregularEver.sentences();
     if (!status.sweep.assumed.empty()) all.push_back(status.sweep.assumed);
-    const auto count = [&](std::uint64_t number, const char* what) {
+    const auto count = [&](std::uint64_t number, const std::string& what) {
         if (number > 0) all.push_back(std::to_string(number) + what);
     };
     const scanner::TelegramAccount& account = status.sweep.account;
     count(static_cast<std::uint64_t>(account.linesLost), " lines of the sweeps are lost in whole or in part.");
-    count(static_cast<std::uint64_t>(status.undecodable), " scan telegrams could not be decoded.");
+    count(static_cast<std::uint64_t>(status.undecodable), " scan telegrams could not be decoded: " + status.whyUndecodable + ".");
     count(status.statistics.stream.skipped, " bytes were not a telegram and were skipped.");
     count(recorded.dropped, " telegrams are missing in the recording.");
     if (recorded.unsynced() > 0)

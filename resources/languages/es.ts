@@ -315,8 +315,8 @@
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5,
-visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5,
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
 visible %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
@@ -1019,7 +1019,7 @@ mantenga \ para verla</translation></message>
 <message><source>confidence p</source><translation>confianza p</translation></message>
 <message><source>Not a rock</source><translation>No es roca</translation></message>
 <message><source>because</source><translation>porque</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · a %5 m</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
@@ -1082,7 +1082,7 @@ mantenga \ para verla</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
-<message><source>Locked: Esc and Remove All do not remove it</source><translation>Bloqueado: Esc y Quitar todos no lo quitan</translation></message>
+<message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Del y Quitar todos no lo quitan</translation></message>
 <message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>

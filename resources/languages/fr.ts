@@ -315,8 +315,8 @@
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5,
-visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %5,
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
 visible %6 m², à %7 m</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus proche</translation></message>
@@ -1019,7 +1019,7 @@ tenez \ pour la voir</translation></message>
 <message><source>confidence p</source><translation>confiance p</translation></message>
 <message><source>Not a rock</source><translation>Pas un bloc</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 · à %5 m</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 m · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
@@ -1082,7 +1082,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
 <message><source>Lock</source><translation>Verrouiller</translation></message>
-<message><source>Locked: Esc and Remove All do not remove it</source><translation>Verrouillée : Esc et Tout supprimer ne la suppriment pas</translation></message>
+<message><source>Locked: Del and Remove All do not remove it</source><translation>Verrouillée : Suppr et Tout supprimer ne la suppriment pas</translation></message>
 <message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>Target %1</source><translation>Cible %1</translation></message>

@@ -315,8 +315,8 @@
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5,
-visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5,
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
 visível %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
@@ -1019,7 +1019,7 @@ segure \ para vê-la</translation></message>
 <message><source>confidence p</source><translation>confiança p</translation></message>
 <message><source>Not a rock</source><translation>Não é rocha</translation></message>
 <message><source>because</source><translation>porque</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 · a %5 m</translation></message>
+<message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
@@ -1082,7 +1082,7 @@ segure \ para vê-la</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
-<message><source>Locked: Esc and Remove All do not remove it</source><translation>Bloqueado: Esc e Remover todos não o removem</translation></message>
+<message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Del e Remover todos não o removem</translation></message>
 <message><source>Remove this target</source><translation>Remover este alvo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
 <message><source>Target %1</source><translation>Alvo %1</translation></message>

@@ -1,7 +1,9 @@
 // The parts of the cloud view that need no display: geometry, camera motion, picking, budget, mouse bindings.
 #include "cloud_demo_scan.h"
+#include "tests/support/placements.h"
 #include "tests/ui/run_test.h"
 
+#include "core/scan/georef/placed_points.h"
 #include "ui/views/cloud/camera_motion.h"
 #include "ui/views/cloud/cloud_geometry.h"
 #include "ui/views/cloud/drawing_budget.h"
@@ -138,6 +140,24 @@ private slots:
         }
         QVERIFY(cloud->axes.up.isApprox(Vector3d::UnitZ()));
         QVERIFY(cloud->axes.forward.isApprox(Vector3d::UnitY()));
+    }
+
+    // The plan has north on top, the elevations have RL up; the view from the scanner is the same as without a pose.
+    void aPoseGivesTheViewsTheMinesAxes() {
+        for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+            Scan scan = *demo::room(60, 80);
+            const ViewFrame bare = makeCloudGeometry(scan)->scannerView;
+            scan.placement = test::randomPlacement(seed, 1, true);
+            const auto cloud = makeCloudGeometry(scan);
+            const PlacedPoints placed(scan);
+            const auto moved = [&](const Vector3d& way) {
+                return Vector3d(placed.mine(30, 40, Vector3d(1, 2, 3) + way) - placed.mine(30, 40, Vector3d(1, 2, 3)));
+            };
+            QVERIFY((moved(cloud->axes.up) - Vector3d::UnitZ()).norm() < 1e-3);
+            QVERIFY((moved(cloud->axes.forward) - Vector3d::UnitY()).norm() < 1e-3);
+            QVERIFY((moved(cloud->axes.right) - Vector3d::UnitX()).norm() < 1e-3);
+            QCOMPARE(cloud->scannerView.up, bare.up);
+        }
     }
 
     void scannerSeesRowZeroOnTopAndColumnZeroAtTheLeft() {

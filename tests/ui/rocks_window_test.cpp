@@ -631,6 +631,14 @@ private slots:
         QVERIFY2(shown.width() > 0.5 * plot.width() || shown.height() > 0.5 * plot.height(),
                  qPrintable(QString("%1 x %2 px").arg(shown.width()).arg(shown.height())));
         QCOMPARE(plot.heights().name, QString("above the scanner [m]"));
+        const Rgb& face = rocks::kRockFaceColours[picture(on).colours[3]]; // as in the images and the cloud
+        const QRgb ink = QColor(face.red, face.green, face.blue).lighter(130).rgb();
+        const QImage drawn = on.viewer.sections.card()->plot().grab().toImage().convertToFormat(QImage::Format_RGB32);
+        int inked = 0;
+        for (int y = 0; y < drawn.height(); ++y) {
+            for (int x = 0; x < drawn.width(); ++x) inked += drawn.pixel(x, y) == ink ? 1 : 0;
+        }
+        QVERIFY2(inked > 50, qPrintable(QString::number(inked)));
         std::set<std::uint32_t> cut;
         for (const inspect::SectionLine& line : plot.section()->lines) {
             for (const inspect::SectionVertex& vertex : line) {

@@ -139,7 +139,7 @@ private slots:
         auto* list = on.viewer.targetsPanel.targets();
         QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(1)).center());
         QCOMPARE(on.viewer.targets.active()->number, 2);
-        // Esc removes it; for a locked target Esc only hides the card.
+        // Del removes it, unless it is locked. Esc only hides the card.
         QTest::mouseClick(on.viewer.targetsPanel.card().lock(), Qt::LeftButton);
         QVERIFY(on.viewer.targets.active()->locked);
         QVERIFY(!on.viewer.targetsPanel.card().close()->isEnabled());
@@ -152,6 +152,10 @@ private slots:
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
         click(gray, 100, 140);
         QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(on.viewer.targets.active() == nullptr);
+        QCOMPARE(static_cast<int>(targets(on).size()), 3);
+        click(gray, 100, 140);
+        QTest::keyClick(&on.window, Qt::Key_Delete);
         QCOMPARE(static_cast<int>(targets(on).size()), 2);
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(static_cast<int>(targets(on).size()), 3);

@@ -343,7 +343,7 @@ void Comparing::goToRegion(int by) {
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
     views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-around, -around, around, around)));
     views_.cloud().lookAtCells(cellsOf(kinds, region));
-    legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5,\nvisible %6 m², at %7 m")
+    legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m")
                            .arg(n + 1)
                            .arg(count)
                            .arg(region.farther ? tr("farther") : tr("nearer"))

@@ -125,7 +125,8 @@ QByteArray laidOut(const std::string& html) {
     document.setDefaultFont(font);
     document.setDefaultStyleSheet(
         "h1 { font-size: 16pt; } h2 { font-size: 12pt; } td, th { padding: 2px 8px 2px 0px; text-align: left; }"
-        " #rocks td, #rocks th { font-size: 6pt; padding: 1px 0px 1px 5px; } #targets td, #measures td { font-size: 7.5pt; }"
+        " #rocks td, #rocks th { font-size: 6pt; padding: 1px 0px 1px 3px; } #rocks td { white-space: nowrap; }" // whole numbers
+        " #rocks th { font-size: 5.5pt; font-weight: normal; } #targets td, #measures td { font-size: 7.5pt; }"
         " td.name, .note { color: #5b6268; } .warning { background-color: #fff3d6; }"
         " pre { font-size: 7pt; white-space: pre-wrap; }");
     page = withResources(page, document);

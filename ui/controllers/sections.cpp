@@ -110,7 +110,8 @@ void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector
         const Eigen::Vector3d way = points.point(k) - plane->originM;
         if (way.allFinite()) about.extend(Eigen::Vector2d(way.dot(plane->across), way.dot(plane->up)));
     }
-    sections_.ask({engine_.picture(), *plane, study(), about});
+    const auto rocks = study();
+    sections_.ask({engine_.picture(), *plane, rocks, about, rocks ? rocks_.picture()->colours : std::vector<std::uint8_t>()});
 }
 
 void Sections::take(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
@@ -126,7 +127,7 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
         connect(&card_->plot(), &SectionPlot::hovered, this, [this](std::size_t cell) { views_.pointAt(cell); });
     }
     picture_ = question.picture;
-    card_->plot().show(section, question.aboutM, heightsOf(*question.picture->detection->scan, section->plane));
+    card_->plot().show(section, question.aboutM, heightsOf(*question.picture->detection->scan, section->plane), question.faces);
     QString words = tr("Vertical plane, true scale. Edges green%1.").arg(question.rocks ? tr(", rocks in colours") : QString());
     if (section->plane.upAssumed) words += " " + tr("▲ no pose: up is the scanner's z");
     card_->setWords(words);

@@ -47,6 +47,7 @@ private:
         inspect::SectionPlane plane;
         std::shared_ptr<const rocks::Study> rocks; ///< null: rocks are not shown
         Eigen::AlignedBox2d aboutM;                ///< the cells that the section was asked for, across and up
+        std::vector<std::uint8_t> faces;           ///< colours of the rocks
     };
     void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells);
     void take(const Question& question, const std::shared_ptr<const inspect::Section>& section);

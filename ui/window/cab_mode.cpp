@@ -126,6 +126,7 @@ void CabMode::set(bool on) {
     const QSize size = window_.size();
     auto& application = *qobject_cast<QApplication*>(QApplication::instance());
     if (!on) useTheme(application, false);
+    window_.viewer().notice.endPassing(); // a hint about the other mode
     window_.useCab(on);
     lockDocks(on);
     window_.viewer().legend.setBrief(on);

@@ -235,7 +235,7 @@ Json rockFaceData(const rocks::Study& study) {
     for (const rocks::Rock& rock : study.rocks)
         rocks.push_back({places[rock.label], isDoubtful(rock) ? 1 : 0,
                          "visible " + twoDecimals(rock.longestCaliperM) + " x " + twoDecimals(rock.shortestCaliperM) + " m, ± " +
-                             twoDecimals(shownTolerance(rock.toleranceM, 2)) + ", at " + twoDecimals(rock.distanceM) + " m; " +
+                             twoDecimals(shownTolerance(rock.toleranceM, 2)) + " m, at " + twoDecimals(rock.distanceM) + " m; " +
                              rocks::kRockCaveat});
     return {{"colours", colours}, {"rocks", rocks}};
 }

@@ -158,6 +158,8 @@ LiveStatus LiveFeed::status() const {
     status.lines = lines_;
     status.linesAfter = linesAfter_;
     status.undecodable = feed_.undecodable() + laser_.leftOut() + (cloud_ ? cloud_->unusable() : 0);
+    status.whyUndecodable = !feed_.whyUndecodable().empty() ? feed_.whyUndecodable() : laser_.whyLeftOut();
+    if (const auto problem = cloud_ ? cloud_->whyUnusable() : std::nullopt) status.whyUndecodable = problem->what;
     status.sweep.duplicates += laser_.repeated();
     if (cloud_) status.settings = settingsOf(cloud_->newest().scan.get());
     if (const std::string wait = laser_.waitsFor(); !wait.empty() && lines_ == 0 && status.connection.phase == kLive) {

@@ -30,6 +30,7 @@ struct LiveStatus {
     std::int64_t lines = 0;                  ///< scan telegrams that became a line, over all sweeps; of clouds: messages
     std::int64_t linesAfter = 0;             ///< scan telegrams that came after the last line that is taken
     std::int64_t undecodable = 0;            ///< scan telegrams that could not be decoded
+    std::string whyUndecodable;              ///< of one of them
     std::optional<double> secondsSinceLine;  ///< empty before the first
     double linesPerSecond = 0.0;             ///< over the last lines; 0: not known
     std::optional<RecordingState> recording; ///< while one is written

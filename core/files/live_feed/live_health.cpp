@@ -82,10 +82,11 @@ void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
 void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::SweepProgress& sweep) {
     health.remarks = sweep.irregular.sentences();
     if (!sweep.assumed.empty()) health.remarks.push_back(sweep.assumed);
-    const auto tell = [&](std::uint64_t count, const char* what) {
+    const auto tell = [&](std::uint64_t count, const std::string& what) {
         if (count > 0) health.remarks.push_back(std::to_string(count) + what);
     };
-    tell(static_cast<std::uint64_t>(status.undecodable), " scan telegrams since the start could not be decoded: their lines are lost.");
+    tell(static_cast<std::uint64_t>(status.undecodable),
+         " scan telegrams since the start could not be decoded, so their lines are lost: " + status.whyUndecodable + ".");
     tell(status.statistics.stream.skipped, " bytes since the start were not a telegram and were skipped.");
     if (health.remarks.empty()) return;
     health.telegrams = Condition::OutOfSpec;

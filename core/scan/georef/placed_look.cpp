@@ -11,7 +11,6 @@
 namespace edgescan {
 namespace {
 
-constexpr std::size_t kCellsLooked = 20000;
 constexpr double kLooksUpDeg = 45.0; // a z axis that is lower does not look up
 constexpr double kMost = 0.5;
 
@@ -26,7 +25,7 @@ PlacedLook placedLook(const Scan& scan) {
     const Eigen::Vector3d ahead = mine.mine(line, beam, tables.sensor() + Eigen::Vector3d::UnitZ()) - look.sensor;
     look.elevationDeg = degrees(std::atan2(ahead.z(), std::hypot(ahead.x(), ahead.y())));
     std::size_t points = 0, below = 0;
-    for (std::size_t k = 0; k < scan.cells(); k += std::max<std::size_t>(1, scan.cells() / kCellsLooked)) {
+    for (std::size_t k = 0; k < scan.cells(); ++k) {
         const Eigen::Vector3d point = tables.point(k);
         if (!point.allFinite()) continue;
         const auto beams = static_cast<std::size_t>(scan.beams());

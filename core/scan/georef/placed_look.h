@@ -10,7 +10,7 @@
 
 namespace edgescan {
 
-/// Easting, Northing and RL. Points are those of up to about 20,000 cells, spread evenly.
+/// Easting, Northing and RL, of all points.
 struct PlacedLook {
     Eigen::Vector3d sensor, least, most; ///< the scanner, and the span of its points and itself
     double elevationDeg = 0.0;           ///< of the scanner's z axis above the horizon

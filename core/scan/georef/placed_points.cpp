@@ -92,6 +92,15 @@ Eigen::Vector3d localMinePoint(const Scan& scan, int line, int beam, const Eigen
     return pose.translationM + scaleOf(*scan.placement).cwiseProduct(pose.rotation * axisBasePoint(scan, line, beam, scannerPointM));
 }
 
+Eigen::Matrix3d mineAxes(const Scan& scan) {
+    const PlacedPoints placed(scan);
+    const int line = scan.lines() / 2, beam = scan.beams() / 2;
+    const Eigen::Vector3d zero = placed.scanner(line, beam, Eigen::Vector3d::Zero());
+    Eigen::Matrix3d axes;
+    for (int n = 0; n < 3; ++n) axes.col(n) = (placed.scanner(line, beam, Eigen::Vector3d::Unit(n)) - zero).normalized();
+    return axes;
+}
+
 MinePoint minePoint(const Scan& scan, std::size_t k) {
     const int line = static_cast<int>(k / static_cast<std::size_t>(scan.beams()));
     const int beam = static_cast<int>(k % static_cast<std::size_t>(scan.beams()));

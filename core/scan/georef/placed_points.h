@@ -38,6 +38,9 @@ private:
     Eigen::Vector3d origin_;
 };
 
+/// Directions of east, north and up in the frame of the scan, at the middle of its sweep. The scan must have a placement.
+[[nodiscard]] Eigen::Matrix3d mineAxes(const Scan& scan);
+
 /// The position of a cell in the mine grid, metres.
 struct MinePoint {
     Eigen::Vector3d enhM;   ///< Easting, Northing, Elevation

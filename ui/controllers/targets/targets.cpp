@@ -35,7 +35,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
           },
           Older::Delivered) { // while a sweep grows
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
-    connect(&views_, &LinkedViews::pinCleared, this, [this](std::size_t cell) {
+    connect(&views_, &LinkedViews::pinRemoved, this, [this](std::size_t cell) {
         const auto target = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
         if (target != notebook_.targets.end() && !target->locked) remove(target->number);
     });

@@ -229,11 +229,15 @@ void LinkedViews::pinByClick(const inspect::MeantCell& click) {
 }
 
 void LinkedViews::clearPin() {
-    const std::optional<std::size_t> was = pinned_;
     pin(std::nullopt);
     for (ImageView* view : images_) view->setBox(std::nullopt);
     emit boxed(QString());
-    if (was) emit pinCleared(*was);
+}
+
+void LinkedViews::removePin() {
+    const std::optional<std::size_t> was = pinned_;
+    clearPin();
+    if (was) emit pinRemoved(*was);
 }
 
 void LinkedViews::pointAt(std::optional<std::size_t> cell) { hover(cell, nullptr); }

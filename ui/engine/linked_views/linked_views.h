@@ -60,8 +60,10 @@ public:
     void openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click);
     /// While pinChanged() is emitted: the click that pins.
     [[nodiscard]] const std::optional<inspect::MeantCell>& pinningClick() const { return byClick_; }
-    /// Clears the pinned cell and the box.
+    /// Clears the pinned cell and the box; its target stays.
     void clearPin();
+    /// And its target, unless it is locked.
+    void removePin();
     /// Off: a click with the tool Pin sets no target.
     void setPinsOnClick(bool on) { pinsOnClick_ = on; }
     void setTool(Tool tool);
@@ -112,8 +114,8 @@ signals:
     void edgeColoursChanged();
     /// Another cell is pinned, or the pin was cleared.
     void pinChanged(std::optional<std::size_t> cell);
-    /// The operator cleared the pinned cell; pinChanged() was emitted before.
-    void pinCleared(std::size_t cell);
+    /// The operator removed the pinned cell; pinChanged() was emitted before.
+    void pinRemoved(std::size_t cell);
     /// A click on a cell in any view, with any tool; Pin has pinned it.
     void clicked(const edgescan::inspect::MeantCell& click);
     /// End of a selecting drag over an image: corners in cells (x = beam, y = line) ...

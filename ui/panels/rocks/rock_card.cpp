@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kSwatchSide = 16; // px
 
+constexpr int kAroundText = 12; // px: a button in a narrow panel
+
 QString metres(double value, int decimals = 2) { return RockCard::tr("%1 m").arg(value, 0, 'f', decimals); }
 QString atLeastText(const QString& value) { return RockCard::tr("at least %1").arg(value); }
 
@@ -101,7 +103,7 @@ RockCard::RockCard(QWidget* parent)
     merge_->setToolTip(tr("The selected rocks are one; Ctrl+click selects several (M)"));
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {split_, merge_, rockOrNot_}) {
-        button->setMinimumWidth(48);
+        button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + kAroundText);
         buttons->addWidget(button);
     }
     auto* column = new QVBoxLayout(this);

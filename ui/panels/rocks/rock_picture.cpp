@@ -115,7 +115,7 @@ RockOutline outlineOf(const Grid<std::uint32_t>& labels, std::uint32_t label) {
 bool isDoubtful(const rocks::Rock& rock) { return rock.confidence < rocks::kSureConfidence; }
 
 QString rockTip(const rocks::Rock& rock) {
-    QString tip = QObject::tr("%1 · visible %2 × %3 m ± %4 · at %5 m")
+    QString tip = QObject::tr("%1 · visible %2 × %3 m ± %4 m · at %5 m")
                       .arg(rock.label)
                       .arg(rock.longestCaliperM, 0, 'f', 2)
                       .arg(rock.shortestCaliperM, 0, 'f', 2)

@@ -35,9 +35,10 @@ double stepM(double perM) {
     return step;
 }
 
-QColor colourOf(std::uint32_t rock) {
-    if (rock == 0) return kSurface;
-    const Rgb& colour = rocks::kRockFaceColours[rock % std::size(rocks::kRockFaceColours)];
+/// `faces`: by label, as in the images and the cloud.
+QColor colourOf(std::uint32_t rock, const std::vector<std::uint8_t>& faces) {
+    if (rock == 0 || rock >= faces.size()) return kSurface;
+    const Rgb& colour = rocks::kRockFaceColours[faces[rock]];
     return QColor(colour.red, colour.green, colour.blue).lighter(130);
 }
 
@@ -50,8 +51,10 @@ SectionPlot::SectionPlot(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::ClickFocus);
 }
 
-void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM, const SectionHeights& heights) {
+void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM, const SectionHeights& heights,
+                       std::vector<std::uint8_t> faces) {
     section_ = std::move(section);
+    faces_ = std::move(faces);
     aboutM_ = aboutM;
     heights_ = heights;
     marked_ = nullptr;
@@ -170,7 +173,7 @@ void SectionPlot::drawLines(QPainter& painter) const {
     for (const inspect::SectionLine& line : section_->lines) {
         for (std::size_t n = 1; n < line.size(); ++n) {
             const std::uint32_t rock = line[n].rock == line[n - 1].rock ? line[n].rock : 0;
-            painter.setPen(QPen(colourOf(rock), rock != 0 ? 3.0 : 1.5));
+            painter.setPen(QPen(colourOf(rock, faces_), rock != 0 ? 3.0 : 1.5));
             painter.drawLine(placeOf(line[n - 1].atM), placeOf(line[n].atM));
         }
     }

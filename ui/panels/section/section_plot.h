@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,8 +29,10 @@ class SectionPlot : public QWidget {
 public:
     explicit SectionPlot(QWidget* parent = nullptr);
 
-    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. The wheel shows the rest.
-    void show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM = {}, const SectionHeights& heights = {});
+    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. The wheel shows the rest. `faces`:
+    /// of the rocks, as in RockPicture::colours.
+    void show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM = {}, const SectionHeights& heights = {},
+              std::vector<std::uint8_t> faces = {});
     [[nodiscard]] const SectionHeights& heights() const { return heights_; }
     /// Vertices that the plot is too narrow to show at this zoom.
     [[nodiscard]] std::size_t outside() const;
@@ -68,6 +71,7 @@ private:
     std::shared_ptr<const inspect::Section> section_;
     Eigen::AlignedBox2d aboutM_;
     SectionHeights heights_;
+    std::vector<std::uint8_t> faces_;
     double perM_ = 50.0; // pixels
     QPointF origin_;     // of (0, 0), pixels
     bool moved_ = false; // by the operator: a new size does not fit it again

@@ -61,7 +61,7 @@ TargetCard::TargetCard(QWidget* parent)
     lock_->setObjectName("target-lock");
     lock_->setText(tr("Lock"));
     lock_->setCheckable(true);
-    lock_->setToolTip(tr("Locked: Esc and Remove All do not remove it"));
+    lock_->setToolTip(tr("Locked: Del and Remove All do not remove it"));
     close_->setObjectName("target-close");
     close_->setText(QStringLiteral("✕"));
     close_->setAutoRaise(true);

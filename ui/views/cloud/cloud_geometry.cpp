@@ -2,6 +2,7 @@
 #include "ui/views/cloud/cloud_geometry.h"
 
 #include "core/base/bands.h"
+#include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
 #include "ui/views/cloud/cloud_normals.h"
 
@@ -206,6 +207,10 @@ void fillFrames(const Scan& scan, const CartesianTables& tables, const std::vect
     out.scannerView = frameOf(forward, towardsRowZero(tables, out, forward).value_or(fallback));
     const Vector3d up = levelled ? Vector3d(Vector3d::UnitZ()) : nearestAxis(out.scannerView.up, Vector3d::Zero());
     out.axes = frameOf(nearestAxis(forward, up), up);
+    if (scan.placement) { // the plan has north on top, the elevations have RL up
+        const Eigen::Matrix3d mine = mineAxes(scan);
+        out.axes = frameOf(mine.col(1), mine.col(2));
+    }
 }
 
 } // namespace

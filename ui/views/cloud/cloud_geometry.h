@@ -49,7 +49,7 @@ struct CloudGeometry {
     Box3f mainBounds;                                 ///< of the 1-99 % of the points per axis
     double stepRad = 0.0;                             ///< median angle between neighbouring points, seen from the sensor; 0: unknown
     ViewFrame scannerView;                            ///< looking from the sensor along the mean direction of the points
-    ViewFrame axes;                                   ///< for the views front, right, top ...: scannerView rounded to the axes
+    ViewFrame axes; ///< for the views front, right, top ...: those of the mine grid; without a pose scannerView rounded to the axes
 
     [[nodiscard]] std::size_t cells() const { return valid.size(); }
     [[nodiscard]] bool drawable(std::size_t k) const { return k < valid.size() && valid[k] != 0; }

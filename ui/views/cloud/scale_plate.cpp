@@ -25,16 +25,6 @@ constexpr QSize kLeastView(460, 240);
 const QColor kInk(0xe8, 0xe8, 0xe8), kLessInk(0xb3, 0xb8, 0xbe);
 const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9, 0x62), QColor(0x6c, 0xb2, 0xff)};
 
-/// Directions of east, north and up in the frame of the scan, at the middle of its sweep.
-Eigen::Matrix3d mineAxes(const Scan& scan) {
-    const PlacedPoints placed(scan);
-    const int line = scan.lines() / 2, beam = scan.beams() / 2;
-    const Eigen::Vector3d zero = placed.scanner(line, beam, Eigen::Vector3d::Zero());
-    Eigen::Matrix3d axes;
-    for (int n = 0; n < 3; ++n) axes.col(n) = (placed.scanner(line, beam, Eigen::Vector3d::Unit(n)) - zero).normalized();
-    return axes;
-}
-
 } // namespace
 
 ScalePlate::ScalePlate(CloudView* cloud) : ViewPlate(cloud), cloud_(cloud) {

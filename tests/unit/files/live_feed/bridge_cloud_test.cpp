@@ -94,6 +94,7 @@ TEST(BridgeCloud, CloudsThatAreCutOffAreCountedAndABrokenConnectionComesBack) {
     const auto bridge = cloudBridgeOf(scanOfRobot(), settings);
     LiveFeed feed(settingsAt(*bridge), scanner::assumedSweep(), [] {});
     ASSERT_TRUE(waitUntil([&] { return feed.status().undecodable > 2 && feed.status().statistics.reconnects > 0 && feed.snapshot(); }));
+    EXPECT_FALSE(feed.status().whyUndecodable.empty());
     EXPECT_EQ(feed.snapshot()->lines(), kCloudLines);
     feed.stop();
     EXPECT_TRUE(feed.status().sweep.account.addsUp());

@@ -159,6 +159,7 @@ TEST(Bridge, LinesThatAreLostOrCutOffAreCounted) {
     ASSERT_TRUE(waitUntil([&] { return feed.status().sweep.lines >= kBridgeLines - 1; })) << feed.status().sweep.lines;
     const LiveStatus status = feed.status();
     EXPECT_EQ(status.undecodable, cut);
+    EXPECT_FALSE(status.whyUndecodable.empty());
     EXPECT_EQ(static_cast<int>(status.sweep.lost.size()), lost - 1 + cut) << "the last line is not known to be lost";
     for (const int row : status.sweep.lost) EXPECT_TRUE((row + 1) % 16 == 0 || (row + 1) % 25 == 0) << row;
 }
