@@ -470,8 +470,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>¿Parece correcto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>En pantalla, aún no adoptado: %1</translation></message>
-<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>El escáner mira hacia delante: lo que sin pose está por encima de él ahora está delante. Si mira hacia arriba dentro de una campana, elija «up» en la página Montaje.</translation></message>
-<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>El montaje mira hacia arriba, pero cabeceo y alabeo lo giran hacia un lado: escriba 0 y 0 para un brazo nivelado, o elija «forward» en la página Montaje.</translation></message>
+<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>El escáner mira hacia delante: lo que sin pose está por encima de él ahora está delante. Si mira hacia arriba dentro de una campana, elija «hacia arriba» en la página Montaje.</translation></message>
+<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>El montaje mira hacia arriba, pero cabeceo y alabeo lo giran hacia un lado: escriba 0 y 0 para un brazo nivelado, o elija «hacia delante» en la página Montaje.</translation></message>
 <message><source>The mounting looks up, but %1 % of the points are lower than the scanner: correct pitch and roll, or choose another direction on the page Mounting.</source><translation>El montaje mira hacia arriba, pero el %1 % de los puntos está más bajo que el escáner: corrija cabeceo y alabeo, o elija otra dirección en la página Montaje.</translation></message>
 <message><source>Scanner at E %1, N %2, RL %3 m. </source><translation>Escáner en E %1, N %2, RL %3 m. </translation></message>
 <message><source>It looks %1° below the horizon. </source><translation>Mira %1° por debajo del horizonte. </translation></message>
@@ -787,6 +787,16 @@ mantenga \ para verla</translation></message>
 <message><source>%1: there is no other way to read it.</source><translation>%1: no hay otra forma de leerlo.</translation></message>
 <message><source>%1: something contradicts how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
 <message><source>%1: nothing contradicts how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
+<message><source>grid north</source><translation>norte de la cuadrícula</translation></message>
+<message><source>true north</source><translation>norte verdadero</translation></message>
+<message><source>the vertical</source><translation>la vertical</translation></message>
+<message><source>the robot's z axis</source><translation>el eje z del robot</translation></message>
+<message><source>forward</source><translation>hacia delante</translation></message>
+<message><source>up</source><translation>hacia arriba</translation></message>
+<message><source>by three angles</source><translation>según tres ángulos</translation></message>
+<message><source>by nine numbers</source><translation>según nueve números</translation></message>
+<message><source>two elevations</source><translation>dos elevaciones</translation></message>
+<message><source>pitch and roll</source><translation>cabeceo y alabeo</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose y montaje</translation></message>
 <message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montaje</translation></message>

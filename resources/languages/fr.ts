@@ -470,8 +470,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source> (%1 of %2)</source><translation> (%1 sur %2)</translation></message>
 <message><source>Does this look right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>À l'écran, pas encore adopté : %1</translation></message>
-<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>Le scanner regarde vers l'avant : ce qui est au-dessus de lui sans pose est maintenant devant lui. S'il regarde vers le haut dans une cloche, choisissez « up » sur la page Montage.</translation></message>
-<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>Le montage regarde vers le haut, mais tangage et roulis le tournent sur le côté : tapez 0 et 0 pour un bras de niveau, ou choisissez « forward » sur la page Montage.</translation></message>
+<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>Le scanner regarde vers l'avant : ce qui est au-dessus de lui sans pose est maintenant devant lui. S'il regarde vers le haut dans une cloche, choisissez « vers le haut » sur la page Montage.</translation></message>
+<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>Le montage regarde vers le haut, mais tangage et roulis le tournent sur le côté : tapez 0 et 0 pour un bras de niveau, ou choisissez « vers l'avant » sur la page Montage.</translation></message>
 <message><source>The mounting looks up, but %1 % of the points are lower than the scanner: correct pitch and roll, or choose another direction on the page Mounting.</source><translation>Le montage regarde vers le haut, mais %1 % des points sont plus bas que le scanner : corrigez tangage et roulis, ou choisissez une autre direction sur la page Montage.</translation></message>
 <message><source>Scanner at E %1, N %2, RL %3 m. </source><translation>Scanner à E %1, N %2, RL %3 m. </translation></message>
 <message><source>It looks %1° below the horizon. </source><translation>Il regarde à %1° sous l'horizon. </translation></message>
@@ -787,6 +787,16 @@ tenez \ pour la voir</translation></message>
 <message><source>%1: there is no other way to read it.</source><translation>%1 : il n'y a pas d'autre façon de le lire.</translation></message>
 <message><source>%1: something contradicts how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
 <message><source>%1: nothing contradicts how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
+<message><source>grid north</source><translation>nord de la grille</translation></message>
+<message><source>true north</source><translation>nord géographique</translation></message>
+<message><source>the vertical</source><translation>la verticale</translation></message>
+<message><source>the robot's z axis</source><translation>l'axe z du robot</translation></message>
+<message><source>forward</source><translation>vers l'avant</translation></message>
+<message><source>up</source><translation>vers le haut</translation></message>
+<message><source>by three angles</source><translation>selon trois angles</translation></message>
+<message><source>by nine numbers</source><translation>selon neuf nombres</translation></message>
+<message><source>two elevations</source><translation>deux élévations</translation></message>
+<message><source>pitch and roll</source><translation>tangage et roulis</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose et montage</translation></message>
 <message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montage</translation></message>

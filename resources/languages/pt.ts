@@ -470,8 +470,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source> (%1 of %2)</source><translation> (%1 de %2)</translation></message>
 <message><source>Does this look right?</source><translation>Parece correto?</translation></message>
 <message><source>On the screen, not yet adopted: %1</source><translation>Na tela, ainda não adotado: %1</translation></message>
-<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>O scanner olha para a frente: o que sem pose está acima dele está agora à sua frente. Se ele olha para cima para dentro de um sino, escolha “up” na página Montagem.</translation></message>
-<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>A montagem olha para cima, mas arfagem e rolagem viram-na para o lado: digite 0 e 0 para um braço nivelado, ou escolha “forward” na página Montagem.</translation></message>
+<message><source>The scanner looks forward: what is above it without a pose is now in front of it. If it looks up into a bell, choose “up” on the page Mounting.</source><translation>O scanner olha para a frente: o que sem pose está acima dele está agora à sua frente. Se ele olha para cima para dentro de um sino, escolha “para cima” na página Montagem.</translation></message>
+<message><source>The mounting looks up, but pitch and roll turn it to the side: type 0 and 0 for a level boom, or choose “forward” on the page Mounting.</source><translation>A montagem olha para cima, mas arfagem e rolagem viram-na para o lado: digite 0 e 0 para um braço nivelado, ou escolha “para a frente” na página Montagem.</translation></message>
 <message><source>The mounting looks up, but %1 % of the points are lower than the scanner: correct pitch and roll, or choose another direction on the page Mounting.</source><translation>A montagem olha para cima, mas %1 % dos pontos estão mais baixos do que o scanner: corrija arfagem e rolagem, ou escolha outra direção na página Montagem.</translation></message>
 <message><source>Scanner at E %1, N %2, RL %3 m. </source><translation>Scanner em E %1, N %2, RL %3 m. </translation></message>
 <message><source>It looks %1° below the horizon. </source><translation>Olha %1° abaixo do horizonte. </translation></message>
@@ -787,6 +787,16 @@ segure \ para vê-la</translation></message>
 <message><source>%1: there is no other way to read it.</source><translation>%1: não há outra forma de lê-lo.</translation></message>
 <message><source>%1: something contradicts how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
 <message><source>%1: nothing contradicts how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
+<message><source>grid north</source><translation>norte da quadrícula</translation></message>
+<message><source>true north</source><translation>norte verdadeiro</translation></message>
+<message><source>the vertical</source><translation>a vertical</translation></message>
+<message><source>the robot's z axis</source><translation>o eixo z do robô</translation></message>
+<message><source>forward</source><translation>para a frente</translation></message>
+<message><source>up</source><translation>para cima</translation></message>
+<message><source>by three angles</source><translation>segundo três ângulos</translation></message>
+<message><source>by nine numbers</source><translation>segundo nove números</translation></message>
+<message><source>two elevations</source><translation>duas elevações</translation></message>
+<message><source>pitch and roll</source><translation>arfagem e rolagem</translation></message>
 <message><source>Pose and Mounting</source><translation>Pose e montagem</translation></message>
 <message><source>Pose</source><translation>Pose</translation></message>
 <message><source>Mounting</source><translation>Montagem</translation></message>

@@ -27,6 +27,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStyle>
 
 #include <algorithm>
 #include <random>
@@ -469,6 +470,17 @@ private slots:
             QVERIFY(eventually([&] { return linesShown(window) == expected->lines() && !window.viewer().engine.behind(); }));
             QVERIFY(window.viewer().engine.picture()->detection->scan->rangeMm == expected->rangeMm);
             QVERIFY(window.viewer().engine.picture()->detection->scan->state == expected->state);
+        }
+        // A click near the mark of a sweep means the mark: the sweep before it is whole there.
+        auto* slider = window.findChild<QSlider*>("timeline-slider");
+        for (const int sweep : {1, 2}) {
+            const int mark = timeline.contents().sweeps[static_cast<std::size_t>(sweep)].firstLine;
+            timeline.goTo(5);
+            const int handle = slider->style()->pixelMetric(QStyle::PM_SliderLength, nullptr, slider);
+            const int x =
+                handle / 2 + QStyle::sliderPositionFromValue(slider->minimum(), slider->maximum(), mark, slider->width() - handle);
+            QTest::mouseClick(slider, Qt::LeftButton, Qt::NoModifier, QPoint(sweep == 1 ? x - 4 : x + 4, slider->height() / 2));
+            QCOMPARE(timeline.position(), mark);
         }
         timeline.goTo(timeline.home());
         QVERIFY(eventually(

@@ -1,11 +1,11 @@
 // The tool bar.
 #include "ui/window/tool_bar.h"
 
+#include "ui/base/elided_label.h"
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
 
 #include <QAction>
-#include <QLabel>
 #include <QMenu>
 #include <QStringList>
 #include <QStyle>
@@ -18,11 +18,12 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kSign = 22, kLeastHigh = 34; // px
+constexpr int kLeastWords = 60;            // px
 constexpr int kForAsked = 300;             // px: the prompt of a tool has priority over the texts of buttons
 
 } // namespace
 
-ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new QLabel), wordsPlace_(nullptr) {
+ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new ElidedLabel), wordsPlace_(nullptr) {
     setObjectName("tools");
     setWindowTitle(tr("Tools"));
     setMovable(false);
@@ -40,8 +41,9 @@ ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new QLabel), wordsP
     });
     words_->setObjectName("tool-words");
     words_->setContentsMargins(12, 0, 0, 0);
-    // The last widget of the bar: without space it is hidden before a button is.
+    // The last widget of the bar: with little space its end is cut off, and without space it is hidden before a button is.
     words_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    words_->setMinimumWidth(kLeastWords);
     wordsPlace_ = addWidget(words_);
 }
 

@@ -19,11 +19,36 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace edgescan::ui {
 namespace {
 
 constexpr int kDialogWide = 460, kDialogHigh = 660;
+
+/// The words of pose and mounting files, and how the lists show them.
+struct ShownWord {
+    std::string_view word;
+    const char* shown;
+};
+constexpr std::array<ShownWord, 10> kShownWords{{
+    {"grid", QT_TRANSLATE_NOOP("QObject", "grid north")},
+    {"true", QT_TRANSLATE_NOOP("QObject", "true north")},
+    {"vertical", QT_TRANSLATE_NOOP("QObject", "the vertical")},
+    {"robot_z", QT_TRANSLATE_NOOP("QObject", "the robot's z axis")},
+    {"forward", QT_TRANSLATE_NOOP("QObject", "forward")},
+    {"up", QT_TRANSLATE_NOOP("QObject", "up")},
+    {"rpy", QT_TRANSLATE_NOOP("QObject", "by three angles")},
+    {"matrix", QT_TRANSLATE_NOOP("QObject", "by nine numbers")},
+    {"elevations", QT_TRANSLATE_NOOP("QObject", "two elevations")},
+    {"pitch_roll", QT_TRANSLATE_NOOP("QObject", "pitch and roll")},
+}};
+
+QString shownWord(const std::string& word) {
+    const auto found = std::ranges::find(kShownWords, std::string_view(word), &ShownWord::word);
+    return found == kShownWords.end() ? exactText(word) : QObject::tr(found->shown);
+}
 
 QLabel* wrappedLabel(const QString& text = {}) {
     auto* label = new QLabel(text);
@@ -154,10 +179,12 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
     if (field.kind == PlaceField::Kind::Word) {
         auto* choice = new QComboBox;
         choice->setObjectName(name);
-        for (const std::string& word : field.words) choice->addItem(exactText(word));
+        for (const std::string& word : field.words) choice->addItem(shownWord(word), exactText(word));
         connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, told);
-        row.text = [choice] { return choice->currentText(); };
-        row.show = [choice, usual = QString(field.usual)](const QString& text) { choice->setCurrentText(text.isEmpty() ? usual : text); };
+        row.text = [choice] { return choice->currentData().toString(); };
+        row.show = [choice, usual = QString(field.usual)](const QString& text) {
+            if (const int at = choice->findData(text.isEmpty() ? usual : text); at >= 0) choice->setCurrentIndex(at);
+        };
         cell->addWidget(choice);
         label->setBuddy(choice);
     } else {

@@ -18,12 +18,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace edgescan::ui {
 namespace {
 
 constexpr int kTickMs = 40;
 constexpr int kLeastLabel = 120; // px
+constexpr int kNearMark = 6;     // px
 constexpr double kNsPerMs = 1e6;
 constexpr double kLongestPauseNs = 2e9; // longest pause while playing, in recorded time: longer gaps are skipped
 constexpr std::array<double, 9> kSpeeds = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 100.0};
@@ -73,14 +75,16 @@ void TimelineSlider::paintEvent(QPaintEvent* event) {
     }
 }
 
-/// A click moves the slider there, not by one page.
+/// A click moves the slider there, not by one page; near a mark to the mark, where a sweep has ended.
 void TimelineSlider::mousePressEvent(QMouseEvent* event) {
     QStyleOptionSlider option;
     initStyleOption(&option);
     const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
     if (event->button() == Qt::LeftButton && !handle.contains(event->pos())) {
         const int length = style()->pixelMetric(QStyle::PM_SliderLength, nullptr, this);
-        setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), event->pos().x() - length / 2, width() - length));
+        const int x = event->pos().x();
+        const auto mark = std::ranges::find_if(marks_, [&](int position) { return std::abs(pixelOf(position) - x) <= kNearMark; });
+        setValue(mark != marks_.end() ? *mark : QStyle::sliderValueFromPosition(minimum(), maximum(), x - length / 2, width() - length));
     }
     QSlider::mousePressEvent(event);
 }
