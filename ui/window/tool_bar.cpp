@@ -18,7 +18,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kSign = 22, kLeastHigh = 34; // px
-constexpr int kLeastWords = 60;            // px
+constexpr int kLeastWords = 12;            // px: without a prompt no button gives way
 constexpr int kForAsked = 300;             // px: the prompt of a tool has priority over the texts of buttons
 
 } // namespace
