@@ -51,6 +51,12 @@
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Hubo telegramas con menos haces que el barrido, los demás se perdieron: </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>
+<message><source>the axis (spin)</source><translation>el eje (spin)</translation></message>
+<message><source>the axis (sweep)</source><translation>el eje (sweep)</translation></message>
+<message><source>the step from line to line (%1 degrees</source><translation>el paso de línea a línea (%1 grados</translation></message>
+<message><source>the motor turning on while a line is measured)</source><translation>el motor sigue girando mientras se mide una línea)</translation></message>
+<message><source>Give %1 where that is wrong.</source><translation>Indique %1 si no es así.</translation></message>
+<message><source>The first line received is taken as line 0 of the sweep.</source><translation>La primera línea recibida se toma como línea 0 del barrido.</translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>El escáner comunicó un error o no estaba listo</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>El escáner comunicó una ventana demasiado sucia para medir</translation></message>
 <message><source>The scanner reported a dirty window</source><translation>El escáner comunicó una ventana sucia</translation></message>

@@ -51,6 +51,12 @@
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>
+<message><source>the axis (spin)</source><translation>l'axe (spin)</translation></message>
+<message><source>the axis (sweep)</source><translation>l'axe (sweep)</translation></message>
+<message><source>the step from line to line (%1 degrees</source><translation>le pas de ligne à ligne (%1 degrés</translation></message>
+<message><source>the motor turning on while a line is measured)</source><translation>le moteur continuant à tourner pendant la mesure d'une ligne)</translation></message>
+<message><source>Give %1 where that is wrong.</source><translation>Indiquez %1 si c'est faux.</translation></message>
+<message><source>The first line received is taken as line 0 of the sweep.</source><translation>La première ligne reçue est prise comme ligne 0 du balayage.</translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>Le scanner a signalé une erreur ou n'était pas prêt</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>Le scanner a signalé une fenêtre trop sale pour mesurer</translation></message>
 <message><source>The scanner reported a dirty window</source><translation>Le scanner a signalé une fenêtre sale</translation></message>

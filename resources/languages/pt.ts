@@ -51,6 +51,12 @@
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Houve telegramas com menos feixes que a varredura, os outros perderam-se: </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>
+<message><source>the axis (spin)</source><translation>o eixo (spin)</translation></message>
+<message><source>the axis (sweep)</source><translation>o eixo (sweep)</translation></message>
+<message><source>the step from line to line (%1 degrees</source><translation>o passo de linha a linha (%1 graus</translation></message>
+<message><source>the motor turning on while a line is measured)</source><translation>o motor continua a girar enquanto uma linha é medida)</translation></message>
+<message><source>Give %1 where that is wrong.</source><translation>Indique %1 se não for assim.</translation></message>
+<message><source>The first line received is taken as line 0 of the sweep.</source><translation>A primeira linha recebida é tomada como linha 0 da varredura.</translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>O scanner comunicou um erro ou não estava pronto</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>O scanner comunicou uma janela suja demais para medir</translation></message>
 <message><source>The scanner reported a dirty window</source><translation>O scanner comunicou uma janela suja</translation></message>

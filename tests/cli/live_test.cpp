@@ -163,7 +163,7 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
     const auto warningsIn = [](const json& document) { return document["warnings"].dump(); };
     const std::string both =
         "ASSUMED: the axis (spin), the step from line to line (0.18 degrees, the motor turning on while a line is measured). "
-        "Give --axis, --line-step where that is wrong.";
+        "Give --axis, --line-step where that is wrong. The first line received is taken as line 0 of the sweep.";
     const auto [nothing, summary] = recorded("nothing.mcap", "");
     EXPECT_EQ(summary["mounting"]["assumed"], (json{"axis", "line_step_deg"}));
     EXPECT_TRUE(summary["mounting"]["expected_lines"].is_null());

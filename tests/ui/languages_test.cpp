@@ -389,6 +389,17 @@ private slots:
         QVERIFY(seen > 500);
         QVERIFY2(same.isEmpty(), qPrintable(QStringList(same.values()).join('\n')));
         useLanguage("en");
+        const char* assumed =
+            "How a motor turned the scanner was not said. ASSUMED: the axis (spin), the step from line to line (0.18 degrees, the "
+            "motor turning on while a line is measured). Give --axis, --line-step where that is wrong. The first line "
+            "received is taken as line 0 of the sweep.";
+        for (const char* language : {"fr", "es", "pt"}) {
+            QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            for (const char* english : {"the ", "Give", "where", "received", "degrees", "--"})
+                QVERIFY2(!QRegularExpression(QString("\\b%1").arg(english)).match(coreSentence(std::string(assumed))).hasMatch(),
+                         qPrintable(coreSentence(std::string(assumed))));
+        }
+        useLanguage("en");
         QCOMPARE(coreWords("LOST 12 s"), QString("LOST 12 s"));
     }
 

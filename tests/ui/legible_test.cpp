@@ -3,9 +3,13 @@
 #include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/language/languages.h"
+#include "ui/base/notice_bar.h"
 #include "ui/panels/rocks/rocks_panel.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/status_line.h"
+#include "ui/views/cloud/cloud_overlay.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/cab_mode.h"
 #include "ui/window/theme.h"
 #include "ui/window/tool_bar.h"
 
@@ -69,6 +73,31 @@ private slots:
         }
         resizeTo(on.window, {1900, 800});
         QVERIFY(on.window.findChild<QLabel*>("counts")->isVisible());
+    }
+
+    // The notice bar covers the top of the cloud: the texts of the view are below it, and at the top again when it is closed.
+    void textsOfTheViewsAreBelowTheNotice() {
+        for (const bool cab : {false, true}) {
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_));
+            resizeTo(on.window, {1280, 800});
+            if (cab) on.window.cab().set(true);
+            auto& cloud = on.viewer.views.cloud();
+            const auto* overlay = cloud.findChild<CloudOverlay*>();
+            QVERIFY(overlay != nullptr);
+            on.viewer.views.setNote("Held: sweep 1. Press Follow to go on with the scanner.");
+            on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "Sweep 1 has ended.\nIts mounting is assumed.");
+            const auto covered = [&] {
+                const QRect bar(on.viewer.notice.mapTo(&on.window, QPoint()), on.viewer.notice.size());
+                return bar.bottom() + 1 - cloud.mapTo(&on.window, QPoint()).y();
+            };
+            QTRY_VERIFY(covered() > 0 && overlay->marks().topTaken == covered());
+            on.viewer.notice.unfold(true);
+            QTRY_VERIFY(covered() > 40 && overlay->marks().topTaken == covered());
+            on.viewer.notice.hide();
+            QTRY_COMPARE(overlay->marks().topTaken, 0);
+            on.window.cab().set(false); // the theme is that of the program
+        }
     }
 
     // Without a pose the whole text about the cell, with line and beam, is visible at 1280 px in every language: less important facts are

@@ -5,6 +5,7 @@
 #include "ui/base/pane.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/view_cube.h"
+#include "ui/views/image/image_view.h"
 
 #include <QEvent>
 #include <QLayout>
@@ -14,6 +15,8 @@
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kTextMargin = 8; // px
 
 class NoticePlace : public QObject {
 public:
@@ -27,6 +30,7 @@ public:
         const auto type = event->type();
         const bool isPlaced = type == QEvent::Resize || type == QEvent::Move;
         if (watched == &notice_ ? type == QEvent::LayoutRequest || type == QEvent::Show : isPlaced) place();
+        if (watched == &notice_ && (type == QEvent::Hide || type == QEvent::Resize)) keepTextsFree();
         if (watched == cloud_ && (type == QEvent::ShowToParent || type == QEvent::HideToParent)) place();
         if (watched == cube_ && (type == QEvent::Show || type == QEvent::Hide)) place();
         return false;
@@ -53,6 +57,18 @@ private:
         }
         notice_.setGeometry(place.translated(views_.pos()));
         notice_.raise();
+        keepTextsFree();
+    }
+    /// The texts at the top of a view move below the bar.
+    void keepTextsFree() {
+        const QRect bar(views_.mapFromGlobal(notice_.mapToGlobal(QPoint(0, 0))), notice_.size());
+        const auto takenOf = [&](const QWidget& view) {
+            const QRect place(view.mapTo(&views_, QPoint(0, 0)), view.size());
+            const bool covers = !notice_.isHidden() && bar.intersects(place) && bar.top() <= place.top() + kTextMargin;
+            return covers ? std::min(bar.bottom() + 1 - place.top(), place.height() / 2) : 0;
+        };
+        for (auto* view : views_.findChildren<CloudView*>()) view->setTopTaken(takenOf(*view));
+        for (auto* view : views_.findChildren<ImageView*>()) view->setTopTaken(takenOf(*view));
     }
     [[nodiscard]] QRect rectAt(int left, int right, int top) const {
         const int width = right - left;

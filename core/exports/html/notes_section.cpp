@@ -131,7 +131,7 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
     if (!notebook.targets.empty()) {
         html +=
             "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>By the pose of now</th>"
-            "<th>As it was pinned, where it differs</th><th>Pinned</th></tr></thead><tbody>\n";
+            "<th>Also on its card when it was pinned</th><th>Pinned</th></tr></thead><tbody>\n";
         for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
         html += "</tbody></table></div>\n" + targetsPicture(detection, notebook, mostPixels);
     }

@@ -68,7 +68,8 @@ std::string assumedText(const SweepSettings& settings, AngleSource source) {
                       "--line-step");
     }
     if (what.empty()) return {};
-    return kMountingAssumed + what + ". Give " + flags + " where that is wrong.";
+    const char* first = source == AngleSource::Steps ? " The first line received is taken as line 0 of the sweep." : "";
+    return kMountingAssumed + what + ". Give " + flags + " where that is wrong." + first;
 }
 
 /// "312/1000 lines"; `of` 0: how many the sweep has is not known.

@@ -76,7 +76,7 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         painter.drawEllipse(*marks_.ring, 2.0, 2.0);
     }
     drawStaleOverlay(painter, rect(), marks_.stale);
-    const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3, -kLabelMargin - 6, -kLabelMargin - 3);
+    const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3 + marks_.topTaken, -kLabelMargin - 6, -kLabelMargin - 3);
     drawLabels(painter, inner, marks_.note, marks_.caption, marks_.captionRoom);
     if (marks_.tipAt && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.tipAt->toPoint(), marks_.tip);
     if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);

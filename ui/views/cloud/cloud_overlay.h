@@ -24,6 +24,7 @@ struct OverlayMarks {
     std::optional<QPointF> tipAt; ///< ... if it is in view
     QString caption;              ///< top right ...
     int captionRoom = 0;          ///< ... at this distance from the right edge, pixels, because another widget is in the corner
+    int topTaken = 0;             ///< height of the bar that covers the top of the view, pixels: texts are below it
     QString stale;                ///< reason for the grey overlay over an outdated picture; empty: no overlay
     ScreenMarks marks;            ///< targets and measurements
     QPolygonF dragged;            ///< outline of the selection that the operator is drawing

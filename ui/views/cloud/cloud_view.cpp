@@ -277,6 +277,10 @@ void CloudView::setNote(const QString& note) {
     updateOverlay();
 }
 
+void CloudView::setTopTaken(int pixels) {
+    if (std::exchange(topTaken_, pixels) != pixels) updateOverlay();
+}
+
 void CloudView::setStale(const QString& why) {
     if (why == stale_) return;
     stale_ = why;
@@ -293,6 +297,7 @@ void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
 
 void CloudView::updateOverlay() {
     OverlayMarks marks;
+    marks.topTaken = topTaken_;
     marks.stale = stale_;
     marks.tip = tip_;
     marks.caption = caption_;

@@ -98,6 +98,8 @@ public:
     [[nodiscard]] std::optional<std::uint32_t> markedCell() const { return marked_; }
     /// Text over the picture: "no scan open", "stale" ... Empty = the view's own text ("no scan open", "no point to show").
     void setNote(const QString& note);
+    /// Texts are drawn below the upper `pixels`, which another widget covers.
+    void setTopTaken(int pixels);
     /// Draws a grey overlay with this reason over an outdated picture. Empty = no overlay.
     void setStale(const QString& why);
     /// A short text next to the marked cell. Empty = no text.
@@ -276,7 +278,7 @@ private:
     EdgeColours edgeColours_ = kUsualColours;
     MousePreset mousePreset_ = MousePreset::Default;
     QString note_, stale_, tip_, caption_;
-    int captionRoom_ = 0;
+    int captionRoom_ = 0, topTaken_ = 0;
 
     DragAction drag_ = DragAction::None;
     Press press_;

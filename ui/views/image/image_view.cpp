@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -141,6 +142,10 @@ void ImageView::setTaken(int pixels) {
 void ImageView::setTitle(const QString& title) {
     title_ = title;
     update();
+}
+
+void ImageView::setTopTaken(int pixels) {
+    if (std::exchange(topTaken_, pixels) != pixels) update();
 }
 
 void ImageView::setNote(const QString& note) {
@@ -335,7 +340,7 @@ void ImageView::drawDragged(QPainter& painter) const {
 }
 
 void ImageView::drawTexts(QPainter& painter) const {
-    const QRect inner = rect().adjusted(11, 8, -11, -8);
+    const QRect inner = rect().adjusted(11, 8 + topTaken_, -11, -8);
     if (picture_.empty()) drawLabel(painter, inner, Qt::AlignCenter, note_);
     drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_);
 }

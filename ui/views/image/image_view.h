@@ -90,6 +90,8 @@ public:
     void setTaken(int pixels);
     /// Short text over the picture: "preview", "stale", "no scan open". Empty = no text.
     void setNote(const QString& note);
+    /// Texts are drawn below the upper `pixels`, which another widget covers.
+    void setTopTaken(int pixels);
     [[nodiscard]] const QString& note() const { return note_; }
     void setBackground(const QColor& colour);
     /// Draws a grey overlay with this reason ("STALE 3 s") over an outdated picture. Empty = no overlay.
@@ -166,6 +168,7 @@ private:
     std::optional<QRect> box_;
     EdgeTrail trail_;
     QString title_, note_, stale_;
+    int topTaken_ = 0;
     int taken_ = 0;
     std::vector<QRect> lost_;
     QRect toCome_;
