@@ -41,6 +41,25 @@ class PinsTest : public QObject {
     }
 
 private slots:
+    // The length of a measured line is read next to the line, and the whole line is visible.
+    void theTagOfAMeasurementDoesNotCoverItsLine() {
+        QImage picture(800, 600, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        for (const double length : {12.0, 40.0, 90.0, 300.0}) {
+            for (int degrees = 0; degrees < 180; degrees += 15) {
+                QLineF line(QPointF(400, 300), QPointF(400 + length, 300));
+                line.setAngle(degrees);
+                ScreenMarks marks;
+                marks.measures = {{{line}, {line.p1(), line.p2()}, "1.402 m ± 0.039 m", line.center()}};
+                const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+                QCOMPARE(static_cast<int>(tags.size()), 1);
+                for (double along = 0.0; along <= 1.0; along += 0.01)
+                    QVERIFY2(!tags.front().contains(line.pointAt(along)), qPrintable(QString("%1 px, %2°").arg(length).arg(degrees)));
+                QVERIFY(QLineF(tags.front().center(), line.center()).length() < 200.0);
+            }
+        }
+    }
+
     void initTestCase() {
         Scan scan = test::boxesScan(120, 160, 3, 0.02);
         bare_ = (folder_ / "boxes.json").string();

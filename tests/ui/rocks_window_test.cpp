@@ -634,11 +634,20 @@ private slots:
         const Rgb& face = rocks::kRockFaceColours[picture(on).colours[3]]; // as in the images and the cloud
         const QRgb ink = QColor(face.red, face.green, face.blue).lighter(130).rgb();
         const QImage drawn = on.viewer.sections.card()->plot().grab().toImage().convertToFormat(QImage::Format_RGB32);
-        int inked = 0;
-        for (int y = 0; y < drawn.height(); ++y) {
-            for (int x = 0; x < drawn.width(); ++x) inked += drawn.pixel(x, y) == ink ? 1 : 0;
-        }
-        QVERIFY2(inked > 50, qPrintable(QString::number(inked)));
+        const auto pixelsOf = [](const QImage& image, QRgb colour) {
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) == colour ? 1 : 0;
+            }
+            return count;
+        };
+        QVERIFY2(pixelsOf(drawn, ink) > 50, qPrintable(QString::number(pixelsOf(drawn, ink))));
+        // The white outline marks this rock alone.
+        SectionPlot unmarked;
+        unmarked.resize(plot.size());
+        unmarked.show(plot.section(), {}, plot.heights(), {picture(on).colours, 0});
+        const int white = pixelsOf(unmarked.grab().toImage().convertToFormat(QImage::Format_RGB32), QColor(Qt::white).rgb());
+        QVERIFY2(pixelsOf(drawn, QColor(Qt::white).rgb()) > white + 100, qPrintable(QString::number(white)));
         std::set<std::uint32_t> cut;
         for (const inspect::SectionLine& line : plot.section()->lines) {
             for (const inspect::SectionVertex& vertex : line) {

@@ -33,10 +33,13 @@ public:
     Tags& operator=(const Tags&) = delete;
     ~Tags() { painter_.restore(); }
 
-    /// `aside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`.
-    void draw(const QPointF& at, double aside, double above, const QString& text, bool active) {
+    /// `aside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`. The tag does not cover the `line`.
+    void draw(const QPointF& at, double aside, double above, const QString& text, bool active, const QLineF& line = {}) {
         if (text.isEmpty()) return;
+        const std::size_t others = taken_.size();
+        takeLine(at, line, painter_.fontMetrics().horizontalAdvance(text));
         const QRectF box = freePlace(at, aside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
+        taken_.resize(others);
         taken_.push_back(box);
         drawn_.push_back(box);
         painter_.setPen(active ? Qt::black : QColor(232, 232, 232));
@@ -47,6 +50,15 @@ public:
     [[nodiscard]] const std::vector<QRectF>& drawn() const { return drawn_; }
 
 private:
+    /// Takes the part of a line that a tag of this width at `at` could cover, as small squares.
+    void takeLine(const QPointF& at, const QLineF& line, double width) {
+        constexpr double kStep = 10.0; // px
+        const double length = line.length();
+        for (double along = 0.0; length > 0.0 && along <= length + kStep; along += kStep) {
+            const QPointF here = line.pointAt(std::min(1.0, along / length));
+            if (QLineF(here, at).length() <= width + 2.0 * kStep) taken_.emplace_back(here - QPointF(5.0, 5.0), QSizeF(10.0, 10.0));
+        }
+    }
     /// The free place nearest to the usual one: at either side of the mark or next to what is taken. The usual one if all are taken.
     [[nodiscard]] QRectF freePlace(const QPointF& at, double aside, double above, const QSizeF& size) const {
         const QPointF usual(at.x() + aside, at.y() - above - size.height());
@@ -165,7 +177,7 @@ std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const
         }
         for (const ScreenMarks::Measure& measure : marks.measures) {
             if (!measure.lines.empty() && seen.contains(measure.labelAt))
-                tags.draw(measure.labelAt, kTagOffset, kTagOffset, measure.label, false);
+                tags.draw(measure.labelAt, kTagOffset, kTagOffset, measure.label, false, measure.lines.front());
         }
         drawn = tags.drawn();
     }

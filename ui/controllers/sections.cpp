@@ -99,10 +99,10 @@ void Sections::throughRock() {
     for (std::uint32_t k = 0; k < labels.size(); ++k) {
         if (labels[k] == label) cells.push_back(k);
     }
-    ask(inspect::planeThroughRock(*rocks_.picture()->detection->scan, cells), cells);
+    ask(inspect::planeThroughRock(*rocks_.picture()->detection->scan, cells), cells, label);
 }
 
-void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells) {
+void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock) {
     if (!plane) return notice_.showError(plane.error());
     const CartesianTables points(*engine_.picture()->detection->scan);
     Eigen::AlignedBox2d about;
@@ -111,7 +111,7 @@ void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector
         if (way.allFinite()) about.extend(Eigen::Vector2d(way.dot(plane->across), way.dot(plane->up)));
     }
     const auto rocks = study();
-    sections_.ask({engine_.picture(), *plane, rocks, about, rocks ? rocks_.picture()->colours : std::vector<std::uint8_t>()});
+    sections_.ask({engine_.picture(), *plane, rocks, about, rocks ? SectionRocks{rocks_.picture()->colours, rock} : SectionRocks{}});
 }
 
 void Sections::take(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
@@ -127,7 +127,7 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
         connect(&card_->plot(), &SectionPlot::hovered, this, [this](std::size_t cell) { views_.pointAt(cell); });
     }
     picture_ = question.picture;
-    card_->plot().show(section, question.aboutM, heightsOf(*question.picture->detection->scan, section->plane), question.faces);
+    card_->plot().show(section, question.aboutM, heightsOf(*question.picture->detection->scan, section->plane), question.drawn);
     QString words = tr("Vertical plane, true scale. Edges green%1.").arg(question.rocks ? tr(", rocks in colours") : QString());
     if (section->plane.upAssumed) words += " " + tr("▲ no pose: up is the scanner's z");
     card_->setWords(words);

@@ -4,6 +4,7 @@
 #include "core/inspect/section/section.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
+#include "ui/panels/section/section_plot.h"
 
 #include <QObject>
 
@@ -47,9 +48,10 @@ private:
         inspect::SectionPlane plane;
         std::shared_ptr<const rocks::Study> rocks; ///< null: rocks are not shown
         Eigen::AlignedBox2d aboutM;                ///< the cells that the section was asked for, across and up
-        std::vector<std::uint8_t> faces;           ///< colours of the rocks
+        SectionRocks drawn;                        ///< how
     };
-    void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells);
+    /// `rock`: label of the rock that these cells are of; 0: they are the ends of a measurement.
+    void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock = 0);
     void take(const Question& question, const std::shared_ptr<const inspect::Section>& section);
     void showLength(const inspect::SectionVertex& from, const inspect::SectionVertex& to);
     void askExport();

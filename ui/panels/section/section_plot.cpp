@@ -52,9 +52,9 @@ SectionPlot::SectionPlot(QWidget* parent) : QWidget(parent) {
 }
 
 void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM, const SectionHeights& heights,
-                       std::vector<std::uint8_t> faces) {
+                       SectionRocks rocks) {
     section_ = std::move(section);
-    faces_ = std::move(faces);
+    rocks_ = std::move(rocks);
     aboutM_ = aboutM;
     heights_ = heights;
     marked_ = nullptr;
@@ -135,6 +135,7 @@ void SectionPlot::paintEvent(QPaintEvent*) {
     if (!section_) return;
     painter.setRenderHint(QPainter::Antialiasing);
     drawGrid(painter);
+    drawChosen(painter);
     drawLines(painter);
     drawMarks(painter);
     drawOutside(painter);
@@ -169,11 +170,29 @@ void SectionPlot::drawGrid(QPainter& painter) const {
     drawLabel(painter, rect().adjusted(kNamesLeft, 10, -8, 0), Qt::AlignLeft | Qt::AlignTop, heights_.name);
 }
 
+/// The outline of the chosen rock, below its line, and its number above its highest point.
+void SectionPlot::drawChosen(QPainter& painter) const {
+    std::optional<QPointF> top;
+    painter.setPen(QPen(Qt::white, 7.0, Qt::SolidLine, Qt::RoundCap));
+    for (const inspect::SectionLine& line : section_->lines) {
+        for (std::size_t n = 1; n < line.size(); ++n) {
+            if (rocks_.chosen == 0 || line[n].rock != rocks_.chosen || line[n - 1].rock != rocks_.chosen) continue;
+            const QPointF here = placeOf(line[n].atM);
+            painter.drawLine(placeOf(line[n - 1].atM), here);
+            if (!top || here.y() < top->y()) top = here;
+        }
+    }
+    if (!top) return;
+    const QFontMetrics letters = painter.fontMetrics();
+    const QRect place(static_cast<int>(top->x()) - 40, static_cast<int>(top->y()) - letters.height() - 14, 80, letters.height() + 6);
+    drawLabel(painter, place, Qt::AlignHCenter | Qt::AlignBottom, tr("rock %1").arg(rocks_.chosen));
+}
+
 void SectionPlot::drawLines(QPainter& painter) const {
     for (const inspect::SectionLine& line : section_->lines) {
         for (std::size_t n = 1; n < line.size(); ++n) {
             const std::uint32_t rock = line[n].rock == line[n - 1].rock ? line[n].rock : 0;
-            painter.setPen(QPen(colourOf(rock, faces_), rock != 0 ? 3.0 : 1.5));
+            painter.setPen(QPen(colourOf(rock, rocks_.faces), rock != 0 ? 3.0 : 1.5));
             painter.drawLine(placeOf(line[n - 1].atM), placeOf(line[n].atM));
         }
     }

@@ -22,6 +22,12 @@ struct SectionHeights {
     QString name{};         ///< of the axis, with its unit
 };
 
+/// How rocks are drawn.
+struct SectionRocks {
+    std::vector<std::uint8_t> faces{}; ///< colours, as in RockPicture::colours
+    std::uint32_t chosen = 0; ///< label of the rock that the section was asked for, marked by a white outline and its number; 0: none
+};
+
 /// Wheel: zoom; drag: move; click: the ends of a length. GUI thread only. Displays the values it is given and signals the operator's
 /// choices.
 class SectionPlot : public QWidget {
@@ -29,10 +35,9 @@ class SectionPlot : public QWidget {
 public:
     explicit SectionPlot(QWidget* parent = nullptr);
 
-    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. The wheel shows the rest. `faces`:
-    /// of the rocks, as in RockPicture::colours.
+    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. The wheel shows the rest.
     void show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM = {}, const SectionHeights& heights = {},
-              std::vector<std::uint8_t> faces = {});
+              SectionRocks rocks = {});
     [[nodiscard]] const SectionHeights& heights() const { return heights_; }
     /// Vertices that the plot is too narrow to show at this zoom.
     [[nodiscard]] std::size_t outside() const;
@@ -65,13 +70,14 @@ private:
     [[nodiscard]] const inspect::SectionVertex* nearest(QPointF place) const;
     void drawGrid(QPainter& painter) const;
     void drawLines(QPainter& painter) const;
+    void drawChosen(QPainter& painter) const;
     void drawMarks(QPainter& painter) const;
     void drawOutside(QPainter& painter) const;
 
     std::shared_ptr<const inspect::Section> section_;
     Eigen::AlignedBox2d aboutM_;
     SectionHeights heights_;
-    std::vector<std::uint8_t> faces_;
+    SectionRocks rocks_;
     double perM_ = 50.0; // pixels
     QPointF origin_;     // of (0, 0), pixels
     bool moved_ = false; // by the operator: a new size does not fit it again
