@@ -482,6 +482,19 @@ private slots:
             QTest::mouseClick(slider, Qt::LeftButton, Qt::NoModifier, QPoint(sweep == 1 ? x - 4 : x + 4, slider->height() / 2));
             QCOMPARE(timeline.position(), mark);
         }
+        // The keys of the next and the previous scan go from sweep to sweep, before they leave the recording.
+        QVERIFY(on.activate());
+        timeline.goTo(5);
+        const auto& sweeps = timeline.contents().sweeps;
+        for (const int end : {sweeps[1].firstLine, sweeps[2].firstLine, timeline.lines()}) {
+            QTest::keyClick(&window, Qt::Key_PageDown);
+            QCOMPARE(timeline.position(), end);
+        }
+        QVERIFY(window.viewer().notice.isHidden() || !window.viewer().notice.text().contains("last scan"));
+        QTest::keyClick(&window, Qt::Key_PageDown);
+        QVERIFY(eventually([&] { return window.viewer().notice.text().contains("last scan"); }));
+        QTest::keyClick(&window, Qt::Key_PageUp);
+        QCOMPARE(timeline.position(), sweeps[2].firstLine);
         timeline.goTo(timeline.home());
         QVERIFY(eventually(
             [&] { return window.viewer().engine.picture()->detection->scan->path == path && !window.viewer().engine.behind(); }));

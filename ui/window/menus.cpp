@@ -205,11 +205,14 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
             QObject::tr("Correct the angles of beams that were interlaced from two passes, and of lines at which the stepper slipped"));
         QObject::connect(&files, &Files::straightened, &action, &QAction::setChecked);
     };
+    const auto stepScan = [&files, &live](int by) { // of the recording, else of the folder
+        if (!live.timeline().stepSweep(by)) files.step(by);
+    };
     return submenu(
         "&Scan",
         {
-            command("&Next Scan", "PgDown", [&files] { files.step(1); }),
-            command("Pre&vious Scan", "PgUp", [&files] { files.step(-1); }),
+            command("&Next Scan", "PgDown", [stepScan] { stepScan(1); }),
+            command("Pre&vious Scan", "PgUp", [stepScan] { stepScan(-1); }),
             command("&Add a Scan as a Layer…", "", [&v] { v.layers.ask(); }),
             kLine,
             linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),

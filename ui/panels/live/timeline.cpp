@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 
 namespace edgescan::ui {
 namespace {
@@ -224,6 +225,18 @@ void Timeline::goTo(int line) {
 void Timeline::stepBy(int step) {
     play(false);
     goTo(position_ + step);
+}
+
+bool Timeline::stepSweep(int by) {
+    std::optional<int> end;
+    for (std::size_t n = 0; active() && n < contents_.sweeps.size(); ++n) {
+        const int here = n + 1 < contents_.sweeps.size() ? contents_.sweeps[n + 1].firstLine : lines();
+        if (by > 0 ? here > position_ && !end : here < position_) end = here;
+    }
+    if (!end) return false;
+    play(false);
+    goTo(*end);
+    return true;
 }
 
 void Timeline::setSpeed(double factor) {

@@ -38,6 +38,9 @@ public:
     [[nodiscard]] const RecordingContents& contents() const { return contents_; }
     [[nodiscard]] QString labelShown() const;
 
+    /// Goes to the end of the next (1) or previous (-1) sweep; false where the recording has none.
+    bool stepSweep(int by);
+
 public slots:
     void play(bool on);
     void togglePlay() { play(!playing()); }
