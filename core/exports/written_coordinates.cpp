@@ -32,7 +32,7 @@ std::string frameAndExtent(const WrittenCoordinates& written) {
         break;
     case CoordinateFrame::Mine:
         text = "Mine grid";
-        names = {"E", "N", "elevation"};
+        names = {"E", "N", "RL"};
         break;
     case CoordinateFrame::MineLocal:
         text = "Local metres from " + originText(*written.originEnhM) + " in the mine grid";

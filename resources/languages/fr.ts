@@ -1223,7 +1223,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
 <message><source>Pinned:</source><translation>Épinglée :</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sans pose : pas de E N RL</translation></message>
-<message><source>Without a pose, coordinates count from the scanner, not from the mine grid.</source><translation>Sans pose, les coordonnées comptent à partir du scanner, non de la grille de la mine.</translation></message>
+<message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sans pose, les coordonnées comptent à partir du scanner, non de la grille de la mine. Scan &gt; Pose et montage… en prend une.</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>

@@ -224,7 +224,8 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     QLabel& label = *factLabel(Fact::Place).label;
     if (!scan.placement) {
         showFact(Fact::Place, tr("▲ no pose: no mine coordinates"), tr("▲ no pose"), true);
-        label.setToolTip(tr("Without a pose, coordinates count from the scanner, not from the mine grid."));
+        label.setToolTip(
+            tr("Without a pose, coordinates count from the scanner, not from the mine grid. Scan > Pose and Mounting… takes one."));
         return;
     }
     const Placement& place = *scan.placement;
