@@ -234,8 +234,10 @@ private slots:
         qInfo("used: %s", qPrintable(whatWasUsed()));
         if (events < 4000) return; // too few events to separate growth from one-time construction
         for (const auto& [kind, met] : met_) QVERIFY2(10 * used_[kind].size() >= 9 * met.size(), qPrintable(whatWasUsed()));
+#if !defined(__SANITIZE_ADDRESS__) // which holds freed memory back
         const double middle = memory[memory.size() / 2];
         QVERIFY2(memory.back() < 1.15 * middle + 20, qPrintable("memory grows:" + curve));
+#endif
     }
 };
 
