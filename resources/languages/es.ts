@@ -715,7 +715,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada con qué comparar todavía:
 cambie un ajuste o abra otro escaneo</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ FUERA DE TOLERANCIA</translation></message>
 <message><source>median difference %1 mm
 a change is more than %2 mm at 5 m</source><translation>diferencia mediana %1 mm
 un cambio supera %2 mm a 5 m</translation></message>
@@ -1224,7 +1224,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Pinned:</source><translation>Fijado:</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sin pose, las coordenadas se cuentan desde el escáner, no desde la cuadrícula de la mina. Escaneo &gt; Pose y montaje… toma una.</translation></message>
-<message><source>OUT OF SPEC</source><translation>FUERA DE ESPECIFICACIÓN</translation></message>
+<message><source>OUT OF SPEC</source><translation>FUERA DE TOLERANCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
@@ -1248,6 +1248,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
 <message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>ningún punto que mostrar: los %1 puntos están ocultos; Medir &gt; Mostrar todo los muestra</translation></message>
 <message><source>no point to show: no cell of this scan has a valid range</source><translation>ningún punto que mostrar: ninguna celda de este escaneo tiene una distancia válida</translation></message>
+<message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>No hay OpenGL en esta pantalla: la vista 3D no puede dibujar.</translation></message>
+<message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>OpenGL está instalado pero no arranca en esta pantalla: la vista 3D no puede dibujar.</translation></message>
+<message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>La vista 3D necesita OpenGL 3.2; esta pantalla ofrece %1.%2 (%3).</translation></message>
 <message><source>grid %1</source><translation>cuadrícula %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distancia [m]</translation></message>

@@ -690,7 +690,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Connecter</translation></message>
 <message><source>Locked</source><translation>Verrouillée</translation></message>
-<message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillé : maintenir une seconde pour quitter le mode cabine</translation></message>
+<message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillée : maintenir une seconde pour quitter le mode cabine</translation></message>
 <message><source>Previous target</source><translation>Cible précédente</translation></message>
 <message><source>Next target</source><translation>Cible suivante</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
@@ -715,7 +715,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>rien encore à comparer :
 changez un réglage, ou ouvrez un autre scan</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ HORS TOLÉRANCE</translation></message>
 <message><source>median difference %1 mm
 a change is more than %2 mm at 5 m</source><translation>différence médiane %1 mm
 un changement dépasse %2 mm à 5 m</translation></message>
@@ -1224,13 +1224,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Pinned:</source><translation>Épinglée :</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sans pose, les coordonnées comptent à partir du scanner, non de la grille de la mine. Scan &gt; Pose et montage… en prend une.</translation></message>
-<message><source>OUT OF SPEC</source><translation>HORS SPÉCIFICATION</translation></message>
+<message><source>OUT OF SPEC</source><translation>HORS TOLÉRANCE</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
-<message><source> · %1 filled</source><translation> · %1 remplies</translation></message>
+<message><source> · %1 filled</source><translation> · %1 comblées</translation></message>
 <message><source>Edges found in %1 ms</source><translation>Arêtes trouvées en %1 ms</translation></message>
 <message><source>%1 cells · edges pending</source><translation>%1 cellules · arêtes en attente</translation></message>
 <message><source>edges pending</source><translation>arêtes en attente</translation></message>
@@ -1248,6 +1248,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
 <message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>aucun point à afficher : les %1 points sont tous masqués ; Mesurer &gt; Tout afficher les montre</translation></message>
 <message><source>no point to show: no cell of this scan has a valid range</source><translation>aucun point à afficher : aucune cellule de ce scan n'a de distance valide</translation></message>
+<message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>Il n'y a pas d'OpenGL sur cet affichage : la vue 3D ne peut pas dessiner.</translation></message>
+<message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>OpenGL est installé mais ne démarre pas sur cet affichage : la vue 3D ne peut pas dessiner.</translation></message>
+<message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>La vue 3D a besoin d'OpenGL 3.2 ; cet affichage offre %1.%2 (%3).</translation></message>
 <message><source>grid %1</source><translation>grille %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distance [m]</translation></message>
@@ -1259,7 +1262,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuage – toucher pour échanger</translation></message>
-<message><source>Hold Locked for one second to leave cab mode.</source><translation>Maintenez Verrouillé une seconde pour quitter le mode cabine.</translation></message>
+<message><source>Hold Locked for one second to leave cab mode.</source><translation>Maintenez Verrouillée une seconde pour quitter le mode cabine.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
@@ -1523,7 +1526,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Fill gaps</source><translation>Combler les vides</translation></message>
 <message><source>Gaps up to this width are filled from their surroundings, never across a jump. Filled cells are marked and never count as measured. 0 switches filling off.</source><translation>Les vides jusqu'à cette largeur sont comblés d'après ce qui les entoure, jamais par-dessus un saut ; les cellules remplies sont marquées, et ne servent à aucune mesure. 0 n'en comble aucun.</translation></message>
 <message><source>Edges in gaps</source><translation>Arêtes dans les vides</translation></message>
-<message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>Les cellules remplies participent à la recherche des arêtes, et peuvent être des arêtes que personne n'a mesurées.</translation></message>
+<message><source>Filled cells take part in finding edges, and may be edges that no beam measured.</source><translation>Les cellules comblées participent à la recherche des arêtes, et peuvent être des arêtes que personne n'a mesurées.</translation></message>
 <message><source>Lower threshold</source><translation>Seuil bas</translation></message>
 <message><source>levels</source><translation>niveaux</translation></message>
 <message><source>A cell with a gradient above this is an edge: with Canny if a chain of such cells leads to a strong one, with detectors of one threshold always.</source><translation>Une cellule dont le gradient est supérieur à ceci est une arête : avec Canny si une chaîne de telles cellules mène à une cellule forte, avec les détecteurs à un seuil toujours.</translation></message>
@@ -1612,7 +1615,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Topic of a ROS bag that is the scan; otherwise a laser that is turned</source><translation>Sujet (topic) d'un bag ROS qui est le scan ; sinon un laser qui tourne</translation></message>
 <message><source>Joint of a ROS bag that turns the laser; otherwise from the transforms</source><translation>Articulation (joint) d'un bag ROS qui tourne le laser ; sinon les transformations la donnent</translation></message>
 <message><source>Pose file of the scan; a recording may hold its own</source><translation>Fichier de pose du scan ; un enregistrement peut contenir le sien</translation></message>
-<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier de calibration du robot ; un enregistrement peut contenir le sien</translation></message>
+<message><source>Calibration file of the robot; a recording may hold its own</source><translation>Fichier d'étalonnage du robot ; un enregistrement peut contenir le sien</translation></message>
 <message><source>Easting E [m]</source><translation>Est E [m]</translation></message>
 <message><source>Northing N [m]</source><translation>Nord N [m]</translation></message>
 <message><source>RL, positive up [m]</source><translation>RL, positif vers le haut [m]</translation></message>
@@ -1651,7 +1654,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>PCD in mine coordinates with numbers of 8 bytes, which PCL and Open3D do not read; else metres from an origin in a comment</source><translation>PCD en coordonnées de la mine avec des nombres de 8 octets, que PCL et Open3D ne lisent pas ; sinon en mètres depuis une origine dans un commentaire</translation></message>
 <message><source>DXF of release 2000 instead of release 12</source><translation>DXF de version 2000 au lieu de version 12</translation></message>
 <message><source>DXF: also the edge lines of two points only</source><translation>DXF : aussi les lignes d'arête de deux points seulement</translation></message>
-<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY et CSV : aussi les cellules remplies et non mesurées, que le champ filled_sd_mm marque</translation></message>
+<message><source>PCD, PLY and CSV: also the cells that were filled and not measured, which the field filled_sd_mm marks</source><translation>PCD, PLY et CSV : aussi les cellules comblées et non mesurées, que le champ filled_sd_mm marque</translation></message>
 <message><source>PCD, PLY and CSV: the field confidence, how many percent of nearby settings find the edge too; 0 where there is none</source><translation>PCD, PLY et CSV : le champ confidence, le pourcentage de réglages voisins qui trouvent aussi l'arête ; 0 où il n'y en a pas</translation></message>
 <message><source>&amp;Edge Cloud…</source><translation>Nuage des &amp;arêtes…</translation></message>
 <message><source>Edge points (%1)</source><translation>Points d'arête (%1)</translation></message>

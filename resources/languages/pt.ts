@@ -715,7 +715,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada ainda para comparar:
 mude um ajuste ou abra outra varredura</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ OUT OF SPEC</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ FORA DE TOLERÂNCIA</translation></message>
 <message><source>median difference %1 mm
 a change is more than %2 mm at 5 m</source><translation>diferença mediana %1 mm
 uma mudança passa de %2 mm a 5 m</translation></message>
@@ -1224,7 +1224,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Pinned:</source><translation>Fixado:</translation></message>
 <message><source>▲ no pose: no mine coordinates</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sem pose, as coordenadas contam a partir do scanner, não da grade da mina. Varredura &gt; Pose e montagem… recebe uma.</translation></message>
-<message><source>OUT OF SPEC</source><translation>FORA DA ESPECIFICAÇÃO</translation></message>
+<message><source>OUT OF SPEC</source><translation>FORA DE TOLERÂNCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
@@ -1248,6 +1248,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
 <message><source>no point to show: all %1 points are hidden; Measure &gt; Show All shows them</source><translation>nenhum ponto a mostrar: todos os %1 pontos estão ocultos; Medir &gt; Mostrar tudo os mostra</translation></message>
 <message><source>no point to show: no cell of this scan has a valid range</source><translation>nenhum ponto a mostrar: nenhuma célula desta varredura tem uma distância válida</translation></message>
+<message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>Não há OpenGL nesta tela: a vista 3D não pode desenhar.</translation></message>
+<message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>O OpenGL está instalado mas não inicia nesta tela: a vista 3D não pode desenhar.</translation></message>
+<message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>A vista 3D precisa de OpenGL 3.2; esta tela oferece %1.%2 (%3).</translation></message>
 <message><source>grid %1</source><translation>grade %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distância [m]</translation></message>

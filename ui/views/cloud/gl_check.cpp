@@ -1,29 +1,23 @@
 // Checks for an OpenGL context that VTK can use.
 #include "ui/views/cloud/gl_check.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QVTKOpenGLNativeWidget.h>
 
 namespace edgescan::ui {
-namespace {
-
-QString text(const char* source) { return QCoreApplication::translate("GlCheck", source); }
-
-} // namespace
-
 GlCheck checkGl() {
     const QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     QOpenGLContext context;
     context.setFormat(format);
-    if (!context.create()) return {false, {}, text("There is no OpenGL on this display, so the 3D view cannot draw.")};
+    if (!context.create()) return {false, {}, QObject::tr("There is no OpenGL on this display, so the 3D view cannot draw.")};
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
     if (!surface.isValid() || !context.makeCurrent(&surface)) {
-        return {false, {}, text("OpenGL is installed but does not start on this display, so the 3D view cannot draw.")};
+        return {false, {}, QObject::tr("OpenGL is installed but does not start on this display, so the 3D view cannot draw.")};
     }
     const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
     const QSurfaceFormat got = context.format();
@@ -31,7 +25,7 @@ GlCheck checkGl() {
     const QString renderer = name == nullptr ? QString() : QString(QLatin1String(name));
     if (qMakePair(got.majorVersion(), got.minorVersion()) < qMakePair(3, 2)) {
         return {false, renderer,
-                text("The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).")
+                QObject::tr("The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).")
                     .arg(got.majorVersion())
                     .arg(got.minorVersion())
                     .arg(renderer)};
