@@ -30,6 +30,18 @@ private slots:
         QCOMPARE(int(light.scanLine(1)[1]), 7);
     }
 
+    // A picture with a table of colours gives the halves of the same picture in full colour.
+    void halvingKeepsTheColoursOfATable() {
+        QImage image(7, 5, QImage::Format_Indexed8);
+        image.setColorTable({qRgba(0, 0, 0, 0), qRgb(0, 255, 0), qRgb(90, 170, 255), qRgb(45, 85, 127)});
+        std::mt19937 random(7);
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) image.setPixel(x, y, random() % 4);
+        }
+        for (const Shrink shrink : {Shrink::Share, Shrink::Average})
+            QCOMPARE(halved(image, shrink), halved(image.convertToFormat(QImage::Format_ARGB32_Premultiplied), shrink));
+    }
+
     void halvingColourKeepsItsLight() {
         QImage image(2, 2, QImage::Format_ARGB32);
         image.fill(Qt::transparent);

@@ -9,61 +9,61 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace edgescan::ui {
 namespace {
 
 // Dark violet cannot be mistaken for 0 m or 40 m; the hatch separates it without colour.
-constexpr QRgb kMissing = qRgb(40, 20, 60);
-constexpr QRgb kMissingHatch = qRgb(72, 40, 104);
-constexpr QRgb kMissingOnBlack = qRgb(112, 72, 160); // in the edge map: contrast 3.1
-constexpr QRgb kMissingOnBlackHatch = qRgb(136, 96, 184);
-constexpr QRgb kStatus = qRgb(70, 20, 50);
-constexpr QRgb kStatusHatch = qRgb(120, 40, 80);
+constexpr QRgb kStatus = qRgb(70, 20, 50), kStatusHatch = qRgb(120, 40, 80);
 constexpr QRgb kLost = qRgb(24, 26, 30); // the views draw dashes over it, which no zoom blurs
-constexpr QRgb kFilled = qRgb(20, 66, 58);
-constexpr QRgb kFilledHatch = qRgb(60, 160, 140);
+constexpr QRgb kFilled = qRgb(20, 66, 58), kFilledHatch = qRgb(60, 160, 140);
 constexpr QRgb kToCome = qRgb(30, 30, 30);
 constexpr QRgb kEdge = qRgb(255, 255, 255);
 constexpr QRgb kRim = qRgb(90, 170, 255); // in the edge map: differs from white edges and from violet missing data
 constexpr float kRimPoints = 0.6F;        // size in the cloud, of the other edges
 constexpr int kRoomAtFirst = 64;          // lines, if the expected number of lines is unknown
 
-QRgb missingColour(CellState state, int line, int beam, bool onBlack) {
-    if (state == CellState::Lost) return kLost;
+// What a cell without an edge shows: an index into these colours.
+struct CellInk {
+    enum Index : std::uint8_t { Valid, ToCome, Lost, Status, StatusHatch, Missing, MissingHatch, Filled, FilledHatch, Count };
+};
+using CellColours = std::array<QRgb, CellInk::Count>;
+constexpr CellColours kOnGray{0, kToCome, kLost, kStatus, kStatusHatch, qRgb(40, 20, 60), qRgb(72, 40, 104), kFilled, kFilledHatch};
+constexpr CellColours kOnBlack{qRgb(0, 0, 0),      kToCome, kLost,       kStatus, kStatusHatch, qRgb(112, 72, 160), // contrast 3.1
+                               qRgb(136, 96, 184), kFilled, kFilledHatch};
+
+CellInk::Index inkOfMissing(CellState state, int line, int beam) {
+    if (state == CellState::Lost) return CellInk::Lost;
     const bool stripe = (line + beam) % 4 == 0;
-    if (state == CellState::DeviceStatus) return stripe ? kStatusHatch : kStatus;
-    if (onBlack) return stripe ? kMissingOnBlackHatch : kMissingOnBlack;
-    return stripe ? kMissingHatch : kMissing;
+    if (state == CellState::DeviceStatus) return stripe ? CellInk::StatusHatch : CellInk::Status;
+    return stripe ? CellInk::MissingHatch : CellInk::Missing;
 }
 
-// Vertical stripes: other cells without a range have other patterns.
-void paintFilled(QImage& image, const edges::Detection& detection) {
-    if (!detection.filled) return;
-    const auto beams = static_cast<std::size_t>(detection.scan->beams());
-    for (const FilledCell& filled : detection.filled->cells) {
-        const std::size_t beam = filled.cell % beams;
-        reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(filled.cell / beams)))[beam] = beam % 2 == 0 ? kFilledHatch : kFilled;
-    }
-}
-
-template <class ValidColour>
-QImage paintCells(const Scan& scan, int rows, ValidColour validColour, bool onBlack = false) {
-    QImage image(scan.beams(), rows, QImage::Format_RGB32);
-    for (int row = scan.lines(); row < rows; ++row) {
-        auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
-        std::fill(pixels, pixels + scan.beams(), kToCome);
-    }
+// `pixelOf` returns the pixel of a valid cell, `inks` has those of the others; filled cells have vertical stripes.
+template <class Pixel, class Inks, class PixelOf>
+void paintCells(QImage& image, const edges::Detection& detection, const Inks& inks, PixelOf pixelOf) {
+    const Scan& scan = *detection.scan;
+    const auto lineOf = [&](int line) { return reinterpret_cast<Pixel*>(image.scanLine(line)); };
+    for (int row = scan.lines(); row < image.height(); ++row)
+        std::fill_n(lineOf(row), scan.beams(), static_cast<Pixel>(inks[CellInk::ToCome]));
     std::size_t k = 0;
     for (int line = 0; line < scan.lines(); ++line) {
-        auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(line));
+        Pixel* pixels = lineOf(line);
         for (int beam = 0; beam < scan.beams(); ++beam, ++k) {
             const CellState state = scan.state[k];
-            pixels[beam] = state == CellState::Valid ? validColour(k) : missingColour(state, line, beam, onBlack);
+            pixels[beam] = state == CellState::Valid ? pixelOf(k) : static_cast<Pixel>(inks[inkOfMissing(state, line, beam)]);
         }
     }
-    return image;
+    if (!detection.filled) return;
+    const auto beams = static_cast<std::size_t>(scan.beams());
+    for (const FilledCell& filled : detection.filled->cells) {
+        const std::size_t beam = filled.cell % beams;
+        lineOf(static_cast<int>(filled.cell / beams))[beam] =
+            static_cast<Pixel>(inks[beam % 2 == 0 ? CellInk::FilledHatch : CellInk::Filled]);
+    }
 }
 
 using InkByClass = std::array<QRgb, kEdgeClasses + 1>; // by DepthEdge
@@ -76,16 +76,23 @@ InkByClass inkOf(const EdgeColours& colours, QRgb none) {
 
 QRgb dimmed(QRgb colour) { return qRgb(qRed(colour) / 2, qGreen(colour) / 2, qBlue(colour) / 2); }
 
-// Paints the pixels of the edge cells; other pixels do not change. Rims of open voids are dashed, in every direction: colour is not their
-// only sign.
-void paintEdges(QImage& image, const edges::Detection& detection, const InkByClass& ink) {
+// The colours of a picture with a byte per cell: those of the classes follow, then those of the gaps of dashed lines.
+QVector<QRgb> withEdges(QVector<QRgb> table, const InkByClass& ink) {
+    for (const QRgb colour : ink) table << colour;
+    for (const QRgb colour : ink) table << dimmed(colour);
+    return table;
+}
+
+// Paints the pixels of the edge cells with the colours that withEdges() added after the first `others`. Rims of open voids are dashed, in
+// every direction: colour is not their only sign.
+void paintEdges(QImage& image, const edges::Detection& detection, std::size_t others) {
     constexpr auto kVoidRim = static_cast<std::size_t>(edges::DepthEdge::VoidRim);
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
     for (const std::uint32_t k : *detection.edges) {
         const std::size_t line = k / beams, beam = k % beams;
         const std::size_t kind = detection.classes ? static_cast<std::size_t>((*detection.classes)[k]) : 0;
         const bool gap = kind == kVoidRim && (line + 2 * beam) % 6 >= 3;
-        reinterpret_cast<QRgb*>(image.scanLine(static_cast<int>(line)))[beam] = gap ? dimmed(ink[kind]) : ink[kind];
+        image.scanLine(static_cast<int>(line))[beam] = static_cast<std::uint8_t>(others + kind + (gap ? std::tuple_size_v<InkByClass> : 0));
     }
 }
 
@@ -116,43 +123,42 @@ int shownLines(const Scan& scan, const Growth& growth) {
 QImage grayPicture(const edges::Detection& detection, const std::optional<RangeSpan>& span, int rows) {
     const Scan& scan = *detection.scan;
     const auto ink = [](int level) { return qRgb(level, level, level); };
-    QImage image;
+    QImage image(scan.beams(), rows, QImage::Format_RGB32);
     if (span) {
         const double nearMm = 1000.0 * span->nearM, perMm = 255.0 / std::max(1e-6, 1000.0 * (span->farM - span->nearM));
-        image = paintCells(scan, rows, [&](std::size_t k) {
+        paintCells<QRgb>(image, detection, kOnGray, [&](std::size_t k) {
             return ink(static_cast<int>(std::clamp((static_cast<double>(scan.rangeMm[k]) - nearMm) * perMm, 0.0, 255.0)));
         });
     } else {
-        image = paintCells(scan, rows, [&](std::size_t k) { return ink(detection.gray->levels[k]); });
+        paintCells<QRgb>(image, detection, kOnGray, [&](std::size_t k) { return ink(detection.gray->levels[k]); });
     }
-    paintFilled(image, detection);
     return image;
 }
 
 QImage edgePicture(const edges::Detection& detection, int rows) {
-    QImage image = paintCells(
-        *detection.scan, rows, [](std::size_t) { return qRgb(0, 0, 0); }, true);
-    paintFilled(image, detection);
-    // Edges last: without masking they can also be on cells without a range.
+    QImage image(detection.scan->beams(), rows, QImage::Format_Indexed8);
     InkByClass ink;
     ink.fill(kEdge);
     ink[kRimClass + 1] = kRim;
-    paintEdges(image, detection, ink);
+    image.setColorTable(withEdges({kOnBlack.begin(), kOnBlack.end()}, ink));
+    std::array<std::uint8_t, CellInk::Count> inks{};
+    std::iota(inks.begin(), inks.end(), std::uint8_t{0});
+    paintCells<std::uint8_t>(image, detection, inks, [](std::size_t) { return std::uint8_t{CellInk::Valid}; });
+    paintEdges(image, detection, CellInk::Count); // last: without masking they can also be on cells without a range
     return image;
 }
 
 QImage classPicture(const Picture& picture, const EdgeColours& colours) {
     QImage image = *picture.edges;
-    const edges::Detection& detection = *picture.detection;
-    if (!detection.classes) return image;
-    paintEdges(image, detection, inkOf(colours, kEdge));
+    if (picture.detection->classes) image.setColorTable(withEdges(image.colorTable().mid(0, CellInk::Count), inkOf(colours, kEdge)));
     return image;
 }
 
 QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours, bool byClass, int rows) {
-    QImage image(detection.scan->beams(), rows, QImage::Format_ARGB32_Premultiplied);
-    image.fill(Qt::transparent);
-    paintEdges(image, detection, inkOf(drawnColours(colours, byClass), colours.front().rgba()));
+    QImage image(detection.scan->beams(), rows, QImage::Format_Indexed8);
+    image.setColorTable(withEdges({qRgba(0, 0, 0, 0)}, inkOf(drawnColours(colours, byClass), colours.front().rgba())));
+    image.fill(0);
+    paintEdges(image, detection, 1);
     return image;
 }
 

@@ -74,7 +74,7 @@ void paint(Comparison& made) {
     const Picture& now = *made.asked.now;
     const auto& edges = made.change.edges.cells;
     const auto& ranges = made.change.ranges.cells;
-    auto map = std::make_shared<QImage>(*now.edges);
+    auto map = std::make_shared<QImage>(now.edges->convertToFormat(QImage::Format_RGB32));
     auto overlay = std::make_shared<QImage>(now.edges->width(), now.edges->height(), QImage::Format_ARGB32_Premultiplied);
     overlay->fill(Qt::transparent);
     for (int line = 0; line < edges.lines; ++line) {

@@ -33,7 +33,7 @@ std::shared_ptr<const ConfidencePicture> confidencePicture(const std::shared_ptr
     made->of = picture;
     made->confidence = confidence;
     made->leastPercent = leastPercent;
-    QImage map = *picture->edges;
+    QImage map = picture->edges->convertToFormat(QImage::Format_RGB32);
     QImage overlay(map.size(), QImage::Format_ARGB32_Premultiplied);
     overlay.fill(Qt::transparent);
     std::vector<std::uint32_t> all;

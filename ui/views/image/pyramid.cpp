@@ -35,10 +35,10 @@ QRgb channels(QRgb a, QRgb b, QRgb c, QRgb d, Mean mean) {
     return qRgba(of(qRed), of(qGreen), of(qBlue), of(qAlpha));
 }
 
-template <class Pixel, class Merge>
+template <class Pixel, class Half = Pixel, class Merge>
 QImage halve(const QImage& from, Merge merge) {
-    const bool isOpaque = from.format() == QImage::Format_RGB32;
-    QImage to((from.width() + 1) / 2, (from.height() + 1) / 2, isOpaque ? QImage::Format_ARGB32_Premultiplied : from.format());
+    const bool isGray = from.format() == QImage::Format_Grayscale8;
+    QImage to((from.width() + 1) / 2, (from.height() + 1) / 2, isGray ? from.format() : QImage::Format_ARGB32_Premultiplied);
     std::uint8_t* const pixels = to.bits(); // once: it is not for several threads
     const auto perLine = static_cast<std::ptrdiff_t>(to.bytesPerLine());
     const int width = to.width();
@@ -47,7 +47,7 @@ QImage halve(const QImage& from, Merge merge) {
         for (int y = first; y < last; ++y) {
             const auto* upper = reinterpret_cast<const Pixel*>(from.constScanLine(2 * y));
             const auto* lower = reinterpret_cast<const Pixel*>(from.constScanLine(std::min(2 * y + 1, from.height() - 1)));
-            auto* out = reinterpret_cast<Pixel*>(pixels + y * perLine);
+            auto* out = reinterpret_cast<Half*>(pixels + y * perLine);
             for (int x = 0; x < width; ++x) {
                 const int left = 2 * x;
                 const int right = std::min(left + 1, from.width() - 1);
@@ -66,6 +66,13 @@ QImage halved(const QImage& image, Shrink shrink) {
     if (image.format() == QImage::Format_Grayscale8) {
         using Gray = std::uint8_t;
         return halve<Gray>(image, [mean](Gray a, Gray b, Gray c, Gray d) { return static_cast<Gray>(mean(a, b, c, d)); });
+    }
+    if (image.format() == QImage::Format_Indexed8) { // its colours are opaque, or one is transparent
+        const QVector<QRgb> colours = image.colorTable();
+        const auto merged = [&](std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) {
+            return channels(colours[a], colours[b], colours[c], colours[d], mean);
+        };
+        return halve<std::uint8_t, QRgb>(image, merged);
     }
     constexpr QRgb kOpaque = 0xFF000000;
     if (image.format() == QImage::Format_RGB32) // without a converted copy of a large picture
