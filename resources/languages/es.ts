@@ -563,7 +563,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The session %1 is not changed: this is another scan.</source><translation>La sesión %1 no se modifica: este es otro escaneo.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 no es el escaneo de esta sesión: su contenido es distinto. Los ajustes y la vista se han restaurado; los objetivos, la selección, las marcas, las rocas, A y la cámara no.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is stored.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla se ha guardado.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen at %1 is stored.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla el %1 se ha guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>No se pudo proponer nada (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Esto &amp;es un borde</translation></message>

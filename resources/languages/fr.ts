@@ -563,7 +563,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The session %1 is not changed: this is another scan.</source><translation>La session %1 n'est pas modifiée : ceci est un autre scan.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 n'est pas le scan de cette session : son contenu diffère. Réglages et vue sont repris ; cibles, sélection, marques, blocs, A et caméra ne le sont pas.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is stored.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran est gardé.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen at %1 is stored.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran le %1 est gardé.</translation></message>
 <message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>Rien n'a pu être proposé (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Ceci &amp;est une arête</translation></message>

@@ -563,7 +563,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The session %1 is not changed: this is another scan.</source><translation>A sessão %1 não é alterada: esta é outra varredura.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é a varredura desta sessão: o conteúdo é outro. Ajustes e vista foram restaurados; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro uma varredura.</translation></message>
-<message><source>EdgeScan ended without being closed. What was on the screen is stored.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela foi guardado.</translation></message>
+<message><source>EdgeScan ended without being closed. What was on the screen at %1 is stored.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela em %1 foi guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
 <message><source>Nothing could be proposed (%1).</source><translation>Não foi possível propor nada (%1).</translation></message>
 <message><source>This &amp;is an edge</source><translation>Isto &amp;é uma borda</translation></message>

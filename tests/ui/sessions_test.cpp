@@ -364,6 +364,26 @@ private slots:
         QVERIFY(on.window.sessions().autosaves().afterCrash().size() <= 1); // the first one; the second was continued
     }
 
+    // After a crash the newest session is the last one, whether it was closed or not.
+    void whatWasClosedAfterACrashIsTheLastSession() {
+        QDir().mkpath(inFolder("later/sessions"));
+        const auto write = [&](const char* name, int secondsAgo) {
+            QFile file(inFolder("later/sessions/") + name + inspect::kSessionEnding);
+            return file.open(QIODevice::WriteOnly) && file.write("{}") == 2 && file.flush() &&
+                   file.setFileTime(QDateTime::currentDateTime().addSecs(-secondsAgo), QFileDevice::FileModificationTime);
+        };
+        QVERIFY(write("running-999999-0", 3600));
+        WindowFixture on(inFolder("later/viewer.ini"));
+        QVERIFY(on.window.sessions().toGoOn().contains("running-999999-0"));
+        QVERIFY(write("last", 60));
+        QVERIFY(on.window.sessions().toGoOn().contains("/last"));
+        QVERIFY(write("last", 7200));
+        QVERIFY(on.window.sessions().toGoOn().contains("running-999999-0"));
+        on.window.sessions().offerToContinue();
+        const QString at = QDateTime::currentDateTime().addSecs(-3600).toString("yyyy-MM-dd HH:mm");
+        QVERIFY2(on.viewer.notice.text().contains(at), qPrintable(on.viewer.notice.text()));
+    }
+
     // A process that was just killed holds its session for a moment.
     void theStartPageFindsALateSession() {
         QDir().mkpath(inFolder("late/sessions"));

@@ -12,6 +12,7 @@
 #include "ui/engine/worker_bridge/in_background.h"
 #include "ui/engine/worker_bridge/preferences.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -310,7 +311,11 @@ void Sessions::followStream() {
 
 QString Sessions::toGoOn() const {
     const QStringList left = autosaves_.afterCrash();
-    return left.isEmpty() ? autosaves_.last() : left.front();
+    const QString last = autosaves_.last();
+    if (left.isEmpty()) return last;
+    // What was closed after a crash is the last session; the notice at the start offers what the crash left.
+    const bool closedLater = !last.isEmpty() && QFileInfo(last).lastModified() > QFileInfo(left.front()).lastModified();
+    return closedLater ? last : left.front();
 }
 
 void Sessions::continueLast() {
@@ -322,7 +327,8 @@ void Sessions::continueLast() {
 void Sessions::offerToContinue() {
     const QStringList left = autosaves_.afterCrash();
     if (left.isEmpty()) return;
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen is stored."));
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen at %1 is stored.")
+                                                     .arg(QFileInfo(left.front()).lastModified().toString("yyyy-MM-dd HH:mm")));
     notice_.offer(tr("Go on where I was"), [this, path = left.front()] { openSession(path); });
 }
 
