@@ -104,6 +104,36 @@ private slots:
         on.window.cab().set(false);
     }
 
+    // At no size of the window do black lines run between the scan lines of a surface, not even far from the axis, where lines spread.
+    void surfacesAreClosedAtEverySize() {
+        sim::SimulationSettings settings; // 1000 x 1141
+        const std::string full = (folder_ / "full.json").string();
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, full)));
+        WindowFixture on;
+        QVERIFY(on.showWith(full));
+        CloudView& cloud = on.viewer.views.cloud();
+        cloud.setEdgesVisible(false);
+        cloud.setBackground(Qt::magenta);
+        for (const QSize size : {QSize(900, 620), QSize(1024, 700), QSize(1280, 800), QSize(1500, 900), QSize(1900, 1000)}) {
+            resizeTo(on.window, size);
+            QVERIFY(eventually([&] { return cloud.atRest(); }));
+            const QImage shown = cloud.grabFrame();
+            const QRgb empty = QColor(Qt::magenta).rgb();
+            const auto isEmpty = [&](int x, int y) { return shown.pixel(x, y) == empty; };
+            int drawn = 0, gaps = 0; // of the width of a pixel
+            for (int y = 2; y + 2 < shown.height(); ++y) {
+                for (int x = 2; x + 2 < shown.width(); ++x) {
+                    drawn += isEmpty(x, y) ? 0 : 1;
+                    const bool across = !isEmpty(x - 1, y) && !isEmpty(x + 1, y), along = !isEmpty(x, y - 1) && !isEmpty(x, y + 1);
+                    gaps += isEmpty(x, y) && (across || along) ? 1 : 0;
+                }
+            }
+            qInfo("%d x %d: point %.2f px, %d of %d", shown.width(), shown.height(), cloud.pointSize(), gaps, drawn);
+            QVERIFY2(100 * gaps < drawn,
+                     qPrintable(QString("%1 x %2: %3 of %4").arg(size.width()).arg(size.height()).arg(gaps).arg(drawn)));
+        }
+    }
+
     // A dock takes room of the cloud and gives it back: the points always have the size that belongs to the room that is left.
     void thePointsHaveTheSizeOfTheirPane() {
         WindowFixture on;

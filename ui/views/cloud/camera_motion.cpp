@@ -54,6 +54,18 @@ DepthSpan depthSpan(const CameraPose& pose, const Box3f& box) {
     return {middle - half, middle + half};
 }
 
+/// Angle to the next line or beam, seen from the sensor, rad: the larger one. Lines of a turning scanner spread away from its axis.
+double stepAround(const CloudGeometry& cloud, std::uint32_t k) {
+    const auto directionOf = [&](std::size_t at) { return (cloud.point(at) - cloud.sensor).normalized().eval(); };
+    const auto beams = static_cast<std::size_t>(cloud.beams);
+    double largest = 0.0;
+    for (const std::size_t next : {k + std::size_t{1}, k + beams}) {
+        if (next >= cloud.cells() || cloud.valid[next] == 0 || (next == k + 1 && next % beams == 0)) continue;
+        largest = std::max(largest, static_cast<double>((directionOf(next) - directionOf(k)).norm()));
+    }
+    return largest > 0.0 ? largest : cloud.stepRad;
+}
+
 } // namespace
 
 double CameraPose::halfHeight() const { return distance() * tanHalf(*this); }
@@ -232,7 +244,7 @@ Vector3d underCursor(const CameraPose& pose, double ndcX, double ndcY, double de
 double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int viewHeightPx) {
     constexpr std::size_t kSample = 400;
     constexpr double kLeast = 1.0, kMost = 7.0; // pixels
-    constexpr double kClosed = 1.15;            // of the spacing: closes surfaces that are seen at a small angle too
+    constexpr double kShare = 0.9;              // of the points whose spacing is closed; the farthest ones would make all others coarse
     if (cloud.stepRad <= 0.0 || viewHeightPx <= 0) return kLeast;
     std::vector<double> pixels;
     const Vector3d forward = pose.forward();
@@ -241,7 +253,7 @@ double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int v
     const std::size_t every = std::max<std::size_t>(1, some.size() / kSample);
     for (std::size_t n = 0; n < some.size(); n += every) {
         const Eigen::Vector3f point = cloud.point(some[n]);
-        const double spacing = cloud.stepRad * static_cast<double>((point - cloud.sensor).norm());
+        const double spacing = stepAround(cloud, some[n]) * static_cast<double>((point - cloud.sensor).norm());
         const double depth = forward.dot(point.cast<double>() - pose.position);
         if (depth <= 0.0) continue;
         const double wide = pose.parallel ? perMetre : perMetre * pose.distance() / depth;
@@ -251,9 +263,9 @@ double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int v
         pixels.push_back(spacing * wide);
     }
     if (pixels.empty()) return kLeast;
-    const auto middle = pixels.begin() + static_cast<std::ptrdiff_t>(pixels.size() / 2);
-    std::nth_element(pixels.begin(), middle, pixels.end());
-    return std::clamp(kClosed * *middle, kLeast, kMost);
+    const auto wanted = pixels.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(pixels.size() - 1));
+    std::nth_element(pixels.begin(), wanted, pixels.end());
+    return std::clamp(*wanted, kLeast, kMost);
 }
 
 } // namespace edgescan::ui

@@ -51,8 +51,8 @@ struct CameraPose {
 /// within the limits of a flat picture. Row 0 is at the top if the geometry allows it.
 [[nodiscard]] CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, double widthByHeight);
 
-/// Median distance of neighbouring points on a screen of this height, pixels, from 1 to 7. It is computed on a sample from the angle
-/// between beams and lines at the sensor. 0 if unknown.
+/// Distance that 90 % of neighbouring points keep to on a screen of this height, pixels, from 1 to 7. It is computed on a sample from the
+/// angles between beams and between lines at the sensor. 1 if unknown.
 [[nodiscard]] double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int viewHeightPx);
 
 /// Share of the depth that is clipped in front and behind, 0 .. 1 each.

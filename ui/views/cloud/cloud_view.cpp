@@ -177,7 +177,7 @@ void CloudView::applyColours() {
     look.shaded = shaded_;
     look.cloud = cloudDimmed_ && edgesVisible_ ? kCloudDimmed : kCloudBright;
     look.edge = drawnColours(edgeColours_, byClass_);
-    look.pointSize = std::round(pointSize_ * devicePixelRatioF());
+    look.pointSize = pixelsOfPoint();
     look.edgeSize = std::round(edgeSizeFor(pointSize_) * devicePixelRatioF());
     look.halo = std::floor(devicePixelRatioF());
     look.edges = edgesVisible_ && (!faces_ || edgesOverFaces_ || edgesOver_ == EdgesOver::Always);

@@ -224,6 +224,8 @@ private:
     void applyColours();
     void changePointSize(int steps);
     void usePointSize(double pixels);
+    /// As drawn, device pixels: whole ones, and rounded up, because a smaller point leaves a black line between two scan lines.
+    [[nodiscard]] double pixelsOfPoint() const;
     void followSpacing();
     void fitPane();
     void updateOverlay();

@@ -10,10 +10,15 @@ using Eigen::Vector3d;
 
 double CloudView::aspect() const { return static_cast<double>(std::max(1, width())) / std::max(1, height()); }
 
+double CloudView::pixelsOfPoint() const {
+    constexpr double kNotSeen = 0.1; // px of a gap
+    return std::max(1.0, std::ceil(pointSize_ * devicePixelRatioF() - kNotSeen));
+}
+
 ScreenView CloudView::screenView() const {
     const ClipRange clip = clipRange(pose_, extent(), clip_.nearShare, clip_.farShare);
     const double dpr = devicePixelRatioF();
-    return {worldToClip(pose_, clip, aspect()), width() * dpr, height() * dpr, std::round(pointSize_ * dpr)};
+    return {worldToClip(pose_, clip, aspect()), width() * dpr, height() * dpr, pixelsOfPoint()};
 }
 
 std::optional<QPointF> CloudView::pixelOf(std::uint32_t cell) const {
