@@ -239,6 +239,13 @@ private slots:
                 QVERIFY2(!QRegularExpression(joined).match(text).hasMatch(), qPrintable(text));
             QVERIFY2(!QRegularExpression("\\f\\s*(Gray levels:|Edges\\. Across)").match(text).hasMatch(), "a caption without its picture");
         }
+        QProcess images; // the gray ramp, and the bar of the cloud's scale
+        images.start("pdfimages", {"-list", QString::fromStdString((folder_ / "report.pdf").string())});
+        if (images.waitForFinished()) {
+            const QString list = QString::fromUtf8(images.readAllStandardOutput());
+            for (const char* size : {R"(\b160 +12\b)", R"(\b[0-9]+ +4 +(rgb|gray))"})
+                QVERIFY2(QRegularExpression(size).match(list).hasMatch(), qPrintable(list));
+        }
         // What is not a PNG picture is refused, and nothing is written.
         ReportWords wrong = words;
         wrong.logo = QString::fromStdString(bell_);

@@ -11,6 +11,7 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QTextDocument>
 #include <QTextFrame>
 #include <QThread>
@@ -38,17 +39,41 @@ void cut(QString& html, const QString& begin, const QString& end) {
     }
 }
 
+/// `attributes`: of the element, each with a space behind it.
+QString elementOf(const QImage& image, const QString& attributes = {}) {
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return "<img " + attributes + "src=\"data:image/png;base64," + QString::fromLatin1(png.toBase64()) + "\">";
+}
+
+const QString kBar = QStringLiteral("class=\"bar\" "); // shown in its own size, in pixels of 1/96 inch
+
+/// Gray ramp and scale bar, which are backgrounds of empty elements on the page for browsers, as pictures.
+void drawBars(QString& html) {
+    constexpr int kRampWide = 160, kRampHigh = 12, kScaleHigh = 4;
+    static const QRegularExpression bar(R"re(<span class="bar" style="([^"]*)"></span>)re"), percent("width:([0-9.]+)%");
+    for (auto found = bar.match(html); found.hasMatch(); found = bar.match(html)) {
+        const auto share = percent.match(found.captured(1));
+        QImage drawn(share.hasMatch() ? std::max(1, static_cast<int>(share.captured(1).toDouble() * kWide / 100)) : kRampWide,
+                     share.hasMatch() ? kScaleHigh : kRampHigh, QImage::Format_RGB32);
+        for (int x = 0; x < drawn.width(); ++x) {
+            const int level = share.hasMatch() ? 0x44 : 255 * x / std::max(1, drawn.width() - 1);
+            for (int y = 0; y < drawn.height(); ++y) drawn.setPixel(x, y, qRgb(level, level, level));
+        }
+        html.replace(found.capturedStart(), found.capturedLength(), "<span>" + elementOf(drawn, kBar) + "</span>");
+    }
+}
+
 /// The drawing of the sizes as a picture.
 void drawSizes(QString& html) {
     constexpr double kScale = 3.0; // sharp enough on paper
     const QString begin = "<svg id=\"sizes\"", end = "</svg>";
     const int from = static_cast<int>(html.indexOf(begin)), to = from < 0 ? -1 : static_cast<int>(html.indexOf(end, from));
     if (to < 0) return;
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    imageOfDrawing(html.mid(from, to + end.size() - from), kScale).save(&buffer, "PNG");
-    html.replace(from, to + end.size() - from, "<p><img src=\"data:image/png;base64," + QString::fromLatin1(png.toBase64()) + "\"></p>");
+    const QString drawing = html.mid(from, to + end.size() - from);
+    html.replace(from, drawing.size(), "<p>" + elementOf(imageOfDrawing(drawing, kScale)) + "</p>");
 }
 
 /// The pictures become resources of the document, no larger than the page.
@@ -64,8 +89,10 @@ QString withResources(const QString& html, QTextDocument& document) {
         if (html.indexOf("<svg class=\"numbers\"", end) == end + 3)
             drawOver(image, html.mid(end + 3, html.indexOf("</svg>", end) + 6 - (end + 3)));
         const int high = html.lastIndexOf(logo, at) >= 0 && html.indexOf("</p>", html.lastIndexOf(logo, at)) > at ? kLogoHigh : kHigh;
-        const double scale =
-            image.isNull() ? 1.0 : std::min(static_cast<double>(kWide) / image.width(), static_cast<double>(high) / image.height());
+        const bool inOwnSize = html.mid(at - kBar.size(), kBar.size()) == kBar;
+        const double scale = image.isNull() || inOwnSize
+                                 ? 1.0
+                                 : std::min(static_cast<double>(kWide) / image.width(), static_cast<double>(high) / image.height());
         const QString name = QString("picture-%1").arg(number++);
         document.addResource(QTextDocument::ImageResource, QUrl(name), image);
         made += html.mid(from, at - from) + QString("src=\"%1\" width=\"%2\" height=\"%3\"")
@@ -108,6 +135,7 @@ QByteArray laidOut(const std::string& html) {
     cut(page, "<script", "</script>");
     cut(page, "<style", "</style>");
     drawSizes(page);
+    drawBars(page);
     cut(page, "<section class=\"onscreen\">", "</section>");
     cut(page, "<details class=\"onscreen\">", "</details>");
     // Columns of facts become rows of a table, which paper can show.

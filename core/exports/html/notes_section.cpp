@@ -67,9 +67,11 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
     std::string cells;
     for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
     const auto measured = inspect::measureCells(*detection.scan, noise, measure.kind, measure.cells, measure.shares);
+    const bool narrowest = measure.kind == inspect::MeasureKind::Throat;
     return "<tr><td>" + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
            (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
-           (measured ? htmlText(inspect::measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
+           (measured ? (narrowest ? "narrowest way near the two clicks; " : "") + htmlText(inspect::measureBasis(*measured)) : "") +
+           "</td><td>" + cells + "</td></tr>\n";
 }
 
 /// Where they are: their numbers on the gray levels.
@@ -129,9 +131,8 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
     std::string html = "<h2>Targets and measures</h2>\n";
     const RangeNoise noise = inspect::noiseOf(detection);
     if (!notebook.targets.empty()) {
-        html +=
-            "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>By the pose of now</th>"
-            "<th>Also on its card when it was pinned</th><th>Pinned</th></tr></thead><tbody>\n";
+        html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>Now</th>"
+                "<th>Also on its card when it was pinned</th><th>Pinned</th></tr></thead><tbody>\n";
         for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
         html += "</tbody></table></div>\n" + targetsPicture(detection, notebook, mostPixels);
     }
