@@ -243,8 +243,18 @@ private slots:
         images.start("pdfimages", {"-list", QString::fromStdString((folder_ / "report.pdf").string())});
         if (images.waitForFinished()) {
             const QString list = QString::fromUtf8(images.readAllStandardOutput());
-            for (const char* size : {R"(\b160 +12\b)", R"(\b[0-9]+ +4 +(rgb|gray))"})
-                QVERIFY2(QRegularExpression(size).match(list).hasMatch(), qPrintable(list));
+            QVERIFY2(QRegularExpression(R"(\b160 +12\b)").match(list).hasMatch(), qPrintable(list));
+            // The bar has the share of the cloud's picture that it has on the page for browsers. Pixels and pixels per inch:
+            const QRegularExpression row(R"((\d+) +\d+ +(?:rgb|gray)(?: +\S+){6} +(\d+) )");
+            std::vector<double> wide;
+            for (auto all = row.globalMatch(list); all.hasNext();) {
+                const auto found = all.next();
+                wide.push_back(found.captured(1).toDouble() / found.captured(2).toDouble());
+            }
+            const auto share = QRegularExpression(R"(flex:none;width:([0-9.]+)%)").match(QString::fromStdString(page));
+            QVERIFY2(wide.size() >= 5 && share.hasMatch(), qPrintable(list));
+            const double drawn = 100 * wide.back() / wide[wide.size() - 2];
+            QVERIFY2(std::abs(drawn / share.captured(1).toDouble() - 1) < 0.03, qPrintable(QString::number(drawn) + list));
         }
         // What is not a PNG picture is refused, and nothing is written.
         ReportWords wrong = words;

@@ -25,7 +25,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kMarginMm = 15;
-constexpr int kWide = 660, kHigh = 780; // px of 1/96 inch: room for a picture with its heading, legend and caption on a page
+constexpr int kWide = 660, kHigh = 385; // px of 1/96 inch: two pictures with their heading, legends and captions fill a page
+constexpr int kNumberedHigh = 780;      // one with numbers, which must be read, has a page of its own
 constexpr int kLogoHigh = 90;
 constexpr int kInnerMargin = 24; // px of 1/96 inch: the page number is in it
 constexpr int kResolution = 300;
@@ -48,7 +49,7 @@ QString elementOf(const QImage& image, const QString& attributes = {}) {
     return "<img " + attributes + "src=\"data:image/png;base64," + QString::fromLatin1(png.toBase64()) + "\">";
 }
 
-const QString kBar = QStringLiteral("class=\"bar\" "); // shown in its own size, in pixels of 1/96 inch
+const QString kBar = QStringLiteral("class=\"bar\" "); // its width is that below a picture of the width kWide
 
 /// Gray ramp and scale bar, which are backgrounds of empty elements on the page for browsers, as pictures.
 void drawBars(QString& html) {
@@ -81,18 +82,21 @@ QString withResources(const QString& html, QTextDocument& document) {
     const QString begin = "src=\"data:image/png;base64,", logo = "<p class=\"logo\">";
     QString made;
     int from = 0, number = 0;
+    double pictureWide = kWide; // of the last picture, px: a bar below it belongs to it
     for (int at = static_cast<int>(html.indexOf(begin)); at >= 0; at = static_cast<int>(html.indexOf(begin, from))) {
         const int data = at + static_cast<int>(begin.size()), end = static_cast<int>(html.indexOf('"', data));
         if (end < 0) break;
         QImage image = QImage::fromData(QByteArray::fromBase64(html.mid(data, end - data).toLatin1()), "PNG");
         // "...">\n<svg class="numbers" ...": the numbers of the picture are drawn on it, and the drawing goes.
-        if (html.indexOf("<svg class=\"numbers\"", end) == end + 3)
-            drawOver(image, html.mid(end + 3, html.indexOf("</svg>", end) + 6 - (end + 3)));
-        const int high = html.lastIndexOf(logo, at) >= 0 && html.indexOf("</p>", html.lastIndexOf(logo, at)) > at ? kLogoHigh : kHigh;
-        const bool inOwnSize = html.mid(at - kBar.size(), kBar.size()) == kBar;
-        const double scale = image.isNull() || inOwnSize
-                                 ? 1.0
-                                 : std::min(static_cast<double>(kWide) / image.width(), static_cast<double>(high) / image.height());
+        const bool numbered = html.indexOf("<svg class=\"numbers\"", end) == end + 3;
+        if (numbered) drawOver(image, html.mid(end + 3, html.indexOf("</svg>", end) + 6 - (end + 3)));
+        const bool isLogo = html.lastIndexOf(logo, at) >= 0 && html.indexOf("</p>", html.lastIndexOf(logo, at)) > at;
+        const int high = isLogo ? kLogoHigh : numbered ? kNumberedHigh : kHigh;
+        const bool isBar = html.mid(at - kBar.size(), kBar.size()) == kBar;
+        const double scale = image.isNull() ? 1.0
+                             : isBar        ? pictureWide / kWide
+                                     : std::min(static_cast<double>(kWide) / image.width(), static_cast<double>(high) / image.height());
+        if (!isBar) pictureWide = scale * image.width();
         const QString name = QString("picture-%1").arg(number++);
         document.addResource(QTextDocument::ImageResource, QUrl(name), image);
         made += html.mid(from, at - from) + QString("src=\"%1\" width=\"%2\" height=\"%3\"")

@@ -249,8 +249,8 @@ std::string againOf(const edges::Detection& detection, const Json& record, const
     const auto hash = [](const std::string& name, const std::string& value) {
         return "<tr><td>" + htmlText(name) + "</td><td class=\"hash\">" + htmlText(value.empty() ? "none" : value) + "</td></tr>\n";
     };
-    std::string html = "<h2>Made again</h2>\n<p>The command that makes this report as a page for browsers:</p>\n<pre id=\"command\">" + htmlText(words.command) +
-                       "</pre>\n<table>\n<tbody>\n";
+    std::string html = "<h2>Made again</h2>\n<p>The command that makes this report as a page for browsers:</p>\n<pre id=\"command\">" +
+                       htmlText(words.command) + "</pre>\n<table>\n<tbody>\n";
     html += hash("SHA-256 of the file", detection.scan->sha256) + hash("SHA-256 of the grid", textAt(record, "/scan/grid_sha256"));
     html += hash("SHA-256 of the edge mask", maskSha256(*detection.mask));
     html += hash("Program", "EdgeScan " + textAt(record, "/program/version") + ", commit " + textAt(record, "/program/commit"));
