@@ -45,11 +45,17 @@
 <message><source>lined up by their poses</source><translation>alineados por sus poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alineados por las posiciones conocidas del escáner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sin pose: alineados por sus superficies</translation></message>
+<message><source>sweep %1</source><translation>barrido %1</translation></message>
+<message><source>demo draw-bell after the blast</source><translation>campana de demostración tras la tronadura</translation></message>
+<message><source>demo draw-bell</source><translation>campana de demostración</translation></message>
 <message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: hay %1 líneas, no se sabe cuántas eran.</translation></message>
 <message><source>Telegrams were lost: lines </source><translation>Se perdieron telegramas: líneas </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Se perdió un telegrama: línea </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Hubo telegramas con menos haces que el barrido, los demás se perdieron: </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.</source><translation>Los telegramas llevan cuentas del codificador, pero no se indicó cuántas hay por grado: no se usan.</translation></message>
+<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>El escáner perdió la cuenta del codificador al reiniciarse: los ángulos de las líneas siguientes se calculan.</translation></message>
+<message><source> (from line %1 on).</source><translation> (desde la línea %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>
 <message><source>the axis (spin)</source><translation>el eje (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>el eje (sweep)</translation></message>
@@ -351,7 +357,7 @@ The strongest cell of its chain is ringed in both images; zoomed in, the chain i
 La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
 <message><source>Clicked</source><translation>Clic</translation></message>
 <message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Primero apunte a una celda o haga clic en ella. Por qué muestra luego qué decide si es un borde.</translation></message>
-<message><source>the demo after the blast</source><translation>la demo tras la voladura</translation></message>
+<message><source>the demo after the blast</source><translation>la demo tras la tronadura</translation></message>
 <message><source>%1, scan %2</source><translation>%1, escaneo %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>el primero: los demás se colocan respecto a él</translation></message>
 <message><source>registered, residual %1 mm</source><translation>registrado, residuo %1 mm</translation></message>
@@ -667,7 +673,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falló (%2); cierre otros programas o use un escaneo más pequeño.</translation></message>
 <message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular los bordes (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>Opening %1</source><translation>Abriendo %1</translation></message>
-<message><source>Making the demo draw-bell</source><translation>Creando el embudo de extracción de demostración</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Creando la campana de demostración</translation></message>
 <message><source>Saving %1</source><translation>Guardando %1</translation></message>
 <message><source>writing</source><translation>escribiendo</translation></message>
 <message><source>being cancelled</source><translation>cancelando</translation></message>
@@ -1313,7 +1319,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
-<message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir embudo de extracción de &amp;demostración</translation></message>
+<message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir la campana de &amp;demostración</translation></message>
 <message><source>Open Demo after the &amp;Blast</source><translation>Abrir la demo tras la &amp;tronadura</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar al escáner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recar&amp;gar</translation></message>

@@ -45,11 +45,17 @@
 <message><source>lined up by their poses</source><translation>alignés par leurs poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alignés par les positions connues du scanner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>pas de pose : alignés par leurs surfaces</translation></message>
+<message><source>sweep %1</source><translation>balayage %1</translation></message>
+<message><source>demo draw-bell after the blast</source><translation>cloche de démonstration après le tir</translation></message>
+<message><source>demo draw-bell</source><translation>cloche de démonstration</translation></message>
 <message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLET : %1 lignes sont là, on ne sait pas combien il y en avait.</translation></message>
 <message><source>Telegrams were lost: lines </source><translation>Des télégrammes ont été perdus : lignes </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Un télégramme a été perdu : ligne </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.</source><translation>Les télégrammes portent des impulsions d'encodeur, mais le nombre d'impulsions par degré n'a pas été donné : elles ne sont pas utilisées.</translation></message>
+<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>Le scanner a perdu le compte de l'encodeur au redémarrage : les angles des lignes suivantes sont calculés.</translation></message>
+<message><source> (from line %1 on).</source><translation> (à partir de la ligne %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>
 <message><source>the axis (spin)</source><translation>l'axe (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>l'axe (sweep)</translation></message>
@@ -667,7 +673,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1 : échec (%2) ; fermez d'autres programmes ou utilisez un scan plus petit.</translation></message>
 <message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>les arêtes n'ont pas pu être calculées (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
 <message><source>Opening %1</source><translation>Ouverture de %1</translation></message>
-<message><source>Making the demo draw-bell</source><translation>Création de l'entonnoir de soutirage de démonstration</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Création de la cloche de démonstration</translation></message>
 <message><source>Saving %1</source><translation>Enregistrement de %1</translation></message>
 <message><source>writing</source><translation>écriture</translation></message>
 <message><source>being cancelled</source><translation>annulation en cours</translation></message>
@@ -1313,7 +1319,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
 <message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Ouvrir…</translation></message>
-<message><source>Open &amp;Demo Draw-Bell</source><translation>Ouvrir l'entonnoir de soutirage de &amp;démonstration</translation></message>
+<message><source>Open &amp;Demo Draw-Bell</source><translation>Ouvrir la cloche de &amp;démonstration</translation></message>
 <message><source>Open Demo after the &amp;Blast</source><translation>Ouvrir la démo après le &amp;tir</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Connecter au scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Rechar&amp;ger</translation></message>

@@ -45,11 +45,17 @@
 <message><source>lined up by their poses</source><translation>alinhados pelas suas poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alinhados pelas posições conhecidas do scanner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sem pose: alinhados pelas suas superfícies</translation></message>
+<message><source>sweep %1</source><translation>varredura %1</translation></message>
+<message><source>demo draw-bell after the blast</source><translation>sino de demonstração após o desmonte</translation></message>
+<message><source>demo draw-bell</source><translation>sino de demonstração</translation></message>
 <message><source>INCOMPLETE: %1 lines are there, how many there were is not known.</source><translation>INCOMPLETO: há %1 linhas, não se sabe quantas eram.</translation></message>
 <message><source>Telegrams were lost: lines </source><translation>Perderam-se telegramas: linhas </translation></message>
 <message><source>Telegrams were lost: line </source><translation>Perdeu-se um telegrama: linha </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Houve telegramas com menos feixes que a varredura, os outros perderam-se: </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.</source><translation>Os telegramas trazem contagens do encoder, mas não se indicou quantas há por grau: não são usadas.</translation></message>
+<message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>O scanner perdeu a contagem do encoder ao reiniciar: os ângulos das linhas seguintes são calculados.</translation></message>
+<message><source> (from line %1 on).</source><translation> (a partir da linha %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>
 <message><source>the axis (spin)</source><translation>o eixo (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>o eixo (sweep)</translation></message>
@@ -667,7 +673,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falhou (%2); feche outros programas ou use uma varredura menor.</translation></message>
 <message><source>the edges could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as bordas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
 <message><source>Opening %1</source><translation>Abrindo %1</translation></message>
-<message><source>Making the demo draw-bell</source><translation>Criando o funil de extração de demonstração</translation></message>
+<message><source>Making the demo draw-bell</source><translation>Criando o sino de demonstração</translation></message>
 <message><source>Saving %1</source><translation>Salvando %1</translation></message>
 <message><source>writing</source><translation>escrevendo</translation></message>
 <message><source>being cancelled</source><translation>cancelando</translation></message>
@@ -1313,7 +1319,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
-<message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir funil de extração de &amp;demonstração</translation></message>
+<message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir o sino de &amp;demonstração</translation></message>
 <message><source>Open Demo after the &amp;Blast</source><translation>Abrir a demo depois do &amp;desmonte</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar ao scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recarre&amp;gar</translation></message>

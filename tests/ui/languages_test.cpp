@@ -398,6 +398,8 @@ private slots:
             for (const char* english : {"the ", "Give", "where", "received", "degrees", "--"})
                 QVERIFY2(!QRegularExpression(QString("\\b%1").arg(english)).match(coreSentence(std::string(assumed))).hasMatch(),
                          qPrintable(coreSentence(std::string(assumed))));
+            QVERIFY(!scanName("sweep 12").contains("sweep") && scanName("sweep 12").endsWith(" 12"));
+            QCOMPARE(scanName("north_sweep 12"), QString("north_sweep 12"));
         }
         useLanguage("en");
         QCOMPARE(coreWords("LOST 12 s"), QString("LOST 12 s"));

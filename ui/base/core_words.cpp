@@ -62,6 +62,13 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "no pose: lined up by their surfaces"),
 };
 
+// Names of scans that have no file of their own.
+constexpr std::array kScanNames{
+    QT_TRANSLATE_NOOP("QObject", "sweep %1"),
+    QT_TRANSLATE_NOOP("QObject", "demo draw-bell after the blast"),
+    QT_TRANSLATE_NOOP("QObject", "demo draw-bell"),
+};
+
 // Parts of sentences, the longer ones first where one holds another.
 constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "INCOMPLETE: %1 lines are there, how many there were is not known."),
@@ -70,6 +77,10 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "Telegrams were lost: line "),
     QT_TRANSLATE_NOOP("QObject", "Telegrams had fewer beams than the sweep, the others are lost: "),
     QT_TRANSLATE_NOOP("QObject", "The line angles are computed from time alone: a change of speed bends the cloud."),
+    QT_TRANSLATE_NOOP("QObject",
+                      "The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used."),
+    QT_TRANSLATE_NOOP("QObject", "The scanner lost its encoder count when it restarted: the line angles after that are computed."),
+    QT_TRANSLATE_NOOP("QObject", " (from line %1 on)."),
     QT_TRANSLATE_NOOP("QObject", "How a motor turned the scanner was not said. ASSUMED: "),
     QT_TRANSLATE_NOOP("QObject", "the axis (spin)"),
     QT_TRANSLATE_NOOP("QObject", "the axis (sweep)"),
@@ -333,6 +344,15 @@ QString withoutKeys(QString text) {
 } // namespace
 
 QString coreWords(const std::string& text) { return wordsOf(shownText(text)); }
+
+QString scanName(const std::string& name, int mostCharacters) {
+    static const std::vector<Pattern> patterns = patternsOf(kScanNames, true);
+    QString shown = exactText(name);
+    for (const Pattern& each : patterns) {
+        if (const auto found = each.match.match(shown); found.hasMatch()) shown = filled(each.source, found, same);
+    }
+    return shownName(shown, mostCharacters);
+}
 
 QString coreSentence(const QString& text) {
     static const std::vector<Pattern> patterns = patternsOf(kParts, false);

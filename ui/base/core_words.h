@@ -11,6 +11,9 @@ namespace edgescan::ui {
 /// A short text of a live scanner, such as "LOST 12 s" or "no return 4.2 %", in the language of the window.
 [[nodiscard]] QString coreWords(const std::string& text);
 
+/// Name of a scan: that of a live sweep or of the demo in the language of the window, any other as it is.
+[[nodiscard]] QString scanName(const std::string& name, int mostCharacters = 120);
+
 /// Sentences: an error, a warning, a remark. Their known parts are translated, and "--unit m" becomes the place in the window where it is
 /// set. Other text stays.
 [[nodiscard]] QString coreSentence(const QString& text);

@@ -2,6 +2,7 @@
 #include "ui/controllers/comparing.h"
 
 #include "core/base/tolerance_text.h"
+#include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/files.h"
@@ -23,7 +24,7 @@
 namespace edgescan::ui {
 namespace {
 
-QString nameOf(const Picture& picture) { return shownName(exactText(picture.detection->scan->name)); }
+QString nameOf(const Picture& picture) { return scanName(picture.detection->scan->name); }
 
 constexpr int kLeastAround = 10; // cells around a region, as visible context
 
@@ -280,7 +281,7 @@ void Comparing::take(const ComparisonAsked& asked, const Compared& made) {
         if (otherScans) {
             region_.reset();
             QStringList warnings;
-            for (const std::string& warning : comparison_->change.earlier.how.warnings) warnings << shownText(warning);
+            for (const std::string& warning : comparison_->change.earlier.how.warnings) warnings << coreSentence(warning);
             if (!warnings.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, warnings.join('\n'));
         }
     }

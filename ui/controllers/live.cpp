@@ -176,8 +176,7 @@ void Live::showHealth() {
                                                               : HealthStrip::Picture::Follows);
     views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note =
-        held ? tr("Held: %1. Press Follow to go on with the scanner.").arg(shownName(exactText(shown->detection->scan->name), 60))
-             : QString();
+        held ? tr("Held: %1. Press Follow to go on with the scanner.").arg(scanName(shown->detection->scan->name, 60)) : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
 }
 
@@ -189,8 +188,8 @@ void Live::reportSweepEnd() {
     if (growing || !grew || stream != scanner_.stream()) return;
     const Scan& scan = *picture.detection->scan;
     QStringList warnings;
-    for (const std::string& warning : scan.warnings) warnings << shownText(warning);
-    const QString name = shownText(scan.name);
+    for (const std::string& warning : scan.warnings) warnings << coreSentence(warning);
+    const QString name = scanName(scan.name);
     if (warnings.isEmpty() && picture.source.growth.expectedLines == 0)
         notice_.showNotice(NoticeBar::Kind::Done,
                            tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));

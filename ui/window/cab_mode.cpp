@@ -1,6 +1,7 @@
 // The window in a cab.
 #include "ui/window/cab_mode.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
@@ -204,7 +205,7 @@ void CabMode::showScan() {
         if (warning.startsWith("INCOMPLETE")) facts = tr("✕ INCOMPLETE") + " · " + facts;
     }
     if (scan.placement && scan.placement->outOfSpec) facts = tr("▲ OUT OF SPEC") + " · " + facts;
-    frame_->head().showScan(shownName(exactText(scan.name)), facts);
+    frame_->head().showScan(scanName(scan.name), facts);
 }
 
 } // namespace edgescan::ui

@@ -86,7 +86,7 @@ QToolBar* badgeBar(QWidget& badge) {
 /// "mine.csv": two files of one name differ by their endings.
 QString titleOf(const Scan& scan) {
     const std::string file = std::filesystem::path(scan.path).filename().string();
-    return shownName(exactText(file.starts_with(scan.name + '.') ? file : scan.name));
+    return file.starts_with(scan.name + '.') ? shownName(exactText(file)) : scanName(scan.name);
 }
 
 /// Visible widgets that cover a part of `below`, the lowest first: stacked above it or above one of its parents up to `window`.

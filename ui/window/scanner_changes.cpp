@@ -1,6 +1,7 @@
 // What a new sweep and a new connection leave behind.
 #include "ui/window/scanner_changes.h"
 
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
@@ -35,7 +36,7 @@ void offerBack(Viewer& v, const Picture& left) {
     v.notice.showNotice(
         NoticeBar::Kind::Warning,
         QObject::tr("The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.")
-            .arg(shownName(exactText(left.detection->scan->name))));
+            .arg(scanName(left.detection->scan->name)));
 }
 
 void followSweeps(Viewer& v) {
@@ -67,7 +68,7 @@ void followConnections(Viewer& v) {
         v.comparing.forget();
         v.notice.showNotice(NoticeBar::Kind::Warning,
                             QObject::tr("%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.")
-                                .arg(shownName(exactText(a->detection->scan->name))));
+                                .arg(scanName(a->detection->scan->name)));
     });
 }
 

@@ -77,7 +77,7 @@ PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
     if (recorded && !time.isEmpty())
         return {StateBadge::Sign::Recorded, QObject::tr("RECORDED") + " " + time + agoWords(measured.startUtc),
                 QObject::tr("First line, by %1").arg(shownText(measured.clockSource)) + placedWords(scan)};
-    const QString name = shownName(exactText(scan.name), kLongestName);
+    const QString name = scanName(scan.name, kLongestName);
     return {recorded ? StateBadge::Sign::Recorded : StateBadge::Sign::File,
             (recorded ? QObject::tr("RECORDED") : QObject::tr("FILE")) + " " + name + " · " +
                 (time.isEmpty() ? QObject::tr("no time") : time),

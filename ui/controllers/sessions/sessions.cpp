@@ -4,6 +4,7 @@
 #include "core/base/sha256.h"
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
+#include "ui/base/core_words.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/files.h"
@@ -298,7 +299,7 @@ void Sessions::followStream() {
         askForPlace(
             tr("%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, "
                "rocks, A and the camera are not.")
-                .arg(shownName(exactText(engine_.picture()->detection->scan->name))));
+                .arg(scanName(engine_.picture()->detection->scan->name)));
         return;
     }
     const inspect::ReadSession read = std::move(*std::exchange(wanted_, std::nullopt));
