@@ -1087,7 +1087,7 @@ mantenga \ para verla</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ no encontrado: se movió, o falta su disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
-<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: un embudo colgado antes y después de una tronadura.</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: una campana colgada antes y después de una tronadura.</translation></message>
 <message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
 <message><source>View from the scanner</source><translation>Ver desde el escáner</translation></message>

@@ -1087,7 +1087,7 @@ segure \ para vê-la</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ não encontrado: foi movido, ou falta o disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
-<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: um funil bloqueado antes e depois de um desmonte.</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: um sino bloqueado antes e depois de um desmonte.</translation></message>
 <message><source>Open the demo</source><translation>Abrir a demonstração</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
 <message><source>View from the scanner</source><translation>Ver a partir do scanner</translation></message>
