@@ -526,10 +526,15 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
 <message><source>mark as not a rock</source><translation>marca de no roca</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
+<message><source>Export 1 rock</source><translation>Exportar 1 roca</translation></message>
 <message><source>Export %1 rocks</source><translation>Exportar %1 rocas</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
+<message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Dividir: haga clic en la parte; la rueda la hace menor o mayor</translation></message>
+<message><source>Join: drag a line across the rocks</source><translation>Unir: trace una línea a través de las rocas</translation></message>
+<message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace una línea donde termina la roca</translation></message>
+<message><source>Region: drag a line around it</source><translation>Región: trace una línea alrededor</translation></message>
 <message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
 <message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
@@ -547,6 +552,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
+<message><source>1 rock · </source><translation>1 roca · </translation></message>
 <message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
@@ -633,11 +639,12 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
-<message><source>Not stored: this picture does not come from a file.</source><translation>No guardado: esta imagen no procede de un archivo.</translation></message>
+<message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>No guardado: esta imagen es parte de una grabación o de un barrido en vivo, no un archivo entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>Pin %1</source><translation>Fijar %1</translation></message>
 <message><source>Move %1</source><translation>Mover %1</translation></message>
+<message><source>Target %1 moved to this rock. To set the next one, name or lock it first.</source><translation>El objetivo %1 pasó a esta roca. Para poner el siguiente, nómbrelo o bloquéelo antes.</translation></message>
 <message><source>Remove %1</source><translation>Quitar %1</translation></message>
 <message><source>Remove All</source><translation>Quitar todos</translation></message>
 <message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
@@ -702,6 +709,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>1 target</source><translation>1 objetivo</translation></message>
 <message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -1048,6 +1056,7 @@ mantenga \ para verla</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
 <message><source>b at least</source><translation>b al menos</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con confianza p inferior a 0.85, que están rayadas, se omiten en la tabla</translation></message>
+<message><source>1 rock</source><translation>1 roca</translation></message>
 <message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 achuradas (p &lt; 0.85)</translation></message>

@@ -526,10 +526,15 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
 <message><source>mark as not a rock</source><translation>marque de non-bloc</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
+<message><source>Export 1 rock</source><translation>Exporter 1 bloc</translation></message>
 <message><source>Export %1 rocks</source><translation>Exporter %1 blocs</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
+<message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Scinder : cliquez sur la partie ; la molette la réduit ou l'agrandit</translation></message>
+<message><source>Join: drag a line across the rocks</source><translation>Joindre : tracez une ligne à travers les blocs</translation></message>
+<message><source>Cut: drag a line where the rock ends</source><translation>Couper : tracez une ligne là où le bloc finit</translation></message>
+<message><source>Region: drag a line around it</source><translation>Région : tracez une ligne autour</translation></message>
 <message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
 <message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
@@ -547,6 +552,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
+<message><source>1 rock · </source><translation>1 bloc · </translation></message>
 <message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
@@ -633,11 +639,12 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
-<message><source>Not stored: this picture does not come from a file.</source><translation>Non enregistré : cette image ne vient pas d'un fichier.</translation></message>
+<message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Non enregistré : cette image est une partie d'un enregistrement ou d'un balayage en direct, pas un fichier entier.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Pin %1</source><translation>Épingler %1</translation></message>
 <message><source>Move %1</source><translation>Déplacer %1</translation></message>
+<message><source>Target %1 moved to this rock. To set the next one, name or lock it first.</source><translation>La cible %1 est passée sur ce bloc. Pour placer la suivante, nommez-la ou verrouillez-la d'abord.</translation></message>
 <message><source>Remove %1</source><translation>Supprimer %1</translation></message>
 <message><source>Remove All</source><translation>Tout supprimer</translation></message>
 <message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
@@ -702,6 +709,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Distance</source><translation>Distance</translation></message>
 <message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>1 target</source><translation>1 cible</translation></message>
 <message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
@@ -1048,6 +1056,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
 <message><source>b at least</source><translation>b au moins</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs d'une confiance p inférieure à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
+<message><source>1 rock</source><translation>1 bloc</translation></message>
 <message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachurés (p &lt; 0.85)</translation></message>

@@ -526,10 +526,15 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
 <message><source>mark as not a rock</source><translation>marca de não rocha</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
+<message><source>Export 1 rock</source><translation>Exportar 1 rocha</translation></message>
 <message><source>Export %1 rocks</source><translation>Exportar %1 rochas</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
+<message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Dividir: clique na parte; a roda a torna menor ou maior</translation></message>
+<message><source>Join: drag a line across the rocks</source><translation>Unir: trace uma linha através das rochas</translation></message>
+<message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace uma linha onde a rocha termina</translation></message>
+<message><source>Region: drag a line around it</source><translation>Região: trace uma linha em volta</translation></message>
 <message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
 <message><source>a click splits it off</source><translation>um clique o separa</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
@@ -547,6 +552,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
+<message><source>1 rock · </source><translation>1 rocha · </translation></message>
 <message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
@@ -633,11 +639,12 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
-<message><source>Not stored: this picture does not come from a file.</source><translation>Não salvo: esta imagem não vem de um arquivo.</translation></message>
+<message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Não guardado: esta imagem é parte de uma gravação ou de uma varredura ao vivo, não um arquivo inteiro.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>Pin %1</source><translation>Fixar %1</translation></message>
 <message><source>Move %1</source><translation>Mover %1</translation></message>
+<message><source>Target %1 moved to this rock. To set the next one, name or lock it first.</source><translation>O alvo %1 passou para esta rocha. Para pôr o seguinte, dê-lhe um nome ou bloqueie-o antes.</translation></message>
 <message><source>Remove %1</source><translation>Remover %1</translation></message>
 <message><source>Remove All</source><translation>Remover todos</translation></message>
 <message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
@@ -702,6 +709,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Distance</source><translation>Distância</translation></message>
 <message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
 <message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
+<message><source>1 target</source><translation>1 alvo</translation></message>
 <message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
@@ -1048,6 +1056,7 @@ segure \ para vê-la</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
 <message><source>b at least</source><translation>b pelo menos</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com confiança p abaixo de 0.85, que estão tracejadas, ficam fora da tabela</translation></message>
+<message><source>1 rock</source><translation>1 rocha</translation></message>
 <message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachuradas (p &lt; 0.85)</translation></message>

@@ -10,6 +10,7 @@
 #include "ui/panels/rocks/size_curve_view.h"
 #include "ui/panels/section/section_card.h"
 #include "ui/panels/section/section_plot.h"
+#include "ui/window/tool_bar.h"
 
 #include <QCheckBox>
 #include <QDockWidget>
@@ -473,8 +474,10 @@ private slots:
             const std::size_t regions = study.map.regions.size();
             QTest::keyClick(&on.window, Qt::Key_S);
             QVERIFY(on.viewer.rocks.tool() == RockTool::Split);
+            QVERIFY(on.viewer.tools.shown().contains("click the part"));
             QTest::mouseClick(&on.viewer.views.gray(), Qt::LeftButton, Qt::NoModifier, pixel);
             QVERIFY(on.viewer.rocks.tool() == RockTool::None);
+            QVERIFY(!on.viewer.tools.shown().contains("click the part"));
             QVERIFY(settled(on));
             QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{2});
             QVERIFY(picture(on).study.map.regions.size() > regions);
@@ -581,6 +584,13 @@ private slots:
         // The target of the last click stays on its rock.
         click(on, 3);
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{1});
+        // The next click moves it, which is said once.
+        click(on, 2);
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{1});
+        QVERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("Target 1 moved"), qPrintable(on.viewer.notice.text()));
+        on.viewer.notice.hide();
+        click(on, 3);
+        QVERIFY(on.viewer.notice.isHidden());
         QVERIFY(named(4, "Cora").contains("A new target on it, number 2,"));
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{2});
         while (on.viewer.undo.canUndo()) on.viewer.undo.undo();

@@ -240,6 +240,7 @@ void MainWindow::layOutTools() {
     viewer_.origin.setShrinks(); // its tool tip has all of it
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
+    connect(&viewer_.rocks, &Rocks::toolChanged, &viewer_.tools, [this](RockTool tool) { viewer_.tools.showRockTool(promptOf(tool)); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });

@@ -136,6 +136,11 @@ void ToolBar::showAsked(const QString& words) {
     showWords();
 }
 
+void ToolBar::showRockTool(const QString& words) {
+    rockTool_ = words;
+    showWords();
+}
+
 void ToolBar::showSelected(const QString& words) {
     selected_ = words;
     showWords();
@@ -147,7 +152,7 @@ void ToolBar::showWords() {
 }
 
 QString ToolBar::shown() const {
-    QStringList all{asked_, selected_};
+    QStringList all{asked_, rockTool_, selected_};
     all.removeAll(QString());
     return all.join(" · ");
 }

@@ -29,6 +29,8 @@ public:
     /// The prompt of the tool; empty: none.
     void showAsked(const QString& words);
     /// Text about selected and hidden cells.
+    /// What the tool of the rocks waits for.
+    void showRockTool(const QString& words);
     void showSelected(const QString& words);
     [[nodiscard]] QString shown() const;
     /// The width of the window without what is reserved: buttons without room go into the menu at the end.
@@ -55,7 +57,7 @@ private:
     int reserved_ = 0; // px of the window's width
     QLabel* words_;
     QAction* wordsPlace_;
-    QString asked_, selected_;
+    QString asked_, rockTool_, selected_;
 };
 
 } // namespace edgescan::ui

@@ -53,7 +53,8 @@ void Rocks::askExport() {
         return;
     }
     SaveQuestion question;
-    question.title = tr("Export %1 rocks").arg(picture_->study.rocks.size());
+    const std::size_t count = picture_->study.rocks.size();
+    question.title = count == 1 ? tr("Export 1 rock") : tr("Export %1 rocks").arg(count);
     for (const RockFile& each : rockFiles())
         question.filters << QString("%1 (*%2)").arg(QObject::tr(each.file->title), each.file->extension);
     question.extension = rockFiles().front().file->extension;

@@ -20,6 +20,22 @@ CellDrag::Wanted wantedBy(RockTool tool) {
 
 } // namespace
 
+QString promptOf(RockTool tool) {
+    switch (tool) {
+    case RockTool::None:
+        return {};
+    case RockTool::Split:
+        return Rocks::tr("Split: click the part; the wheel makes it smaller or larger");
+    case RockTool::Join:
+        return Rocks::tr("Join: drag a line across the rocks");
+    case RockTool::Cut:
+        return Rocks::tr("Cut: drag a line where the rock ends");
+    case RockTool::Region:
+        return Rocks::tr("Region: drag a line around it");
+    }
+    return {};
+}
+
 void Rocks::useTool(RockTool tool) {
     if (tool != RockTool::None && (!on_ || !picture_)) tool = RockTool::None;
     if (tool != RockTool::None) notice_.window()->installEventFilter(&drag_); // for Esc, whichever widget has the keyboard focus

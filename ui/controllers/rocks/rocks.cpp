@@ -198,7 +198,8 @@ void Rocks::showFaces() {
         overlay.facesFaded = ofAnotherPicture();
         overlay.points->colours = picture_->points;
         overlay.points->beams = picture_->labels.beams;
-        overlay.caption = tr("%1 rocks · ").arg(picture_->study.rocks.size());
+        const std::size_t count = picture_->study.rocks.size();
+        overlay.caption = count == 1 ? tr("1 rock · ") : tr("%1 rocks · ").arg(count);
     }
     if (engine_.picture()) overlay.caption += (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     views_.put(std::move(overlay));

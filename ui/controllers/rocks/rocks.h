@@ -42,6 +42,9 @@ enum class RockTool : std::uint8_t {
     Region, ///< a line encloses the region of interest
 };
 
+/// What the tool waits for; empty: no tool.
+[[nodiscard]] QString promptOf(RockTool tool);
+
 /// The part that belongs to one scan and is stored when the scan is closed.
 struct OperatorEdits {
     std::vector<rocks::Edit> edits{};

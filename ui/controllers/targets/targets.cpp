@@ -104,9 +104,10 @@ void Targets::followPicture() {
         notebook_ = {};
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
-        panel_.showNote(!path.isEmpty()  ? QString()
-                        : store_.isOff() ? tr("Not stored: EdgeScan was started without its settings.")
-                                         : tr("Not stored: this picture does not come from a file."));
+        panel_.showNote(!path.isEmpty() ? QString()
+                        : store_.isOff()
+                            ? tr("Not stored: EdgeScan was started without its settings.")
+                            : tr("Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file."));
         if (const auto other = others_.find(key); other != others_.end()) {
             notebook_ = other->second;
         } else if (auto kept = store_.load(scan)) {
@@ -168,6 +169,8 @@ bool Targets::moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked
     const QString name = stepName("Move %1", target->number);
     undo_.push(new UndoStep<inspect::Notebook>(
         rockMoves_, [name](const inspect::Notebook&, const inspect::Notebook&) { return name; }, notebook_, std::move(after), useHere()));
+    if (!std::exchange(saidThatItMoves_, true))
+        notice_.showHint(tr("Target %1 moved to this rock. To set the next one, name or lock it first.").arg(rockPin_));
     return true;
 }
 

@@ -139,8 +139,9 @@ private:
     TargetStore store_;
     QString key_; // of the scan of the notebook
     inspect::Notebook notebook_;
-    int rockPin_ = 0;                             // number of the target that follows clicks on rocks; 0: none
-    int rockMoves_ = 0;                           // the undo step of its moves
+    int rockPin_ = 0;   // number of the target that follows clicks on rocks; 0: none
+    int rockMoves_ = 0; // the undo step of its moves
+    bool saidThatItMoves_ = false;
     std::map<QString, inspect::Notebook> others_; // of scans that were on the screen earlier
     std::vector<TargetMark> beside_;
     MeasureMark draft_;

@@ -209,9 +209,10 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
                                        : tr("Touch a rock in the cloud: its distance and its size are shown here."));
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_, rock_, size_}) each->setVisible(some);
     for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(numbers.targets > 0);
-    title_->setText(some                  ? numbers.title + '\n' + numbers.place
-                    : numbers.targets > 0 ? tr("%1 targets").arg(numbers.targets)
-                                          : tr("No target"));
+    title_->setText(some                   ? numbers.title + '\n' + numbers.place
+                    : numbers.targets == 1 ? tr("1 target")
+                    : numbers.targets > 0  ? tr("%1 targets").arg(numbers.targets)
+                                           : tr("No target"));
     distance_->showText(numbers.distance);
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);
