@@ -13,6 +13,7 @@
 #include "ui/panels/dialogs/export_dialog.h"
 #include "ui/panels/dialogs/report_form.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/pane_places.h"
@@ -285,6 +286,30 @@ private slots:
         QVERIFY(curve.pixelColor(100, 40).red() > 200 && curve.pixelColor(100, 40).blue() < 200);
         QVERIFY(curve.pixelColor(60, 60).blue() > 200 && curve.pixelColor(60, 60).red() < 100);
         QCOMPARE(curve.pixelColor(5, 5), QColor(Qt::white));
+    }
+
+    // Also the short legend of cab mode: a class with edges has its row.
+    void theRowsOfTheLegendAddUpToItsTotal() {
+        sim::SimulationSettings settings;
+        settings.lines = 500;
+        settings.beams = 571;
+        const std::string scan = (folder_ / "voids.json").string();
+        QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, scan)));
+        WindowFixture on;
+        QVERIFY(on.showWith(scan));
+        const edges::Detection& detection = *on.picture().detection;
+        QVERIFY2(std::ranges::count(detection.classes->cells, edges::DepthEdge::Silhouette) > 0, "a class that is rare");
+        for (const bool brief : {false, true}) {
+            on.viewer.legend.setBrief(brief);
+            std::size_t shown = 0;
+            for (std::size_t n = 0; n < kEdgeClasses; ++n) {
+                const auto* box = on.viewer.legend.findChild<QCheckBox*>(QString("legend-%1").arg(n));
+                QVERIFY(box != nullptr);
+                for (const std::uint32_t k : *detection.edges)
+                    shown += !box->isHidden() && static_cast<std::size_t>((*detection.classes)[k]) == n + 1 ? 1 : 0;
+            }
+            QCOMPARE(shown, detection.edges->size());
+        }
     }
 
     void aTargetOutOfViewHasNoTag() {

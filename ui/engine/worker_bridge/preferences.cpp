@@ -6,6 +6,7 @@
 #include "core/edges/settings/parameters.h"
 #include "ui/base/shown_text.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -77,7 +78,9 @@ QString Preferences::folder(const QString& kind) const {
         const QString place = now != folders_.end() ? now->second : text("folder/" + each);
         if (!place.isEmpty() && QFileInfo(place).isDir()) return place;
     }
-    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    // A dialog takes a folder that does not exist as the name of a file.
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
 void Preferences::keepFolder(const QString& kind, const QString& path) {

@@ -106,7 +106,9 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 void EdgeLegend::showRows() {
     constexpr std::size_t kOfRocks = 3; // jump, convex, concave
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const bool shown = offered_[n] && !low_ && (!brief_ || n < kOfRocks || n == kRimClass);
+        const QString count = rows_[n].count->text();
+        const bool counts = !count.isEmpty() && count != "0"; // the rows add up to the total
+        const bool shown = offered_[n] && !low_ && (!brief_ || n < kOfRocks || n == kRimClass || counts);
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
     byClass_->setVisible(known_ && !brief_ && !low_);
