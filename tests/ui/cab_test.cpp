@@ -32,6 +32,8 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <functional>
+
 using namespace edgescan;
 using namespace edgescan::ui;
 
@@ -370,6 +372,41 @@ private slots:
         QVERIFY(!again.window.findChild<QDockWidget*>("dock-edges")->isVisible());
         again.window.cab().set(false);
         QTRY_VERIFY(again.window.findChild<QDockWidget*>("dock-edges")->isVisible());
+    }
+
+    // Also for widgets that were hidden in cab mode or are shown for the first time after it.
+    void theThemeOfTheDeskComesBackCompletely() {
+        const auto sizesAfter = [this](const std::function<void(MainWindow&)>& cabOfBefore) {
+            WindowFixture on;
+            on.window.resize(1280, 800);
+            cabOfBefore(on.window);
+            if (!on.showWith(scan_)) return QStringList();
+            on.window.cab().set(false);
+            if (!eventually([&] { return on.viewer.panel.isVisible(); })) return QStringList();
+            QApplication::processEvents();
+            QStringList sizes;
+            for (const QWidget* each : on.viewer.panel.findChildren<QWidget*>()) {
+                const auto* label = qobject_cast<const QLabel*>(each);
+                const bool seen = label == nullptr ? !each->objectName().isEmpty() : !label->text().isEmpty();
+                if (each->isVisible() && seen)
+                    sizes << QString("%1 %2: %3 x %4, hint %5 x %6")
+                                 .arg(each->metaObject()->className(), each->objectName())
+                                 .arg(each->width())
+                                 .arg(each->height())
+                                 .arg(each->sizeHint().width())
+                                 .arg(each->sizeHint().height());
+            }
+            return sizes;
+        };
+        const QStringList onlyDesk = sizesAfter([](MainWindow&) {});
+        QVERIFY(onlyDesk.size() > 20);
+        const QStringList fromCab = sizesAfter([](MainWindow& window) { window.cab().set(true); });
+        QCOMPARE(fromCab.size(), onlyDesk.size());
+        QStringList others;
+        for (int n = 0; n < fromCab.size(); ++n) {
+            if (fromCab[n] != onlyDesk[n]) others << fromCab[n] + ", not " + onlyDesk[n];
+        }
+        QVERIFY2(others.isEmpty(), qPrintable(others.join('\n')));
     }
 
     void theTwoNumbersAreLargeAndTheBadgeIsThere() {

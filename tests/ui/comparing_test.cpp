@@ -5,17 +5,22 @@
 #include "core/inspect/change_detection/scene_change.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
+#include "tests/ui/whole_widgets.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/start/tour.h"
 #include "ui/panels/tuning/edge_legend.h"
 
 #include <QAction>
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -416,6 +421,45 @@ private slots:
         qInfo("a flip of %zu cells until it is drawn: this thread %.1f ms (most %.1f), on the clock %.1f ms (most %.1f)",
               on.picture().detection->scan->cells(), times[times.size() / 2], times.back(), waits[waits.size() / 2], waits.back());
         QVERIFY2(times[times.size() / 2] < 100.0, qPrintable(QString::number(times[times.size() / 2])));
+    }
+
+    // A screen of 1280 x 800 at a scale of 1.5, with a panel open by hand and the tour on: the legend of a comparison is never larger than
+    // the cloud and leaves the texts at its top free, its buttons are always in reach, and the tour takes a few lines.
+    void onASmallScreenCardsLeaveThePicture() {
+        WindowFixture on;
+        on.window.resize(853, 500);
+        QVERIFY(on.showWith(before_) && on.activate());
+        QVERIFY(keepByKey(on) && on.open(after_) && known(on));
+        QVERIFY(!on.viewer.comparing.comparison()->change.regions.empty());
+        auto& tour = *on.window.findChild<Tour*>("tour");
+        tour.start();
+        tour.showStep(2); // the longest text
+        on.viewer.views.pin(on.viewer.views.cellAt(60, 80));
+        on.window.findChild<QDockWidget*>("dock-targets")->toggleViewAction()->trigger();
+        const CloudView& cloud = on.viewer.views.cloud();
+        const ChangeLegend& legend = on.viewer.changeLegend;
+        const int line = tour.fontMetrics().lineSpacing();
+        const auto isFree = [&] {
+            const QRect next(legend.next()->mapTo(&cloud, QPoint()), legend.next()->size());
+            return legend.isVisible() && legend.next()->isVisible() && legend.y() > 2 * line && cloud.rect().contains(legend.geometry()) &&
+                   cloud.rect().contains(next);
+        };
+        const auto places = [&] {
+            return QString("legend %1 x %2 at %3, cloud %4 high")
+                .arg(legend.width())
+                .arg(legend.height())
+                .arg(legend.y())
+                .arg(cloud.height());
+        };
+        QVERIFY2(eventually(isFree), qPrintable(places()));
+        QVERIFY2(tour.height() < 6 * line, qPrintable(QString::number(tour.height())));
+        const QStringList faults = faultsIn(tour) + faultsIn(legend);
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+        // Where there is room, all of it is seen.
+        tour.end();
+        on.window.resize(1600, 1000);
+        const auto* bar = legend.findChild<QScrollArea*>()->verticalScrollBar();
+        QTRY_VERIFY(bar->maximum() == 0 && !bar->isVisible() && isFree());
     }
 };
 

@@ -15,6 +15,8 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -128,7 +130,8 @@ private slots:
         QVERIFY(useLanguage(language, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
         FirstStart on(ini_);
         QVERIFY(on.begin());
-        for (const QSize size : {QSize(1024, 768), QSize(1280, 800)}) {
+        // The first is a screen of 1280 x 800 at a scale of 1.5.
+        for (const QSize size : {QSize(853, 500), QSize(1024, 768), QSize(1280, 800)}) {
             on.window.resize(size);
             QVERIFY2(eventually([&] { return on.window.size() == size; }), qPrintable(QString::number(on.window.width())));
             for (int step = 0; step < Tour::kSteps; ++step) {
@@ -140,6 +143,25 @@ private slots:
                 QVERIFY2(on.page->y() >= strip,
                          qPrintable(QString("the page begins at %1, the strip ends at %2").arg(on.page->y()).arg(strip)));
             }
+        }
+    }
+
+    // A page that does not fit scrolls: the last button can be brought into view, and nothing is squeezed (see itCoversNothing()).
+    void aLowPageScrolls() {
+        FirstStart on;
+        on.window.resize(853, 500);
+        QVERIFY(on.begin());
+        on.page->showSession(QString::fromStdString((folder_ / "none.json").string())); // with a description that may need two lines
+        auto* area = on.page->findChild<QScrollArea*>();
+        auto* last = on.page->findChild<QAbstractButton*>("start-keys");
+        QVERIFY(area != nullptr && last != nullptr);
+        QTRY_VERIFY(area->verticalScrollBar()->maximum() > 0);
+        area->ensureWidgetVisible(last);
+        const QRect place(last->mapTo(area->viewport(), QPoint()), last->size());
+        QVERIFY(area->viewport()->rect().contains(place));
+        for (const auto* sign : on.page->findChildren<QLabel*>()) {
+            const QPixmap picture = sign->pixmap(Qt::ReturnByValue);
+            if (!picture.isNull()) QVERIFY(sign->height() >= picture.height() / picture.devicePixelRatio());
         }
     }
 

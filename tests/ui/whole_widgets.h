@@ -53,7 +53,7 @@ namespace edgescan::ui {
                       .arg(widget.height());
     };
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
-        if (!widget->isVisible() || widget->window() != &window || wordsOf(*widget).isEmpty() || isBehindATab(widget)) continue;
+        if (!widget->isVisible() || widget->window() != window.window() || wordsOf(*widget).isEmpty() || isBehindATab(widget)) continue;
         const QRect place(widget->mapTo(&window, QPoint()), widget->size());
         const QAbstractScrollArea* scroller = scrollerOf(widget);
         if (scroller != nullptr) {
@@ -74,6 +74,12 @@ namespace edgescan::ui {
                 addFault(*label, QString("%1 wide are needed").arg(label->sizeHint().width()));
         } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
             const auto* tool = qobject_cast<const QToolButton*>(button);
+            if (button->hasHeightForWidth() && button->height() < button->heightForWidth(button->width()))
+                addFault(*button, QString("%1 high are needed").arg(button->heightForWidth(button->width())));
+            for (const auto* other : button->parentWidget()->findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+                if (other < button && other->isVisible() && other->geometry().intersects(button->geometry()))
+                    addFault(*button, "overlaps " + wordsOf(*other));
+            }
             if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly) continue;
             const QByteArray kind = button->metaObject()->className();
             if (!kind.startsWith('Q') || kind == "QAbstractButton") continue; // it fits its text itself

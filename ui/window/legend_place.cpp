@@ -3,7 +3,6 @@
 
 #include "ui/base/view_plate.h"
 #include "ui/engine/linked_views/linked_views.h"
-#include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
 
@@ -41,8 +40,14 @@ bool hasPointer(const CloudView& cloud) {
 void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
     const auto look = [&cloud, &views] {
         const auto fitLegends = [&](int height) {
-            for (EdgeLegend* legend : cloud.findChildren<EdgeLegend*>(QString(), Qt::FindDirectChildrenOnly)) legend->fitInto(height);
-            cloud.layout()->activate();
+            QLayout& over = *cloud.layout();
+            for (int n = over.count() - 1; n >= 0; --n) { // the lowest first: those above it get the rest
+                auto* legend = qobject_cast<ViewPlate*>(over.itemAt(n)->widget());
+                if (legend == nullptr || legend->isHidden()) continue;
+                legend->fitInto(height);
+                height -= legend->sizeHint().height() + over.spacing();
+            }
+            over.activate();
         };
         fitLegends(cloud.height());
         const auto cell = views.pinned();

@@ -2,6 +2,7 @@
 #include "ui/window/start.h"
 
 #include "ui/base/notice_bar.h"
+#include "ui/base/pane.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/dialogs/sheets.h"
@@ -14,6 +15,7 @@
 #include "ui/window/main_window.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QEvent>
 #include <QFileDialog>
 #include <QStandardPaths>
@@ -38,6 +40,7 @@ public:
               static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.viewer().statusLine),
               static_cast<QObject*>(&window.viewer().live.panel()), static_cast<QObject*>(tour_)})
             watched->installEventFilter(this);
+        for (QObject* below : partsBelow()) below->installEventFilter(this);
         settle_.setSingleShot(true);
         settle_.setInterval(kSettleMs);
         connect(&settle_, &QTimer::timeout, this, [this] {
@@ -55,7 +58,10 @@ public:
             window_.viewer().views.cloud().setVisible(type == QEvent::Hide);
         if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show)) beside_.setVisible(type == QEvent::Show);
         if (gone_ || !page_.isVisible()) return false;
-        if (watched == &window_.viewer().live.panel() && type == QEvent::Show)
+        const bool moves = type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide;
+        if (moves && partsBelow().contains(watched))
+            settle_.start();
+        else if (watched == &window_.viewer().live.panel() && type == QEvent::Show)
             page_.hide();
         else if (type == QEvent::Show || ((type == QEvent::Resize || type == QEvent::Hide || type == QEvent::Move) && watched != &page_))
             place();
@@ -63,6 +69,13 @@ public:
     }
 
 private:
+    /// Docks and views, which the page covers; they find their places at any time after the start.
+    [[nodiscard]] QObjectList partsBelow() const {
+        QObjectList parts;
+        for (QObject* dock : window_.findChildren<QDockWidget*>()) parts << dock;
+        for (QObject* pane : window_.findChildren<Pane*>()) parts << pane;
+        return parts;
+    }
     void place() {
         const QWidget& centre = *window_.centralWidget();
         int top = centre.mapTo(&window_, QPoint(0, 0)).y();
@@ -82,7 +95,7 @@ private:
     StartPage& page_;
     QWidget* tour_;
     QWidget& beside_;
-    QTimer settle_; // then everything is painted again: a dock separator that moved under the page is black until then
+    QTimer settle_; // then everything is painted again: what moved under the page is drawn over it until then
     bool gone_ = false;
 };
 

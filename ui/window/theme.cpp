@@ -10,6 +10,7 @@
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QWidget>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kAroundTab = 10;  // px: three names have room in a narrow panel
 constexpr double kLarger = 1.4; // factor on the desktop's font size, for gloves
 
 void drawFrame(QPainter& painter, const QRect& place, const QPen& pen, double radius) {
@@ -53,7 +55,7 @@ public:
             drawFrame(*painter, proxy()->subControlRect(CC_Slider, option, SC_SliderHandle, widget), penFor(*option), 2.0);
     }
     int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
-        const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+        const int usual = metric == PM_TabBarTabHSpace ? kAroundTab : QProxyStyle::pixelMetric(metric, option, widget);
         if (!forGloves_) return usual;
         switch (metric) {
         case PM_IndicatorWidth:
@@ -111,9 +113,11 @@ void useTheme(QApplication& application, bool forGloves) {
     static const QFont usual = QApplication::font();
     QFont font = usual;
     if (forGloves) font.setPointSizeF(kLarger * usual.pointSizeF());
-    QApplication::setStyle(new FlatStyle(forGloves));
+    for (QWidget* each : QApplication::allWidgets()) each->ensurePolished(); // a widget that was never shown misses the change otherwise
     application.setFont(font);
+    QApplication::setStyle(new FlatStyle(forGloves)); // last: a combo box forgets its least size only then
     useColours(themeInUse());
+    for (QWidget* each : QApplication::allWidgets()) each->updateGeometry(); // layouts store the sizes of before
 }
 
 } // namespace edgescan::ui

@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPixmap>
+#include <QStyle>
 #include <QToolButton>
 
 #include <algorithm>
@@ -139,8 +140,9 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     setObjectName("change-legend");
     for (QLabel* label : {title_, how_, region_}) words_[label] = QString();
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(8, 6, 8, 6);
+    auto* content = new QWidget;
+    auto* grid = new QGridLayout(content);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(2);
     QFont bold = title_->font();
@@ -185,7 +187,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     grid->addWidget(histogram_, kChangeRows + 5, 0, 1, 2);
     grid->addWidget(distances_, kChangeRows + 6, 0, 1, 2);
     grid->addWidget(region_, kChangeRows + 7, 0, 1, 2);
-    grid->addLayout(buttons, kChangeRows + 8, 0, 1, 2);
+    setContent(*content, buttons);
     connect(previous_, &QToolButton::clicked, this, &ChangeLegend::previousRegionRequested);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
     hide();
@@ -239,7 +241,7 @@ void ChangeLegend::setWords(QLabel& label, const QString& words) {
 /// Breaks texts into lines that a narrow view has room for.
 void ChangeLegend::fit() {
     if (parentWidget() == nullptr) return;
-    const int room = parentWidget()->width() - kAround;
+    const int room = parentWidget()->width() - kAround - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     for (const auto& [label, words] : words_) label->setText(broken(words, label->fontMetrics(), room));
     int counts = 0;
     for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
@@ -247,7 +249,7 @@ void ChangeLegend::fit() {
         QCheckBox& box = *rows_[static_cast<std::size_t>(n)].box;
         box.setText(broken(nameOf(static_cast<ChangeRow>(n)), box.fontMetrics(), room - counts - kBeforeName));
     }
-    adjustSize();
+    fitContent();
 }
 
 bool ChangeLegend::event(QEvent* event) {
@@ -272,7 +274,7 @@ void ChangeLegend::showFlipped(bool flipped) {
 
 void ChangeLegend::showCovered(bool on) {
     covered_->setVisible(on);
-    adjustSize();
+    fitContent();
 }
 
 void ChangeLegend::showRegion(const QString& words) {

@@ -37,8 +37,9 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
     : ViewPlate(parent), words_(new QLabel(this)), least_(new QLabel(this)), slider_(new QSlider(Qt::Horizontal, this)) {
     setObjectName("confidence-legend");
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(8, 6, 8, 6);
+    auto* content = new QWidget;
+    auto* grid = new QGridLayout(content);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(1, 1); // names directly follow their colours
@@ -74,6 +75,7 @@ ConfidenceLegend::ConfidenceLegend(QWidget* parent)
         emit leastRequested(percent);
     });
     least_->setText(tr("Shown: all"));
+    setContent(*content);
     setColours(bandColours(false));
     showRows(false);
     hide();
@@ -97,20 +99,20 @@ void ConfidenceLegend::showRows(bool on) {
 
 void ConfidenceLegend::showWorking(int done) {
     words_->setText(tr("computing: %1 %").arg(done));
-    adjustSize();
+    fitContent();
 }
 
 void ConfidenceLegend::showNone(const QString& why) {
     words_->setText(why);
     showRows(false);
-    adjustSize();
+    fitContent();
 }
 
 void ConfidenceLegend::showMade(const ConfidencePicture& made) {
     words_->setText(tr("share of %1 nearby settings that find the edge").arg(made.confidence->settings));
     for (std::size_t band = 0; band < kBands; ++band) counts_[band]->setText(countText(made.counts[band]));
     showRows(true);
-    adjustSize();
+    fitContent();
 }
 
 QString ConfidenceLegend::counted(std::size_t band) const { return counts_[band]->text(); }

@@ -4,6 +4,7 @@
 #include "core/base/version.h"
 #include "core/inspect/session_file/session_file.h"
 #include "ui/base/icons.h"
+#include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 #include "ui/engine/worker_bridge/in_background.h"
@@ -16,6 +17,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <optional>
@@ -24,7 +26,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kMostThumbnails = 100;
-constexpr int kButtonHigh = 56;          // px; the same height for all buttons of a row
+constexpr int kButtonHigh = 56;          // px; higher where its description needs two lines
 constexpr int kSign = 28, kAppSign = 72; // px
 constexpr int kThere = Qt::UserRole + 1;
 
@@ -33,7 +35,7 @@ QCommandLinkButton* addButton(QVBoxLayout& column, const char* name, const char*
     button->setObjectName(name);
     button->setIcon(toolIcon(sign));
     button->setIconSize({kSign, kSign});
-    button->setFixedHeight(kButtonHigh);
+    button->setMinimumHeight(kButtonHigh);
     column.addWidget(button);
     return button;
 }
@@ -92,11 +94,15 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     row->setSpacing(40);
     row->addWidget(begin, 2, Qt::AlignTop);
     row->addLayout(right, 3);
-    auto* all = new QVBoxLayout(this);
+    auto* content = new QWidget;
+    auto* all = new QVBoxLayout(content);
     all->setContentsMargins(40, 30, 40, 20);
     all->setSpacing(12);
     all->addLayout(row, 1);
     all->addWidget(makeFoot());
+    auto* around = new QVBoxLayout(this);
+    around->setContentsMargins(0, 0, 0, 0);
+    around->addWidget(scrolled(*content)); // on a small screen nothing is squeezed
     setFocusProxy(open_);
     followColours(*this, [this](const Theme& theme) {
         setStyleSheet(QString("QCommandLinkButton { background: %1; color: %2; border: 1px solid %3; border-radius: 4px; padding: 0px; }"
@@ -119,7 +125,9 @@ QWidget* StartPage::makeTitle() {
     auto* words = new QVBoxLayout;
     words->setSpacing(2);
     words->addWidget(name, 0, Qt::AlignBottom);
-    words->addWidget(new QLabel(tr("The edges of rocks in a laser range scan")), 0, Qt::AlignTop);
+    auto* what = new QLabel(tr("The edges of rocks in a laser range scan"));
+    what->setWordWrap(true);
+    words->addWidget(what, 0, Qt::AlignTop);
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(16);

@@ -1,9 +1,9 @@
 // The texts of the steps.
 #include "ui/panels/start/tour.h"
 
+#include "ui/base/flow_layout.h"
 #include "ui/base/themes.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 
@@ -11,6 +11,8 @@
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kLeastText = 320; // px
 
 struct TourStep {
     QString text, button;
@@ -59,10 +61,12 @@ Tour::Tour(QWidget* parent)
     text_->setObjectName("tour-text");
     text_->setWordWrap(true);
     text_->setTextFormat(Qt::PlainText);
-    auto* row = new QHBoxLayout(this);
+    text_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    text_->setMinimumWidth(kLeastText); // where the buttons leave less, they are below it
+    auto* row = new FlowLayout(this);
     row->setContentsMargins(10, 4, 6, 4);
     row->addWidget(number_);
-    row->addWidget(text_, 1);
+    row->addWidget(text_);
     for (QToolButton* button : {try_, back_, next_, end_}) row->addWidget(button);
     connect(try_, &QToolButton::clicked, this, [this] { emit tryRequested(step_); });
     connect(back_, &QToolButton::clicked, this, [this] { showStep(step_ - 1); });

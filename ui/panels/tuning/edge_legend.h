@@ -28,7 +28,7 @@ public:
     /// Shows only the switch of edges, the classes of rocks and the rims of open voids.
     void setBrief(bool on);
     /// Px of the view under it: in a low one only the row of all edges is shown.
-    void fitInto(int height);
+    void fitInto(int height) override;
     [[nodiscard]] QCheckBox* edges() const { return edges_; }
     [[nodiscard]] QCheckBox* byClass() const { return byClass_; }
     [[nodiscard]] QLabel* filled() const { return filled_; } ///< number of filled cells; hidden if filling is off
