@@ -1068,9 +1068,9 @@ mantenga \ para verla</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: P20 %1, P50 %2, P80 %3 (20, 50, 80 % de las rocas no son más anchas), la mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
+<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: 50 % de las rocas no son más anchas que P50. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % de las rocas tienen un ancho visible de %2 m como máximo</translation></message>
 <message><source>no rocks to count</source><translation>ninguna roca que contar</translation></message>
-<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: 50 % de las rocas no son más anchas que P50. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>

@@ -1068,9 +1068,9 @@ tenez \ pour la voir</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : P20 %1, P50 %2, P80 %3 (20, 50, 80 % des blocs ne sont pas plus larges), le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
+<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : 50 % des blocs ne sont pas plus larges que P50. Les parties cachées rendent ceci plus fin que le tas, de 40 % et plus.</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % des blocs ont une largeur visible de %2 m au plus</translation></message>
 <message><source>no rocks to count</source><translation>aucun bloc à compter</translation></message>
-<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : 50 % des blocs ne sont pas plus larges que P50. Les parties cachées rendent ceci plus fin que le tas, de 40 % et plus.</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>

@@ -1068,9 +1068,9 @@ segure \ para vê-la</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: P20 %1, P50 %2, P80 %3 (20, 50, 80 % das rochas não são mais largas), a maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
+<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: 50 % das rochas não são mais largas que P50. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>%1 % of the rocks have a visible width of %2 m at most</source><translation>%1 % das rochas têm uma largura visível de no máximo %2 m</translation></message>
 <message><source>no rocks to count</source><translation>nenhuma rocha a contar</translation></message>
-<message><source>Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: 50 % das rochas não são mais largas que P50. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>

@@ -2,6 +2,7 @@
 #include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/rocks/rocks_panel.h"
@@ -14,7 +15,9 @@
 #include "ui/window/tool_bar.h"
 
 #include <QLabel>
+#include <QListWidget>
 #include <QRegularExpression>
+#include <QTabBar>
 #include <QToolButton>
 #include <QtTest>
 
@@ -189,6 +192,83 @@ private slots:
                 QVERIFY2(panel->width() <= panel->parentWidget()->width(), "cut off at the right");
             }
         }
+    }
+
+    // A note of two lines moves the caption down: both end at the left of the cube of directions.
+    void textsOfTheCloudAreNotUnderTheCube() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        CloudView& cloud = on.viewer.views.cloud();
+        const auto* cube = cloud.findChild<QWidget*>("view-cube");
+        const auto* overlay = cloud.findChild<CloudOverlay*>();
+        const QString words = QString("a long text about the picture ").repeated(4);
+        cloud.setCaption(words);
+        for (const int width : {1280, 1600, 1920}) {
+            resizeTo(on.window, {width, 800});
+            on.viewer.views.setNote(words + QString::number(width));
+            QTRY_VERIFY(cube->isVisible() && !overlay->labels()[0].isNull() && overlay->labels()[1].top() > overlay->labels()[0].bottom());
+            for (const QRect& label : overlay->labels()) QVERIFY2(!label.intersects(cube->geometry()), qPrintable(QString::number(width)));
+        }
+    }
+
+    // The prompt of a tool has priority over the words of buttons.
+    void thePromptOfAToolIsWhole() {
+        for (const char* code : {"fr", "es", "pt", "en"}) {
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_));
+            resizeTo(on.window, {1280, 800});
+            const auto* words = dynamic_cast<ElidedLabel*>(on.window.findChild<QLabel*>("tool-words"));
+            QVERIFY(words != nullptr);
+            on.viewer.measures.start(inspect::MeasureKind::Distance);
+            QVERIFY(!words->text().isEmpty());
+            QTRY_VERIFY2(words->shown() == words->text(), qPrintable(code + (": " + words->shown())));
+            QCOMPARE(words->toolTip(), words->text());
+        }
+        useLanguage("en");
+    }
+
+    void noMeasuredValueIsCut() {
+        TargetsPanel panel;
+        panel.resize(250, 600);
+        panel.showMeasures(
+            {{"Ancho de garganta 1.608 m ± 0.024 m, un extremo está 1.25 m más cerca", QString(), false}, {"0.5 m", QString(), false}});
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMs));
+        auto& list = *panel.findChild<QListWidget*>("measure-list");
+        for (const int width : {250, 320, 600}) {
+            panel.resize(width, 600);
+            QTRY_VERIFY(panel.width() == width);
+            const int line = list.fontMetrics().height();
+            const QString text = list.item(0)->text();
+            QTRY_VERIFY2(list.visualItemRect(list.item(0)).height() >=
+                             list.fontMetrics().boundingRect(0, 0, list.viewport()->width() - 8, 999, Qt::TextWordWrap, text).height(),
+                         qPrintable(QString::number(width)));
+            QTRY_VERIFY(list.viewport()->height() >= list.visualItemRect(list.item(1)).bottom() && list.height() < 6 * line);
+        }
+    }
+
+    void tabsOfPanelsHaveTheirWholeNames() {
+        for (const char* code : {"fr", "es", "pt", "en"}) {
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_) && on.activate());
+            resizeTo(on.window, {1280, 800});
+            on.viewer.rocks.setShown(true);
+            on.viewer.views.pin(on.viewer.views.cellAt(60, 80));
+            const auto bar = [&]() -> const QTabBar* {
+                for (const auto* each : on.window.findChildren<QTabBar*>()) {
+                    if (each->isVisible() && each->count() == 3) return each;
+                }
+                return nullptr;
+            };
+            QTRY_VERIFY(bar() != nullptr);
+            const auto isWhole = [&](int tab) {
+                return bar()->tabRect(tab).width() >= bar()->fontMetrics().horizontalAdvance(bar()->tabText(tab)) + 8;
+            };
+            for (int tab = 0; tab < 3; ++tab) QTRY_VERIFY2(isWhole(tab), qPrintable(code + (": " + bar()->tabText(tab))));
+        }
+        useLanguage("en");
     }
 };
 

@@ -396,6 +396,27 @@ private slots:
         QTRY_VERIFY(!dock->isHidden() && !on.window.tabifiedDockWidgets(rocks).contains(dock));
     }
 
+    void theSizeCurveLeavesOutWhatHasNoRoom() {
+        SizeCurveView view;
+        for (const double top : {0.31, 0.5, 0.72, 1.0, 1.22, 2.4}) {
+            rocks::SizeCurve curve;
+            curve.widthsM = {0.2 * top, 0.5 * top, top};
+            curve.topM = top;
+            view.show(curve);
+            for (const QSize size : {QSize(180, 110), QSize(230, 160), QSize(300, 200), QSize(500, 170), QSize(1900, 180)}) {
+                view.resize(size);
+                const auto labels = view.axisLabels();
+                QVERIFY(labels.size() >= 2 && labels.front().text.endsWith(" m"));
+                for (std::size_t n = 0; n < labels.size(); ++n) {
+                    QVERIFY(QRectF(view.rect()).contains(labels[n].place));
+                    QVERIFY2(n == 0 || labels[n].place.right() + 4 < labels[n - 1].place.left(), qPrintable(labels[n].text));
+                }
+                QVERIFY2(view.placeOf(0, 1).y() < 0.65 * size.height(), "the curve has its share");
+                QVERIFY(size.height() < 150 || view.caption().contains("40 %"));
+            }
+        }
+    }
+
     void theSizeCurveIsDrawnWithItsMarksAndTheOversize() {
         WindowFixture on;
         QVERIFY(showRocks(on));
@@ -640,6 +661,7 @@ private slots:
         QVERIFY(QRectF(plot.rect()).contains(shown));
         QVERIFY2(shown.width() > 0.5 * plot.width() || shown.height() > 0.5 * plot.height(),
                  qPrintable(QString("%1 x %2 px").arg(shown.width()).arg(shown.height())));
+        QVERIFY2(shown.bottom() <= plot.height() - 2 * plot.fontMetrics().height() - 10, "the name of the axis covers the end of the line");
         QCOMPARE(plot.heights().name, QString("above the scanner [m]"));
         const Rgb& face = rocks::kRockFaceColours[picture(on).colours[3]]; // as in the images and the cloud
         const QRgb ink = QColor(face.red, face.green, face.blue).lighter(130).rgb();

@@ -16,14 +16,29 @@ QRect drawLabel(QPainter& painter, const QRect& place, Qt::Alignment alignment, 
     return box;
 }
 
-void drawLabels(QPainter& painter, const QRect& place, const QString& left, const QString& right, int taken) {
-    constexpr int kBetween = 10; // px
+namespace {
+
+constexpr int kBetween = 10; // px
+
+/// The place, or its part at the left of the corner where the label would be under the corner.
+QRect leftOf(const QRect& corner, QPainter& painter, const QRect& place, Qt::Alignment alignment, const QString& text) {
+    const QRect box = painter.boundingRect(place, static_cast<int>(alignment) | Qt::TextWordWrap, text);
+    if (!box.adjusted(-kBetween, -3, kBetween, 3).intersects(corner)) return place;
+    return {place.topLeft(), QPoint(corner.left() - kBetween, place.bottom())};
+}
+
+} // namespace
+
+std::array<QRect, 2> drawLabels(QPainter& painter, const QRect& place, const QString& left, const QString& right, int taken,
+                                const QRect& corner) {
+    constexpr Qt::Alignment kLeft = Qt::AlignLeft | Qt::AlignTop, kRight = Qt::AlignRight | Qt::AlignTop;
     const QRect free = place.adjusted(0, 0, -taken, 0);
-    const QRect first = drawLabel(painter, free, Qt::AlignLeft | Qt::AlignTop, left);
-    if (right.isEmpty()) return;
-    const QRect second = painter.boundingRect(free, static_cast<int>(Qt::AlignRight | Qt::AlignTop) | Qt::TextWordWrap, right);
-    const bool touch = !first.isNull() && second.left() - kBetween < first.right();
-    drawLabel(painter, touch ? free.adjusted(0, first.bottom() + kBetween - free.top(), 0, 0) : free, Qt::AlignRight | Qt::AlignTop, right);
+    const QRect first = drawLabel(painter, leftOf(corner, painter, free, kLeft, left), kLeft, left);
+    if (right.isEmpty()) return {first, QRect()};
+    const QRect beside = painter.boundingRect(free, static_cast<int>(kRight) | Qt::TextWordWrap, right);
+    const bool touch = !first.isNull() && beside.left() - kBetween < first.right();
+    const QRect second = touch ? free.adjusted(0, first.bottom() + kBetween - free.top(), 0, 0) : free;
+    return {first, drawLabel(painter, leftOf(corner, painter, second, kRight, right), kRight, right)};
 }
 
 QRect tipBox(const QFontMetrics& metrics, const QRect& place, const QPoint& at, const QString& text) {

@@ -105,8 +105,9 @@ void ToolBar::fit() {
     const auto allWords = [](const Button&) { return true; };
     const auto noWord = [](const Button&) { return false; };
     setMinimumWidth(needed(noWord)); // the badge next to it gives way before a button does
-    if (needed(allWords) + kForAsked <= width()) return;
-    if (needed([](const Button& each) { return each.shown == Word::Always; }) > width()) needed(noWord);
+    const int prompt = shown().isEmpty() ? 0 : words_->sizeHint().width();
+    if (needed(allWords) + std::max(kForAsked, prompt) <= width()) return;
+    if (needed([](const Button& each) { return each.shown == Word::Always; }) + prompt > width()) needed(noWord);
 }
 
 QSize ToolBar::sizeHint() const {
@@ -149,6 +150,7 @@ void ToolBar::showSelected(const QString& words) {
 void ToolBar::showWords() {
     words_->setText(shown());
     words_->setToolTip(shown());
+    fit();
 }
 
 QString ToolBar::shown() const {

@@ -62,9 +62,30 @@ void SizeCurveView::mark(std::vector<double> widthsM) {
     update();
 }
 
+QFont SizeCurveView::letters() const {
+    QFont letters = font();
+    letters.setPixelSize(kText);
+    return letters;
+}
+
+int SizeCurveView::heightOf(const QString& text) const {
+    return QFontMetrics(letters()).boundingRect(0, 0, width() - 8, 1000, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text).height();
+}
+
+QString SizeCurveView::caption() const {
+    const QString whole = tr("Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the "
+                             "pile is, by 40 % and more.");
+    for (const QString& text : {whole, whole.section(". ", 0, 0) + "."}) {
+        if (2 * heightOf(text) <= height()) return text; // the tool tip has all of it
+    }
+    return {};
+}
+
 QRectF SizeCurveView::plot() const {
     const double left = fontMetrics().horizontalAdvance("100 %") + 10.0;
-    return QRectF(QPointF(left, 3.0 * kText + 6.0), QPointF(width() - 10.0, height() - 2.0 * kText - 8.0));
+    const QString above = caption();
+    return QRectF(QPointF(left, (above.isEmpty() ? 0 : heightOf(above)) + kText / 2.0 + 2.0),
+                  QPointF(width() - 10.0, height() - 2.0 * kText - 8.0));
 }
 
 QPointF SizeCurveView::placeOf(double wideM, double share) const {
@@ -91,17 +112,13 @@ bool SizeCurveView::event(QEvent* event) {
 void SizeCurveView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    QFont font = painter.font();
-    font.setPixelSize(kText);
-    painter.setFont(font);
+    painter.setFont(letters());
     painter.setPen(palette().color(QPalette::WindowText));
     if (curve_.rocks() == 0) {
         painter.drawText(rect(), Qt::AlignCenter, tr("no rocks to count"));
         return;
     }
-    painter.drawText(QRect(4, 0, width() - 8, 3 * kText), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-                     tr("Visible width b by count: 50 % of the rocks are not wider than P50. Hidden parts make this finer than the pile "
-                        "is, by 40 % and more."));
+    painter.drawText(QRect(4, 0, width() - 8, height()), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, caption());
     drawAxes(painter);
     drawOversize(painter);
     drawCurve(painter);
@@ -119,17 +136,29 @@ void SizeCurveView::drawAxes(QPainter& painter) const {
         painter.drawText(QRectF(0, y - kText / 2.0 - 1, area.left() - 5, kText + 2), Qt::AlignRight | Qt::AlignVCenter,
                          tr("%1 %").arg(percent));
     }
+    painter.setPen(line);
     const double step = tickM(rightM_);
     for (int n = 0; n * step <= rightM_ + 1e-9; ++n) {
         const double x = placeOf(n * step, 0).x();
-        painter.setPen(line);
         painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + 3));
-        painter.setPen(ink);
-        const bool last = (n + 1) * step > rightM_ + 1e-9;
-        const QString number = QString::number(n * step, 'g', 3) + (last ? tr(" m") : QString());
-        painter.drawText(QRectF(x - 30, area.bottom() + 3, last ? 30 + width() - x - 2 : 60, kText + 3),
-                         (last ? Qt::AlignRight : Qt::AlignHCenter) | Qt::AlignTop, number);
     }
+    painter.setPen(ink);
+    for (const AxisLabel& label : axisLabels()) painter.drawText(label.place, Qt::AlignCenter, label.text);
+}
+
+std::vector<SizeCurveView::AxisLabel> SizeCurveView::axisLabels() const {
+    constexpr double kBetween = 6.0; // px
+    const QFontMetrics metrics(letters());
+    const double step = tickM(rightM_);
+    std::vector<AxisLabel> labels; // from the right
+    for (int n = static_cast<int>(std::floor(rightM_ / step + 1e-9)); n >= 0; --n) {
+        const QString text = QString::number(n * step, 'g', 3) + (labels.empty() ? tr(" m") : QString());
+        const double wide = metrics.horizontalAdvance(text) + 1.0;
+        const double left = std::min(placeOf(n * step, 0).x() - wide / 2, width() - 2 - wide);
+        if (!labels.empty() && left + wide + kBetween > labels.back().place.left()) continue;
+        labels.push_back({QRectF(left, plot().bottom() + 3, wide, kText + 3), text});
+    }
+    return labels;
 }
 
 // Hatched, with an icon and text, so that colour is not the only sign.

@@ -29,6 +29,15 @@ public:
     /// The text about a width: "63 % of the rocks are visibly no wider than 0.60 m".
     [[nodiscard]] QString textAt(QPointF place) const;
 
+    /// The text above the curve: without its second sentence where it would take more than half of the height.
+    [[nodiscard]] QString caption() const;
+    struct AxisLabel {
+        QRectF place;
+        QString text;
+    };
+    /// The numbers of the axis of widths; those that would touch are left out, never the last one, which has the unit.
+    [[nodiscard]] std::vector<AxisLabel> axisLabels() const;
+
     [[nodiscard]] QSize sizeHint() const override { return {300, 200}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {180, 110}; }
 
@@ -38,6 +47,9 @@ protected:
 
 private:
     [[nodiscard]] QRectF plot() const;
+    [[nodiscard]] QFont letters() const;
+    /// Of a text over the whole width, px.
+    [[nodiscard]] int heightOf(const QString& text) const;
     void drawAxes(QPainter& painter) const;
     void drawOversize(QPainter& painter) const;
     void drawCurve(QPainter& painter) const;

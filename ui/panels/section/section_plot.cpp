@@ -78,9 +78,11 @@ void SectionPlot::fit() {
     }
     if (box.isEmpty()) return;
     const Eigen::Vector2d size = box.sizes().cwiseMax(0.01);
-    perM_ = std::max(1e-3, std::min((width() - 2 * kMargin) / size.x(), (height() - 2 * kMargin) / size.y()));
+    const double below = 2.0 * fontMetrics().height() + 14.0; // px: the numbers, and the name of the axis above them
+    const double high = height() - kMargin - below;
+    perM_ = std::max(1e-3, std::min((width() - 2 * kMargin) / size.x(), high / size.y()));
     const Eigen::Vector2d middle = box.center();
-    origin_ = QPointF(width() / 2.0 - middle.x() * perM_, height() / 2.0 + middle.y() * perM_);
+    origin_ = QPointF(width() / 2.0 - middle.x() * perM_, kMargin + high / 2.0 + middle.y() * perM_);
 }
 
 QPointF SectionPlot::placeOf(const Eigen::Vector2d& atM) const { return origin_ + QPointF(atM.x() * perM_, -atM.y() * perM_); }

@@ -3,6 +3,7 @@
 
 #include "ui/panels/targets/target_card.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -18,8 +19,9 @@ constexpr int kMostLines = 5; // of a list before it scrolls
 
 // As high as its lines, so that the panel has one scroll bar instead of three.
 void fitHeight(QListWidget& list) {
-    const int line = list.count() > 0 ? list.sizeHintForRow(0) : list.fontMetrics().height();
-    list.setFixedHeight(std::clamp(list.count(), 1, kMostLines) * line + 2 * list.frameWidth() + 2);
+    int high = list.count() > 0 ? 0 : list.fontMetrics().height();
+    for (int n = 0; n < std::min(list.count(), kMostLines); ++n) high += list.visualItemRect(list.item(n)).height();
+    list.setFixedHeight(high + 2 * list.frameWidth() + 2);
 }
 
 } // namespace
@@ -34,7 +36,9 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     measures_->setObjectName("measure-list");
     for (QListWidget* list : {targets_, measures_}) {
         list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        list->setTextElideMode(Qt::ElideRight);
+        list->setWordWrap(true); // an uncertainty is never cut off
+        list->setResizeMode(QListView::Adjust);
+        list->viewport()->installEventFilter(this);
     }
     copyAll_->setToolTip(tr("The positions of all targets as a table with units, for a spreadsheet"));
     letGoOfAll_->setToolTip(tr("All but those that are locked"));
@@ -87,6 +91,18 @@ void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const
     }
     list.setCurrentRow(chosen >= 0 ? chosen : &list == measures_ ? std::min(before, list.count() - 1) : -1);
     fitHeight(list);
+}
+
+/// Another width has other lines.
+bool TargetsPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {
+        for (QListWidget* list : {targets_, measures_}) {
+            if (watched == list->viewport())
+                QMetaObject::invokeMethod(
+                    list, [list] { fitHeight(*list); }, Qt::QueuedConnection);
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void TargetsPanel::showTargets(const std::vector<TargetLine>& lines) {

@@ -51,6 +51,7 @@ signals:
     void measureRemoved(int place);
 
 private:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines);
 
     QLabel* hint_;

@@ -77,7 +77,9 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
     }
     drawStaleOverlay(painter, rect(), marks_.stale);
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3 + marks_.topTaken, -kLabelMargin - 6, -kLabelMargin - 3);
-    drawLabels(painter, inner, marks_.note, marks_.caption, marks_.captionRoom);
+    const auto* cube = parentWidget()->findChild<QWidget*>("view-cube", Qt::FindDirectChildrenOnly);
+    labels_ = drawLabels(painter, inner, marks_.note, marks_.caption, marks_.captionRoom,
+                         cube != nullptr && cube->isVisible() ? cube->geometry() : QRect());
     if (marks_.tipAt && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.tipAt->toPoint(), marks_.tip);
     if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);
 }

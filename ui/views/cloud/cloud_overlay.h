@@ -9,6 +9,7 @@
 #include <QString>
 #include <QWidget>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -44,6 +45,8 @@ public:
     [[nodiscard]] const OverlayMarks& marks() const { return marks_; }
     /// The tags of targets and measurements, where they were drawn last.
     [[nodiscard]] const std::vector<QRectF>& tags() const { return tags_; }
+    /// Note and caption, where they were drawn last.
+    [[nodiscard]] const std::array<QRect, 2>& labels() const { return labels_; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -55,6 +58,7 @@ private:
 
     OverlayMarks marks_;
     std::vector<QRectF> plates_, tags_;
+    std::array<QRect, 2> labels_;
 };
 
 } // namespace edgescan::ui
