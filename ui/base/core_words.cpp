@@ -296,12 +296,17 @@ QString filled(const char* source, const QRegularExpressionMatch& found, QString
 
 QString same(const QString& text) { return text; }
 
-QString wordsOf(const QString& text) {
-    static const std::vector<Pattern> patterns = patternsOf(kWholeTexts, true);
+/// In the language of the window, if the whole text is one of these; else as it is.
+QString wholeText(const std::vector<Pattern>& patterns, const QString& text, QString (*inner)(const QString&)) {
     for (const Pattern& each : patterns) {
-        if (const auto found = each.match.match(text); found.hasMatch()) return filled(each.source, found, wordsOf);
+        if (const auto found = each.match.match(text); found.hasMatch()) return filled(each.source, found, inner);
     }
     return text;
+}
+
+QString wordsOf(const QString& text) {
+    static const std::vector<Pattern> patterns = patternsOf(kWholeTexts, true);
+    return wholeText(patterns, text, wordsOf);
 }
 
 /// "--unit m" -> "“unit” in Scan > How the Scan Is Read".
@@ -347,11 +352,7 @@ QString coreWords(const std::string& text) { return wordsOf(shownText(text)); }
 
 QString scanName(const std::string& name, int mostCharacters) {
     static const std::vector<Pattern> patterns = patternsOf(kScanNames, true);
-    QString shown = exactText(name);
-    for (const Pattern& each : patterns) {
-        if (const auto found = each.match.match(shown); found.hasMatch()) shown = filled(each.source, found, same);
-    }
-    return shownName(shown, mostCharacters);
+    return shownName(wholeText(patterns, exactText(name), same), mostCharacters);
 }
 
 QString coreSentence(const QString& text) {

@@ -35,8 +35,8 @@ std::array<QRect, 2> drawLabels(QPainter& painter, const QRect& place, const QSt
     const QRect free = place.adjusted(0, 0, -taken, 0);
     const QRect first = drawLabel(painter, leftOf(corner, painter, free, kLeft, left), kLeft, left);
     if (right.isEmpty()) return {first, QRect()};
-    const QRect beside = painter.boundingRect(free, static_cast<int>(kRight) | Qt::TextWordWrap, right);
-    const bool touch = !first.isNull() && beside.left() - kBetween < first.right();
+    const QRect level = painter.boundingRect(free, static_cast<int>(kRight) | Qt::TextWordWrap, right);
+    const bool touch = !first.isNull() && level.left() - kBetween < first.right();
     const QRect second = touch ? free.adjusted(0, first.bottom() + kBetween - free.top(), 0, 0) : free;
     return {first, drawLabel(painter, leftOf(corner, painter, second, kRight, right), kRight, right)};
 }

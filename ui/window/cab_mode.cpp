@@ -4,7 +4,6 @@
 #include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
-#include "ui/base/shown_text.h"
 #include "ui/controllers/files/source.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"

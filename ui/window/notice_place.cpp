@@ -30,7 +30,7 @@ public:
         const auto type = event->type();
         const bool isPlaced = type == QEvent::Resize || type == QEvent::Move;
         if (watched == &notice_ ? type == QEvent::LayoutRequest || type == QEvent::Show : isPlaced) place();
-        if (watched == &notice_ && (type == QEvent::Hide || type == QEvent::Resize)) keepTextsFree();
+        if (watched == &notice_ && type == QEvent::Hide) keepTextsFree();
         if (watched == cloud_ && (type == QEvent::ShowToParent || type == QEvent::HideToParent)) place();
         if (watched == cube_ && (type == QEvent::Show || type == QEvent::Hide)) place();
         return false;

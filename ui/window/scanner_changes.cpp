@@ -3,7 +3,6 @@
 
 #include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
-#include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/window/viewer.h"

@@ -40,7 +40,8 @@ public:
               static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.viewer().statusLine),
               static_cast<QObject*>(&window.viewer().live.panel()), static_cast<QObject*>(tour_)})
             watched->installEventFilter(this);
-        for (QObject* below : partsBelow()) below->installEventFilter(this);
+        for (QObject* dock : window.findChildren<QDockWidget*>()) dock->installEventFilter(this);
+        for (QObject* pane : window.findChildren<Pane*>()) pane->installEventFilter(this);
         settle_.setSingleShot(true);
         settle_.setInterval(kSettleMs);
         connect(&settle_, &QTimer::timeout, this, [this] {
@@ -59,7 +60,7 @@ public:
         if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show)) beside_.setVisible(type == QEvent::Show);
         if (gone_ || !page_.isVisible()) return false;
         const bool moves = type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide;
-        if (moves && partsBelow().contains(watched))
+        if (moves && isBelow(watched))
             settle_.start();
         else if (watched == &window_.viewer().live.panel() && type == QEvent::Show)
             page_.hide();
@@ -70,11 +71,8 @@ public:
 
 private:
     /// Docks and views, which the page covers; they find their places at any time after the start.
-    [[nodiscard]] QObjectList partsBelow() const {
-        QObjectList parts;
-        for (QObject* dock : window_.findChildren<QDockWidget*>()) parts << dock;
-        for (QObject* pane : window_.findChildren<Pane*>()) parts << pane;
-        return parts;
+    static bool isBelow(QObject* watched) {
+        return qobject_cast<QDockWidget*>(watched) != nullptr || qobject_cast<Pane*>(watched) != nullptr;
     }
     void place() {
         const QWidget& centre = *window_.centralWidget();

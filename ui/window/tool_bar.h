@@ -28,9 +28,9 @@ public:
     void addGap();
     /// The prompt of the tool; empty: none.
     void showAsked(const QString& words);
-    /// Text about selected and hidden cells.
-    /// What the tool of the rocks waits for.
+    /// What the tool of the rocks waits for; empty: no tool.
     void showRockTool(const QString& words);
+    /// Text about selected and hidden cells.
     void showSelected(const QString& words);
     [[nodiscard]] QString shown() const;
     /// The width of the window without what is reserved: buttons without room go into the menu at the end.

@@ -83,16 +83,18 @@ QVector<QRgb> withEdges(QVector<QRgb> table, const InkByClass& ink) {
     return table;
 }
 
-// Paints the pixels of the edge cells with the colours that withEdges() added after the first `others`. Rims of open voids are dashed, in
-// every direction: colour is not their only sign.
-void paintEdges(QImage& image, const edges::Detection& detection, std::size_t others) {
+// Paints the pixels of the edge cells with the colours that withEdges() added. Rims of open voids are dashed, in every direction: colour is
+// not their only sign.
+void paintEdges(QImage& image, const edges::Detection& detection) {
+    constexpr std::size_t kInks = std::tuple_size_v<InkByClass>;
+    const std::size_t others = static_cast<std::size_t>(image.colorCount()) - 2 * kInks;
     constexpr auto kVoidRim = static_cast<std::size_t>(edges::DepthEdge::VoidRim);
     const auto beams = static_cast<std::size_t>(detection.scan->beams());
     for (const std::uint32_t k : *detection.edges) {
         const std::size_t line = k / beams, beam = k % beams;
         const std::size_t kind = detection.classes ? static_cast<std::size_t>((*detection.classes)[k]) : 0;
         const bool gap = kind == kVoidRim && (line + 2 * beam) % 6 >= 3;
-        image.scanLine(static_cast<int>(line))[beam] = static_cast<std::uint8_t>(others + kind + (gap ? std::tuple_size_v<InkByClass> : 0));
+        image.scanLine(static_cast<int>(line))[beam] = static_cast<std::uint8_t>(others + kind + (gap ? kInks : 0));
     }
 }
 
@@ -144,7 +146,7 @@ QImage edgePicture(const edges::Detection& detection, int rows) {
     std::array<std::uint8_t, CellInk::Count> inks{};
     std::iota(inks.begin(), inks.end(), std::uint8_t{0});
     paintCells<std::uint8_t>(image, detection, inks, [](std::size_t) { return std::uint8_t{CellInk::Valid}; });
-    paintEdges(image, detection, CellInk::Count); // last: without masking they can also be on cells without a range
+    paintEdges(image, detection); // last: without masking they can also be on cells without a range
     return image;
 }
 
@@ -158,7 +160,7 @@ QImage edgeOverlay(const edges::Detection& detection, const EdgeColours& colours
     QImage image(detection.scan->beams(), rows, QImage::Format_Indexed8);
     image.setColorTable(withEdges({qRgba(0, 0, 0, 0)}, inkOf(drawnColours(colours, byClass), colours.front().rgba())));
     image.fill(0);
-    paintEdges(image, detection, 1);
+    paintEdges(image, detection);
     return image;
 }
 

@@ -147,7 +147,7 @@ void Timeline::take(const RecordingContents& contents) {
     contents_ = contents;
     const auto longest = std::max_element(contents_.sweeps.begin(), contents_.sweeps.end(),
                                           [](const RecordedSweep& a, const RecordedSweep& b) { return a.received < b.received; });
-    home_ = position_ = longest + 1 == contents_.sweeps.end() ? lines() : (longest + 1)->firstLine;
+    home_ = position_ = endOf(static_cast<std::size_t>(longest - contents_.sweeps.begin()));
     {
         const QSignalBlocker quiet(slider_);
         slider_->setRange(contents_.first, lines());
@@ -168,6 +168,10 @@ int Timeline::sweepAt(int position) const {
            contents_.sweeps[static_cast<std::size_t>(sweep) + 1].firstLine < position)
         ++sweep;
     return sweep;
+}
+
+int Timeline::endOf(std::size_t sweep) const {
+    return sweep + 1 < contents_.sweeps.size() ? contents_.sweeps[sweep + 1].firstLine : lines();
 }
 
 QString Timeline::labelShown() const { return label_->text(); }
@@ -230,8 +234,9 @@ void Timeline::stepBy(int step) {
 bool Timeline::stepSweep(int by) {
     std::optional<int> end;
     for (std::size_t n = 0; active() && n < contents_.sweeps.size(); ++n) {
-        const int here = n + 1 < contents_.sweeps.size() ? contents_.sweeps[n + 1].firstLine : lines();
-        if (by > 0 ? here > position_ && !end : here < position_) end = here;
+        const bool isNext = by > 0 && endOf(n) > position_ && !end;
+        const bool isPrevious = by < 0 && endOf(n) < position_;
+        if (isNext || isPrevious) end = endOf(n);
     }
     if (!end) return false;
     play(false);

@@ -62,6 +62,8 @@ private:
     void seek();
     void take(const RecordingContents& contents);
     [[nodiscard]] int sweepAt(int position) const;
+    /// The position at which this sweep is whole.
+    [[nodiscard]] int endOf(std::size_t sweep) const;
 
     std::unique_ptr<ReplayPlayer> player_;
     RecordingContents contents_;

@@ -25,7 +25,7 @@ public:
     void showEdges(bool on);
     /// On: rocks are drawn over the edges of the cloud; the counts then refer to the images.
     void showCovered(bool on);
-    /// Shows only the switch of edges, the classes of rocks and the rims of open voids.
+    /// Shows only the switch of edges, the classes of rocks, the rims of open voids and other classes that have edges.
     void setBrief(bool on);
     /// Px of the view under it: in a low one only the row of all edges is shown.
     void fitInto(int height) override;

@@ -54,18 +54,6 @@ DepthSpan depthSpan(const CameraPose& pose, const Box3f& box) {
     return {middle - half, middle + half};
 }
 
-/// Angle to the next line or beam, seen from the sensor, rad: the larger one. Lines of a turning scanner spread away from its axis.
-double stepAround(const CloudGeometry& cloud, std::uint32_t k) {
-    const auto directionOf = [&](std::size_t at) { return (cloud.point(at) - cloud.sensor).normalized().eval(); };
-    const auto beams = static_cast<std::size_t>(cloud.beams);
-    double largest = 0.0;
-    for (const std::size_t next : {k + std::size_t{1}, k + beams}) {
-        if (next >= cloud.cells() || cloud.valid[next] == 0 || (next == k + 1 && next % beams == 0)) continue;
-        largest = std::max(largest, static_cast<double>((directionOf(next) - directionOf(k)).norm()));
-    }
-    return largest > 0.0 ? largest : cloud.stepRad;
-}
-
 } // namespace
 
 double CameraPose::halfHeight() const { return distance() * tanHalf(*this); }
@@ -253,7 +241,7 @@ double spacingOnScreen(const CloudGeometry& cloud, const CameraPose& pose, int v
     const std::size_t every = std::max<std::size_t>(1, some.size() / kSample);
     for (std::size_t n = 0; n < some.size(); n += every) {
         const Eigen::Vector3f point = cloud.point(some[n]);
-        const double spacing = stepAround(cloud, some[n]) * static_cast<double>((point - cloud.sensor).norm());
+        const double spacing = stepAt(cloud, some[n]).value_or(cloud.stepRad) * static_cast<double>((point - cloud.sensor).norm());
         const double depth = forward.dot(point.cast<double>() - pose.position);
         if (depth <= 0.0) continue;
         const double wide = pose.parallel ? perMetre : perMetre * pose.distance() / depth;

@@ -129,22 +129,12 @@ Box3f boxOfMost(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sa
     return box;
 }
 
-/// The larger of the two angles to the neighbours in line and beam: points of this size close the surface in both directions.
 double middleStep(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
     constexpr std::size_t kEnough = 2000;
     std::vector<double> steps;
-    const auto angle = [&](std::size_t a, std::size_t b) {
-        const Vector3d from = (cloud.point(a) - cloud.sensor).cast<double>();
-        const Vector3d to = (cloud.point(b) - cloud.sensor).cast<double>();
-        return std::atan2(from.cross(to).norm(), from.dot(to));
-    };
-    const auto beams = static_cast<std::size_t>(cloud.beams);
     const std::size_t every = std::max<std::size_t>(1, sample.size() / kEnough);
     for (std::size_t n = 0; n < sample.size(); n += every) {
-        const std::size_t k = sample[n];
-        const bool right = (k + 1) % beams != 0 && cloud.drawable(k + 1);
-        const bool below = cloud.drawable(k + beams);
-        if (right || below) steps.push_back(std::max(right ? angle(k, k + 1) : 0.0, below ? angle(k, k + beams) : 0.0));
+        if (const auto step = stepAt(cloud, sample[n])) steps.push_back(*step);
     }
     if (steps.empty()) return 0.0;
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
@@ -214,6 +204,19 @@ void fillFrames(const Scan& scan, const CartesianTables& tables, const std::vect
 }
 
 } // namespace
+
+std::optional<double> stepAt(const CloudGeometry& cloud, std::size_t k) {
+    const auto angle = [&](std::size_t a, std::size_t b) {
+        const Vector3d from = (cloud.point(a) - cloud.sensor).cast<double>();
+        const Vector3d to = (cloud.point(b) - cloud.sensor).cast<double>();
+        return std::atan2(from.cross(to).norm(), from.dot(to));
+    };
+    const auto beams = static_cast<std::size_t>(cloud.beams);
+    const bool right = (k + 1) % beams != 0 && cloud.drawable(k + 1);
+    const bool below = cloud.drawable(k + beams);
+    if (!right && !below) return std::nullopt;
+    return std::max(right ? angle(k, k + 1) : 0.0, below ? angle(k, k + beams) : 0.0);
+}
 
 std::shared_ptr<const CloudGeometry> withoutHidden(const CloudGeometry& cloud, const std::vector<std::uint8_t>& hidden) {
     auto rest = std::make_shared<CloudGeometry>(cloud);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace edgescan::ui {
@@ -55,6 +56,10 @@ struct CloudGeometry {
     [[nodiscard]] bool drawable(std::size_t k) const { return k < valid.size() && valid[k] != 0; }
     [[nodiscard]] Eigen::Vector3f point(std::size_t k) const { return {xyz[3 * k], xyz[3 * k + 1], xyz[3 * k + 2]}; }
 };
+
+/// The larger of the two angles to the neighbours in line and beam, seen from the sensor, rad: points of this size close the surface in
+/// both directions. Empty: both neighbours have no point.
+[[nodiscard]] std::optional<double> stepAt(const CloudGeometry& cloud, std::size_t k);
 
 /// The same cloud without the cells whose byte is not 0: they become invalid and leave the drawing order.
 [[nodiscard]] std::shared_ptr<const CloudGeometry> withoutHidden(const CloudGeometry& cloud, const std::vector<std::uint8_t>& hidden);

@@ -8,6 +8,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 namespace edgescan::ui {
+
 GlCheck checkGl() {
     const QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     QOpenGLContext context;
