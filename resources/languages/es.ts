@@ -526,8 +526,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
 <message><source>mark as not a rock</source><translation>marca de no roca</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Todavía no hay nada que exportar: primero muestre las rocas de un escaneo.</translation></message>
-<message><source>Export 1 rock</source><translation>Exportar 1 roca</translation></message>
-<message><source>Export %1 rocks</source><translation>Exportar %1 rocas</translation></message>
+<message><source>Export %1</source><translation>Exportar %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
@@ -552,8 +551,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
-<message><source>1 rock · </source><translation>1 roca · </translation></message>
-<message><source>%1 rocks · </source><translation>%1 rocas · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir con las rocas seleccionadas</translation></message>
@@ -1051,18 +1048,18 @@ mantenga \ para verla</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
+<message><source>1 rock</source><translation>1 roca</translation></message>
+<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>hide uncertain</source><translation>ocultar inciertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Las rocas cuyo b visible es menor se omiten en la tabla, no en las imágenes</translation></message>
 <message><source>b at least</source><translation>b al menos</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con confianza p inferior a 0.85, que están rayadas, se omiten en la tabla</translation></message>
-<message><source>1 rock</source><translation>1 roca</translation></message>
-<message><source>%1 rocks</source><translation>%1 rocas</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 achuradas (p &lt; 0.85)</translation></message>
 <message><source>fine</source><translation>fino</translation></message>
 <message><source>coarse</source><translation>grueso</translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rocas, %2 achuradas (p &lt; 0.85); %3 regiones de finos</translation></message>
+<message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, %2 achuradas (p &lt; 0.85); regiones de finos: %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
@@ -1148,6 +1145,7 @@ mantenga \ para verla</translation></message>
 <message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Parte de los ajustes próximos que encuentran también este borde, calculada después de cada cambio. Muestra cuánto depende el borde de los ajustes, no si hay una roca.</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>escaneo grande: muestre la confianza de los bordes</translation></message>
+<message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m detrás de un salto donde no hay ningún borde dibujado (un deslizamiento del motor paso a paso se ve igual); medido en su lado cercano</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m detrás de un borde; medido en su lado cercano</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>un haz entre dos superficies; medido en la más cercana</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>allí no se midió nada; medido en la celda más cercana</translation></message>

@@ -526,8 +526,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
 <message><source>mark as not a rock</source><translation>marque de non-bloc</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Il n'y a encore rien à exporter : affichez d'abord les blocs d'un scan.</translation></message>
-<message><source>Export 1 rock</source><translation>Exporter 1 bloc</translation></message>
-<message><source>Export %1 rocks</source><translation>Exporter %1 blocs</translation></message>
+<message><source>Export %1</source><translation>Exporter %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
@@ -552,8 +551,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
-<message><source>1 rock · </source><translation>1 bloc · </translation></message>
-<message><source>%1 rocks · </source><translation>%1 blocs · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Fusionner avec les blocs sélectionnés</translation></message>
@@ -1051,18 +1048,18 @@ tenez \ pour la voir</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 m · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
+<message><source>1 rock</source><translation>1 bloc</translation></message>
+<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>hide uncertain</source><translation>masquer incertains</translation></message>
 <message><source>Export…</source><translation>Exporter…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>Les blocs dont le b visible est plus petit sont omis du tableau, pas des images</translation></message>
 <message><source>b at least</source><translation>b au moins</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs d'une confiance p inférieure à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
-<message><source>1 rock</source><translation>1 bloc</translation></message>
-<message><source>%1 rocks</source><translation>%1 blocs</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachurés (p &lt; 0.85)</translation></message>
 <message><source>fine</source><translation>fin</translation></message>
 <message><source>coarse</source><translation>grossier</translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 blocs, %2 hachurés (p &lt; 0.85) ; %3 régions de fines</translation></message>
+<message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, dont %2 hachurés (p &lt; 0.85) ; régions de fines : %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
@@ -1148,6 +1145,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Part des réglages proches qui trouvent aussi cette arête, calculée après chaque changement. Cela montre combien l'arête dépend des réglages, non si un bloc est là.</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 réglages</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>grand scan : affichez la confiance des arêtes</translation></message>
+<message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m derrière un saut où aucune arête n'est tracée (un glissement du moteur pas à pas a le même aspect) ; mesuré de son côté proche</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m derrière une arête ; mesuré de son côté proche</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>un faisceau entre deux surfaces ; mesuré sur la plus proche</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>rien n'y a été mesuré ; mesuré à la cellule la plus proche</translation></message>

@@ -526,8 +526,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
 <message><source>mark as not a rock</source><translation>marca de não rocha</translation></message>
 <message><source>There is nothing to export yet: show the rocks of a scan first.</source><translation>Ainda não há nada para exportar: primeiro mostre as rochas de uma varredura.</translation></message>
-<message><source>Export 1 rock</source><translation>Exportar 1 rocha</translation></message>
-<message><source>Export %1 rocks</source><translation>Exportar %1 rochas</translation></message>
+<message><source>Export %1</source><translation>Exportar %1</translation></message>
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
@@ -552,8 +551,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
-<message><source>1 rock · </source><translation>1 rocha · </translation></message>
-<message><source>%1 rocks · </source><translation>%1 rochas · </translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir às rochas selecionadas</translation></message>
@@ -1051,18 +1048,18 @@ segure \ para vê-la</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
+<message><source>1 rock</source><translation>1 rocha</translation></message>
+<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>hide uncertain</source><translation>ocultar incertas</translation></message>
 <message><source>Export…</source><translation>Exportar…</translation></message>
 <message><source>Rocks with a smaller visible width b are left out of the table, not of the pictures</source><translation>As rochas cujo b visível é menor ficam fora da tabela, não das imagens</translation></message>
 <message><source>b at least</source><translation>b pelo menos</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com confiança p abaixo de 0.85, que estão tracejadas, ficam fora da tabela</translation></message>
-<message><source>1 rock</source><translation>1 rocha</translation></message>
-<message><source>%1 rocks</source><translation>%1 rochas</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
 <message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachuradas (p &lt; 0.85)</translation></message>
 <message><source>fine</source><translation>fino</translation></message>
 <message><source>coarse</source><translation>grosso</translation></message>
-<message><source>%1 rocks, %2 hatched (p &lt; 0.85); %3 regions of fines</source><translation>%1 rochas, %2 hachuradas (p &lt; 0.85); %3 regiões de finos</translation></message>
+<message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, %2 hachuradas (p &lt; 0.85); regiões de finos: %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
@@ -1148,6 +1145,7 @@ segure \ para vê-la</translation></message>
 <message><source>Share of nearby settings that find this edge too, computed after each change. It shows how much the edge depends on the settings, not whether a rock is there.</source><translation>Parte dos ajustes próximos que encontram também esta borda, calculada após cada alteração. Mostra quanto a borda depende dos ajustes, não se há ali uma rocha.</translation></message>
 <message><source>%1 % of %2 settings</source><translation>%1 % de %2 ajustes</translation></message>
 <message><source>large scan: show Edge Confidence</source><translation>varredura grande: mostre a confiança das bordas</translation></message>
+<message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m atrás de um salto onde nenhuma aresta está desenhada (um deslize do motor de passo tem o mesmo aspecto); medido no seu lado próximo</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m atrás de uma aresta; medido no seu lado próximo</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>um feixe entre duas superfícies; medido na mais próxima</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>nada foi medido aí; medido na célula mais próxima</translation></message>

@@ -187,6 +187,14 @@ private slots:
         QVERIFY(gray.marks().targets[0].clicked == std::size_t{clicked});
         QTRY_VERIFY2(on.viewer.targetsPanel.card().text().contains("Clicked: 13.00 m behind an edge"),
                      qPrintable(on.viewer.targetsPanel.card().text()));
+        // A jump that no edge marks is said to be one: here the settings find none, and a slip of the stepper looks the same.
+        edges::Settings none;
+        none.minimumLength = 50;
+        none.classes = edges::kClassConvex;
+        QVERIFY(on.use(none));
+        QTRY_VERIFY2(on.viewer.targetsPanel.card().text().contains("Clicked: 13.00 m behind a jump where no edge is drawn"),
+                     qPrintable(on.viewer.targetsPanel.card().text()));
+        QVERIFY(on.use({}));
         // With Shift the very cell is meant.
         click(gray, 30, 20, Qt::ShiftModifier);
         QCOMPARE(static_cast<int>(targets(on).size()), 2);

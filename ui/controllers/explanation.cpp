@@ -132,7 +132,8 @@ void Explanation::show(const Question& question, bool still, const edges::Why& w
     QString numbers = shownText(edges::whyNumbers(why, picture.detection->settings, inLanguage));
     if (still && !why.chainMembers.empty())
         numbers += tr("\nThe strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.");
-    if (const QString moved = clickText(question.click); !moved.isEmpty()) numbers += "\n" + tr("Clicked") + ": " + moved;
+    if (const QString moved = clickText(question.click, *picture.detection); !moved.isEmpty())
+        numbers += "\n" + tr("Clicked") + ": " + moved;
     nearestEdge_ = nearestEdge(*picture.detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);

@@ -53,8 +53,7 @@ void Rocks::askExport() {
         return;
     }
     SaveQuestion question;
-    const std::size_t count = picture_->study.rocks.size();
-    question.title = count == 1 ? tr("Export 1 rock") : tr("Export %1 rocks").arg(count);
+    question.title = tr("Export %1").arg(rockCount(picture_->study.rocks.size()));
     for (const RockFile& each : rockFiles())
         question.filters << QString("%1 (*%2)").arg(QObject::tr(each.file->title), each.file->extension);
     question.extension = rockFiles().front().file->extension;

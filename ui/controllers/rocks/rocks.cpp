@@ -198,8 +198,7 @@ void Rocks::showFaces() {
         overlay.facesFaded = ofAnotherPicture();
         overlay.points->colours = picture_->points;
         overlay.points->beams = picture_->labels.beams;
-        const std::size_t count = picture_->study.rocks.size();
-        overlay.caption = count == 1 ? tr("1 rock · ") : tr("%1 rocks · ").arg(count);
+        overlay.caption = rockCount(picture_->study.rocks.size()) + " · ";
     }
     if (engine_.picture()) overlay.caption += (remark().isEmpty() ? QString() : remark() + " · ") + rockCaveat();
     views_.put(std::move(overlay));

@@ -78,7 +78,8 @@ QString Targets::clickOf(const inspect::PinnedTarget& target) const {
     const std::uint32_t clicked = target.clicked.value_or(target.cell);
     if (clicked >= engine_.picture()->detection->scan->cells()) return {};
     const inspect::MeantCell click = inspect::meantCell(*engine_.picture()->detection->scan, clicked);
-    return click.cell == target.cell ? clickText(click) : QString(); // else the operator chose this very cell
+    return click.cell == target.cell ? clickText(click, *engine_.picture()->detection)
+                                     : QString(); // else the operator chose this very cell
 }
 
 CellMarks Targets::marks() const {

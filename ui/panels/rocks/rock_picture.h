@@ -55,5 +55,7 @@ struct RockOutline {
 
 /// The caveat that is displayed with every result about rocks.
 [[nodiscard]] QString rockCaveat();
+/// "1 rock", "12 rocks".
+[[nodiscard]] QString rockCount(std::size_t rocks);
 
 } // namespace edgescan::ui

@@ -149,9 +149,7 @@ void RockTable::setNames(const RockNames& names) {
 void RockTable::showCount() {
     const int all = model_->rowCount();
     const int shown = shown_->rowCount();
-    QString text = shown == all && all == 1 ? tr("1 rock")
-                   : shown == all           ? tr("%1 rocks").arg(all)
-                                            : tr("%1 of %2 rocks").arg(shown).arg(all);
+    QString text = shown == all ? rockCount(static_cast<std::size_t>(all)) : tr("%1 of %2 rocks").arg(shown).arg(all);
     if (model_->picture()) {
         const std::vector<rocks::Rock>& rocks = model_->picture()->study.rocks;
         text += tr(", %1 hatched (p < 0.85)").arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful));

@@ -118,8 +118,8 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
     const std::vector<rocks::Rock>& rocks = picture->study.rocks;
     const rocks::RegionCounts fines = rocks::regionCounts(picture->study.map, rocks::RegionKind::Fines);
     QString text = remark.isEmpty() ? QString() : remark + "\n";
-    text += tr("%1 rocks, %2 hatched (p < 0.85); %3 regions of fines")
-                .arg(rocks.size())
+    text += tr("%1, %2 hatched (p < 0.85); regions of fines: %3")
+                .arg(rockCount(rocks.size()))
                 .arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful))
                 .arg(fines.regions);
     if (!picture->study.edits.empty()) text += tr("; %1 changed by hand").arg(picture->study.edits.size());

@@ -10,6 +10,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace edgescan::ui {
@@ -117,11 +118,27 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
 
 namespace {
 
-QString moveText(const inspect::MeantCell& click) {
+bool isEdgeDrawnNear(const edges::Detection& detection, std::uint32_t cell) {
+    const Grid<std::uint8_t>& mask = *detection.mask;
+    constexpr int kNear = inspect::kSnapReach + 1;
+    const int line = static_cast<int>(cell) / mask.beams, beam = static_cast<int>(cell) % mask.beams;
+    for (int i = std::max(0, line - kNear); i <= std::min(mask.lines - 1, line + kNear); ++i) {
+        for (int j = std::max(0, beam - kNear); j <= std::min(mask.beams - 1, beam + kNear); ++j) {
+            if (mask.at(i, j) != 0) return true;
+        }
+    }
+    return false;
+}
+
+QString moveText(const inspect::MeantCell& click, const edges::Detection& detection) {
     switch (click.reason) {
     case inspect::SnapReason::AsClicked:
         return {};
     case inspect::SnapReason::BehindAnEdge:
+        if (!isEdgeDrawnNear(detection, click.cell))
+            return QObject::tr(
+                       "%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side")
+                .arg(fixed(click.nearerM, 2));
         return QObject::tr("%1 m behind an edge; measured on its near side").arg(fixed(click.nearerM, 2));
     case inspect::SnapReason::MixedPixel:
         return QObject::tr("a beam between two surfaces; measured on the nearer one");
@@ -134,8 +151,8 @@ QString moveText(const inspect::MeantCell& click) {
 
 } // namespace
 
-QString clickText(const inspect::MeantCell& click) {
-    QString text = moveText(click);
+QString clickText(const inspect::MeantCell& click, const edges::Detection& detection) {
+    QString text = moveText(click, detection);
     if (!click.alsoNear) return text;
     if (!text.isEmpty()) text += "; ";
     return text + QObject::tr("▲ a nearer surface is also within %1 cells: zoom in if that was meant").arg(inspect::kSnapReach);

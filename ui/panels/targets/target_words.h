@@ -39,8 +39,8 @@ struct TargetRow {
 };
 
 /// "8.13 m behind an edge; measured on its near side, 2 cells away". Empty if the click was not moved and no
-/// other surface is in front of it.
-[[nodiscard]] QString clickText(const inspect::MeantCell& click);
+/// other surface is in front of it. Says so if `detection` has no edge there: settings can hide it, and slips of the stepper are no edges.
+[[nodiscard]] QString clickText(const inspect::MeantCell& click, const edges::Detection& detection);
 /// "4.911 m", "no return".
 [[nodiscard]] QString distanceText(const inspect::CellTarget& target);
 /// "± 0.009"; empty if the cell is not valid.
