@@ -229,6 +229,12 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>el relleno de huecos del panel de aristas</translation></message>
 <message><source>the outlines in the picture</source><translation>los contornos en la imagen</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» en Escaneo &gt; Cómo se lee el escaneo</translation></message>
+<message><source>valid</source><translation>válida</translation></message>
+<message><source>no return</source><translation>sin retorno</translation></message>
+<message><source>device status</source><translation>estado del equipo</translation></message>
+<message><source>out of window</source><translation>fuera de la ventana</translation></message>
+<message><source>masked</source><translation>enmascaradas</translation></message>
+<message><source>lost</source><translation>perdidas</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
 <message><source>Folded panels</source><translation>Paneles plegados</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
@@ -850,11 +856,6 @@ mantenga \ para verla</translation></message>
 <message><source>Beams</source><translation>Haces</translation></message>
 <message><source>Cells</source><translation>Celdas</translation></message>
 <message><source>with a range</source><translation>con distancia</translation></message>
-<message><source>no return</source><translation>sin retorno</translation></message>
-<message><source>device status</source><translation>estado del equipo</translation></message>
-<message><source>out of window</source><translation>fuera de la ventana</translation></message>
-<message><source>masked</source><translation>enmascaradas</translation></message>
-<message><source>lost</source><translation>perdidas</translation></message>
 <message><source>Ranges [mm]</source><translation>Distancias [mm]</translation></message>
 <message><source>smallest</source><translation>la menor</translation></message>
 <message><source>largest</source><translation>la mayor</translation></message>

@@ -229,6 +229,12 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>le comblement des trous dans le panneau des arêtes</translation></message>
 <message><source>the outlines in the picture</source><translation>les contours dans l'image</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>« %1 » dans Scan &gt; Comment le scan est lu</translation></message>
+<message><source>valid</source><translation>valide</translation></message>
+<message><source>no return</source><translation>sans retour</translation></message>
+<message><source>device status</source><translation>état de l'appareil</translation></message>
+<message><source>out of window</source><translation>hors de la fenêtre</translation></message>
+<message><source>masked</source><translation>masquées</translation></message>
+<message><source>lost</source><translation>perdues</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
 <message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
 <message><source>Open %1</source><translation>Ouvrir %1</translation></message>
@@ -850,11 +856,6 @@ tenez \ pour la voir</translation></message>
 <message><source>Beams</source><translation>Faisceaux</translation></message>
 <message><source>Cells</source><translation>Cellules</translation></message>
 <message><source>with a range</source><translation>avec une distance</translation></message>
-<message><source>no return</source><translation>sans retour</translation></message>
-<message><source>device status</source><translation>état de l'appareil</translation></message>
-<message><source>out of window</source><translation>hors de la fenêtre</translation></message>
-<message><source>masked</source><translation>masquées</translation></message>
-<message><source>lost</source><translation>perdues</translation></message>
 <message><source>Ranges [mm]</source><translation>Distances [mm]</translation></message>
 <message><source>smallest</source><translation>la plus petite</translation></message>
 <message><source>largest</source><translation>la plus grande</translation></message>

@@ -229,6 +229,12 @@
 <message><source>the filling of gaps in the Edges panel</source><translation>o preenchimento de falhas no painel de arestas</translation></message>
 <message><source>the outlines in the picture</source><translation>os contornos na imagem</translation></message>
 <message><source>“%1” in Scan &gt; How the Scan Is Read</source><translation>«%1» em Varredura &gt; Como a varredura é lida</translation></message>
+<message><source>valid</source><translation>válida</translation></message>
+<message><source>no return</source><translation>sem retorno</translation></message>
+<message><source>device status</source><translation>estado do aparelho</translation></message>
+<message><source>out of window</source><translation>fora da janela</translation></message>
+<message><source>masked</source><translation>mascaradas</translation></message>
+<message><source>lost</source><translation>perdidas</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
 <message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
@@ -850,11 +856,6 @@ segure \ para vê-la</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
 <message><source>Cells</source><translation>Células</translation></message>
 <message><source>with a range</source><translation>com distância</translation></message>
-<message><source>no return</source><translation>sem retorno</translation></message>
-<message><source>device status</source><translation>estado do aparelho</translation></message>
-<message><source>out of window</source><translation>fora da janela</translation></message>
-<message><source>masked</source><translation>mascaradas</translation></message>
-<message><source>lost</source><translation>perdidas</translation></message>
 <message><source>Ranges [mm]</source><translation>Distâncias [mm]</translation></message>
 <message><source>smallest</source><translation>a menor</translation></message>
 <message><source>largest</source><translation>a maior</translation></message>

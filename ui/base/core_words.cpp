@@ -350,6 +350,14 @@ QString withoutKeys(QString text) {
 
 QString coreWords(const std::string& text) { return wordsOf(shownText(text)); }
 
+QString cellStateText(CellState state) {
+    static constexpr std::array<const char*, kCellStates> kStates{
+        QT_TRANSLATE_NOOP("QObject", "valid"),         QT_TRANSLATE_NOOP("QObject", "no return"),
+        QT_TRANSLATE_NOOP("QObject", "device status"), QT_TRANSLATE_NOOP("QObject", "out of window"),
+        QT_TRANSLATE_NOOP("QObject", "masked"),        QT_TRANSLATE_NOOP("QObject", "lost")};
+    return QObject::tr(kStates[static_cast<std::size_t>(state)]);
+}
+
 QString scanName(const std::string& name, int mostCharacters) {
     static const std::vector<Pattern> patterns = patternsOf(kScanNames, true);
     return shownName(wholeText(patterns, exactText(name), same), mostCharacters);

@@ -2,6 +2,8 @@
 // line.
 #pragma once
 
+#include "core/scan/grid/scan.h"
+
 #include <QString>
 
 #include <string>
@@ -10,6 +12,9 @@ namespace edgescan::ui {
 
 /// A short text of a live scanner, such as "LOST 12 s" or "no return 4.2 %", in the language of the window.
 [[nodiscard]] QString coreWords(const std::string& text);
+
+/// "no return", "out of window", in the language of the window.
+[[nodiscard]] QString cellStateText(CellState state);
 
 /// Name of a scan: that of a live sweep or of the demo in the language of the window, any other as it is.
 [[nodiscard]] QString scanName(const std::string& name, int mostCharacters = 120);

@@ -64,9 +64,9 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
     return ageText(std::ceil(left / status.linesPerSecond)) + " left";
 }
 
-/// A sweep that grows and lost nothing is under way, not incomplete: more lines come.
+/// A sweep that grows is under way, not incomplete: more lines come. Those that it lost are named next to it.
 std::string linesOf(const scanner::SweepProgress& sweep, Liveness liveness) {
-    return liveness == Liveness::Live && sweep.growing && sweep.received == sweep.lines ? sweep.textSoFar() : sweep.text();
+    return liveness == Liveness::Live && sweep.growing ? sweep.textSoFar() : sweep.text();
 }
 
 void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {

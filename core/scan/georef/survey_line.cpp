@@ -94,6 +94,20 @@ std::optional<SurveyLine> lettered(const Words& words) {
     return line;
 }
 
+/// "312,345.678": one number with a comma for thousands, or two numbers. A text without a point has decimal commas.
+std::optional<std::string> thousands(std::string_view text) {
+    if (text.find('.') == text.npos) return std::nullopt;
+    for (const std::string& word : split(text, "; \t\r\n=:")) {
+        const Words parts = split(word, ",");
+        for (std::size_t n = 1; n < parts.size(); ++n) {
+            const std::string whole = parts[n].substr(0, parts[n].find('.'));
+            const std::string before = parts[n - 1].substr(parts[n - 1].front() == '-' ? 1 : 0);
+            if (isDigits(before) && before.size() <= 3 && isDigits(whole) && whole.size() == 3) return parts[n - 1] + "," + parts[n];
+        }
+    }
+    return std::nullopt;
+}
+
 Error countError(std::size_t count) {
     return {"the line holds " + std::to_string(count) + (count == 1 ? " number" : " numbers") +
                 " and a place has three, with a heading four, with pitch and roll six",
@@ -105,6 +119,9 @@ Error countError(std::size_t count) {
 Result<SurveyLine> parseSurveyLine(std::string_view text, SurveyOrder order) {
     Words words = wordsOf(text);
     if (words.empty()) return Error{"the line is empty", "", kSurveyHint};
+    if (const auto doubtful = thousands(text))
+        return Error{*doubtful + " may be one number with a comma for thousands, or two numbers", "",
+                     "leave that comma out, or write blanks between the numbers"};
     if (const auto line = lettered(withoutSigns(words))) return *line;
     SurveyLine line;
     if (!commaNumber(words.front())) {

@@ -27,7 +27,7 @@ struct SurveyLine {
 /// Numbers are separated by semicolons, tabs, commas or blanks; a comma may be a decimal comma where something else separates. A name of
 /// the point may come first, words after the numbers are left out. Letters before numbers ("N 5150123.4 E=498765.4 RL 287.6") give their
 /// order themselves. After the three numbers a heading may follow, and after it pitch and roll. Error: another count of numbers, or a count
-/// that allows two readings.
+/// or a comma ("312,345.678") that allows two readings.
 Result<SurveyLine> parseSurveyLine(std::string_view text, SurveyOrder order = SurveyOrder::EastingFirst);
 
 /// Exactly `count` numbers, separated as above; empty if the text holds anything else.

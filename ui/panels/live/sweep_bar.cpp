@@ -41,7 +41,7 @@ void SweepBar::paintEvent(QPaintEvent* /*event*/) {
     const auto at = [&](int row) { return whole.left() + 1 + static_cast<int>(static_cast<double>(row) / rows_ * (whole.width() - 1)); };
     painter.fillRect(QRect(QPoint(whole.left() + 1, whole.top() + 1), QPoint(at(row_) - 1, whole.bottom() - 1)), theme.accent);
     for (const int row : lost_)
-        painter.fillRect(QRect(at(row), whole.top() + 1, std::max(kMark, at(row + 1) - at(row)), whole.height() - 1), theme.bad);
+        painter.fillRect(QRect(at(row), whole.top() + 1, std::max(kMark, at(row + 1) - at(row)), whole.height() - 1), theme.warn);
 }
 
 } // namespace edgescan::ui

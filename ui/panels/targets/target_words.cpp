@@ -5,6 +5,7 @@
 #include "core/base/tolerance_text.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
+#include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>
@@ -160,7 +161,7 @@ QString clickText(const inspect::MeantCell& click, const edges::Detection& detec
 
 QString distanceText(const inspect::CellTarget& target) {
     if (target.probe.state == CellState::Valid) return QObject::tr("%1 m").arg(fixed(target.distanceM, 3));
-    return QString::fromUtf8(cellStateName(target.probe.state)).replace('_', ' ');
+    return cellStateText(target.probe.state);
 }
 
 QString toleranceText(const inspect::CellTarget& target) {

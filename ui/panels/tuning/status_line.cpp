@@ -38,8 +38,7 @@ QString rangeText(const edges::Probe& probe) {
                  number(shownTolerance(static_cast<double>(probe.filled->sdMm) / 1000.0, 3), 3));
     if (probe.state == CellState::Valid) return QObject::tr("range %1 m").arg(number(probe.rangeMm / 1000.0, 3));
     if (probe.state == CellState::DeviceStatus) return QObject::tr("device status %1").arg(number(probe.rangeMm, 0));
-    if (probe.state == CellState::NoReturn) return QObject::tr("no return");
-    return QString::fromUtf8(cellStateName(probe.state)).replace('_', ' ');
+    return cellStateText(probe.state);
 }
 
 } // namespace
@@ -255,7 +254,7 @@ void StatusLine::showCounts(const edges::Detection& detection) {
     QString text = tr("%1 points").arg(countText(of(CellState::Valid))) + " · " + edges + " · " + none;
     if (of(CellState::DeviceStatus) > 0) text += tr(" · %1 status").arg(countText(of(CellState::DeviceStatus)));
     for (const CellState state : {CellState::OutOfWindow, CellState::Masked, CellState::Lost}) {
-        if (of(state) > 0) text += QString(" · %1 %2").arg(countText(of(state)), QString(cellStateName(state)).replace('_', ' '));
+        if (of(state) > 0) text += QString(" · %1 %2").arg(countText(of(state)), cellStateText(state));
     }
     if (detection.filled) text += tr(" · %1 filled").arg(countText(detection.filled->cells.size()));
     showFact(Fact::Counts, text, edges + " · " + none, false);

@@ -73,8 +73,10 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     LiveHealth health = healthOf(status);
     EXPECT_EQ(health.lines, "INCOMPLETE 309/1000 lines");
     EXPECT_EQ(health.lost, "3 lost: lines 5, 9 to 10");
-    LiveStatus normal = status; // more lines come and none is missing: nothing is incomplete yet
+    LiveStatus normal = status; // more lines come: nothing is incomplete yet, and the lost lines are named
     normal.sweep.growing = true;
+    EXPECT_EQ(healthOf(normal).lines, "312/1000 lines");
+    EXPECT_EQ(healthOf(normal).lost, "3 lost: lines 5, 9 to 10");
     normal.sweep.received = 312;
     normal.sweep.lost.clear();
     EXPECT_EQ(healthOf(normal).lines, "312/1000 lines");

@@ -60,7 +60,8 @@ TEST(SurveyLine, TheOrderIsThatAskedForOrThatOfTheLetters) {
 
 TEST(SurveyLine, WhatAllowsTwoReadingsIsRefused) {
     for (const char* line : {"", "   ", "P7", "498765.432", "498765.432, 5150123.456", "1.5 2.5 3.5 4.5 5.5", "498765 5150123 287 90",
-                             "E 498765.4 N 5150123.4", "nan nan nan", "1 2 3 4 5 6 7 8"}) {
+                             "E 498765.4 N 5150123.4", "nan nan nan", "1 2 3 4 5 6 7 8", "312,345.678; 5,150,023.456; 87.6",
+                             "E 312,345.678 N 5150023.456 RL 87.6", "-312,345.678,5150023.456,87.6"}) {
         const auto read = parseSurveyLine(line);
         EXPECT_FALSE(read) << line;
         EXPECT_TRUE(read || read.error().sentence().ends_with(".")) << line;
