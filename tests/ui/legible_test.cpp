@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QToolButton>
 #include <QtTest>
@@ -245,6 +246,41 @@ private slots:
                              list.fontMetrics().boundingRect(0, 0, list.viewport()->width() - 8, 999, Qt::TextWordWrap, text).height(),
                          qPrintable(QString::number(width)));
             QTRY_VERIFY(list.viewport()->height() >= list.visualItemRect(list.item(1)).bottom() && list.height() < 6 * line);
+        }
+    }
+
+    // A list whose bar came with its height never came to rest: bar, other wrapping, other height, no bar (seen at 1280 x 800).
+    void listsOfTargetsComeToRest() {
+        struct Resizes : QObject {
+            int count = 0;
+            bool eventFilter(QObject* watched, QEvent* event) override {
+                count += event->type() == QEvent::Resize ? 1 : 0;
+                if (count > 1000) qFatal("the list does not come to rest");
+                return QObject::eventFilter(watched, event);
+            }
+        };
+        QScrollArea area;
+        area.setWidgetResizable(true);
+        auto* panel = new TargetsPanel;
+        area.setWidget(panel);
+        area.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&area, kPatienceMs));
+        const std::vector<TargetLine> measures{
+            {"Distance 5.456 m ± 0.036 m ▲ an end is 11.91 m in front of the surface under the line", QString(), false},
+            {"Throat 0.845 m ± 0.043 m", QString(), false}};
+        for (const int targets : {1, 2, 3, 5, 6, 12}) {
+            std::vector<TargetLine> lines;
+            for (int n = 1; n <= targets; ++n)
+                lines.push_back({QString("%1  %2 m ± 0.019 m").arg(n).arg(4.911 + n), QString(), n == targets});
+            panel->showTargets(lines);
+            panel->showMeasures(measures);
+            for (int width = 200; width < 420; width += 3) {
+                Resizes resizes;
+                for (auto* list : panel->findChildren<QListWidget*>()) list->viewport()->installEventFilter(&resizes);
+                area.resize(width, 300 + width % 7 * 60);
+                for (int round = 0; round < 5; ++round) QCoreApplication::processEvents();
+                QVERIFY2(resizes.count < 40, qPrintable(QString("%1 targets, %2 px: %3").arg(targets).arg(width).arg(resizes.count)));
+            }
         }
     }
 

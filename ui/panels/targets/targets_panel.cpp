@@ -3,11 +3,11 @@
 
 #include "ui/panels/targets/target_card.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -17,8 +17,10 @@ namespace {
 
 constexpr int kMostLines = 5; // of a list before it scrolls
 
-// As high as its lines, so that the panel has one scroll bar instead of three.
+// As high as its lines, so that the panel has one scroll bar instead of three. Its own bar follows from the number of lines alone: a bar
+// that comes with the height changes the width, the width the wrapped lines, and these the height, without end.
 void fitHeight(QListWidget& list) {
+    list.setVerticalScrollBarPolicy(list.count() > kMostLines ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
     int high = list.count() > 0 ? 0 : list.fontMetrics().height();
     for (int n = 0; n < std::min(list.count(), kMostLines); ++n) high += list.visualItemRect(list.item(n)).height();
     list.setFixedHeight(high + 2 * list.frameWidth() + 2);
@@ -95,7 +97,8 @@ void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const
 
 /// Another width has other lines.
 bool TargetsPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize) {
+    if (event->type() == QEvent::Resize &&
+        static_cast<QResizeEvent*>(event)->size().width() != static_cast<QResizeEvent*>(event)->oldSize().width()) {
         for (QListWidget* list : {targets_, measures_}) {
             if (watched == list->viewport())
                 QMetaObject::invokeMethod(
