@@ -646,8 +646,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>Pin %1</source><translation>Fijar %1</translation></message>
-<message><source>Move %1</source><translation>Mover %1</translation></message>
-<message><source>Target %1 moved to this rock. To set the next one, name or lock it first.</source><translation>El objetivo %1 pasó a esta roca. Para poner el siguiente, nómbrelo o bloquéelo antes.</translation></message>
 <message><source>Remove %1</source><translation>Quitar %1</translation></message>
 <message><source>Remove All</source><translation>Quitar todos</translation></message>
 <message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>

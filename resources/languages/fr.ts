@@ -646,8 +646,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Pin %1</source><translation>Épingler %1</translation></message>
-<message><source>Move %1</source><translation>Déplacer %1</translation></message>
-<message><source>Target %1 moved to this rock. To set the next one, name or lock it first.</source><translation>La cible %1 est passée sur ce bloc. Pour placer la suivante, nommez-la ou verrouillez-la d'abord.</translation></message>
 <message><source>Remove %1</source><translation>Supprimer %1</translation></message>
 <message><source>Remove All</source><translation>Tout supprimer</translation></message>
 <message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>

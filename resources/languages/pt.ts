@@ -646,8 +646,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>Pin %1</source><translation>Fixar %1</translation></message>
-<message><source>Move %1</source><translation>Mover %1</translation></message>
-<message><source>Target %1 moved to this rock. To set the next one, name or lock it first.</source><translation>O alvo %1 passou para esta rocha. Para pôr o seguinte, dê-lhe um nome ou bloqueie-o antes.</translation></message>
 <message><source>Remove %1</source><translation>Remover %1</translation></message>
 <message><source>Remove All</source><translation>Remover todos</translation></message>
 <message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>

@@ -29,6 +29,7 @@
 #include <QToolButton>
 
 #include <csignal>
+#include <memory>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -373,7 +374,8 @@ private slots:
                    file.setFileTime(QDateTime::currentDateTime().addSecs(-secondsAgo), QFileDevice::FileModificationTime);
         };
         QVERIFY(write("running-999999-0", 3600));
-        WindowFixture on(inFolder("later/viewer.ini"));
+        auto first = std::make_unique<WindowFixture>(inFolder("later/viewer.ini"));
+        WindowFixture& on = *first;
         QVERIFY(on.window.sessions().toGoOn().contains("running-999999-0"));
         QVERIFY(write("last", 60));
         QVERIFY(on.window.sessions().toGoOn().contains("/last"));
@@ -382,6 +384,12 @@ private slots:
         on.window.sessions().offerToContinue();
         const QString at = QDateTime::currentDateTime().addSecs(-3600).toString("yyyy-MM-dd HH:mm");
         QVERIFY2(on.viewer.notice.text().contains(at), qPrintable(on.viewer.notice.text()));
+        // A viewer that is closed has offered it. The next one does not offer it again, and Go On still finds it.
+        first.reset();
+        WindowFixture next(inFolder("later/viewer.ini"));
+        next.window.sessions().offerToContinue();
+        QVERIFY(!next.viewer.notice.isVisible());
+        QVERIFY(next.window.sessions().toGoOn().contains("crashed-999999-0"));
     }
 
     // A process that was just killed holds its session for a moment.

@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kMostLeftBehind = 3; // older ones are deleted
 const char* const kRunningStart = "running-";
+const char* const kOfferedStart = "crashed-"; // after a crash, offered at a later start
 
 QString lockOf(const QString& path) { return path + ".lock"; }
 
@@ -51,12 +53,21 @@ bool Autosaves::isRunning(const QString& path) const {
 QStringList Autosaves::afterCrash() const {
     QStringList left;
     if (folder_.isEmpty()) return left;
-    for (const QFileInfo& file :
-         QDir(folder_).entryInfoList({QString(kRunningStart) + "*" + inspect::kSessionEnding}, QDir::Files, QDir::Time)) {
+    for (const QFileInfo& file : QDir(folder_).entryInfoList(
+             {QString(kRunningStart) + "*" + inspect::kSessionEnding, QString(kOfferedStart) + "*" + inspect::kSessionEnding}, QDir::Files,
+             QDir::Time)) {
         const QString path = file.absoluteFilePath();
         if (!takenUp_.contains(path) && !isRunning(path)) left << path;
     }
     return left;
+}
+
+QString Autosaves::toOffer() {
+    const QStringList left = afterCrash();
+    const auto isNew = [](const QString& path) { return QFileInfo(path).fileName().startsWith(kRunningStart); };
+    const auto found = std::ranges::find_if(left, isNew);
+    offered_ = found == left.end() ? QString() : *found;
+    return offered_;
 }
 
 QString Autosaves::last() const {
@@ -65,12 +76,12 @@ QString Autosaves::last() const {
 }
 
 void Autosaves::markContinued(const QString& path) {
-    if (path != own_ && QFileInfo(path).fileName().startsWith(kRunningStart) &&
-        QFileInfo(path).absolutePath() == QFileInfo(folder_).absoluteFilePath())
-        takenUp_ << path;
+    if (afterCrash().contains(QFileInfo(path).absoluteFilePath())) takenUp_ << QFileInfo(path).absoluteFilePath();
 }
 
 void Autosaves::end() {
+    if (!offered_.isEmpty() && !takenUp_.contains(offered_))
+        QFile::rename(offered_, QFileInfo(offered_).path() + "/" + QFileInfo(offered_).fileName().replace(kRunningStart, kOfferedStart));
     if (own_.isEmpty() || !QFile::exists(own_)) return;
     const QString last = folder_ + "/last" + inspect::kSessionEnding;
     // Another window may end at the same time: the last one's session stays. Without a move, the next start offers this one.

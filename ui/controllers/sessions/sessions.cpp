@@ -326,11 +326,11 @@ void Sessions::continueLast() {
 }
 
 void Sessions::offerToContinue() {
-    const QStringList left = autosaves_.afterCrash();
+    const QString left = autosaves_.toOffer();
     if (left.isEmpty()) return;
     notice_.showNotice(NoticeBar::Kind::Warning, tr("EdgeScan ended without being closed. What was on the screen at %1 is stored.")
-                                                     .arg(QFileInfo(left.front()).lastModified().toString("yyyy-MM-dd HH:mm")));
-    notice_.offer(tr("Go on where I was"), [this, path = left.front()] { openSession(path); });
+                                                     .arg(QFileInfo(left).lastModified().toString("yyyy-MM-dd HH:mm")));
+    notice_.offer(tr("Go on where I was"), [this, path = left] { openSession(path); });
 }
 
 std::string Sessions::textFor(const QString& folder) const {

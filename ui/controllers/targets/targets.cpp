@@ -100,7 +100,6 @@ void Targets::followPicture() {
     if (key != key_) {
         if (!key_.isEmpty()) others_[key_] = std::move(notebook_);
         key_ = key;
-        rockPin_ = 0;
         notebook_ = {};
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
@@ -134,8 +133,6 @@ void Targets::pin(std::size_t cell) {
         return emit pinned();
     const auto& click = views_.pinningClick();
     const auto clicked = click && click->moved() ? std::optional(click->clicked) : std::nullopt;
-    const bool onRock = click && rocks_.shown() && rocks_.picture() && rocks_.picture()->rockAt(cell) != nullptr;
-    if (onRock && moveRockPin(cell, clicked)) return emit pinned();
     if (notebook_.targets.size() >= inspect::kMostTargets) {
         notice_.showNotice(NoticeBar::Kind::Warning,
                            tr("This cell was not pinned: there are %1 targets, remove some first.").arg(inspect::kMostTargets));
@@ -148,30 +145,8 @@ void Targets::pin(std::size_t cell) {
     target.clicked = clicked;
     target.pinnedUtc = utcText(utcNow());
     after.targets.push_back(target);
-    if (onRock) {
-        rockPin_ = target.number;
-        rockMoves_ = nextDrag();
-    }
     change(stepName("Pin %1", target.number), std::move(after));
     emit pinned();
-}
-
-/// Clicking through the rocks does not leave a target on each: the last target that a click set on a rock moves with the clicks, until it
-/// is locked or named. Its moves are one step of undo.
-bool Targets::moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked) {
-    inspect::Notebook after = notebook_;
-    inspect::PinnedTarget* target = numbered(after, rockPin_);
-    if (target == nullptr || target->locked || !target->name.empty()) return false;
-    target->cell = static_cast<std::uint32_t>(cell);
-    target->clicked = clicked;
-    target->pinnedUtc = utcText(utcNow());
-    target->asPinned.clear();
-    const QString name = stepName("Move %1", target->number);
-    undo_.push(new UndoStep<inspect::Notebook>(
-        rockMoves_, [name](const inspect::Notebook&, const inspect::Notebook&) { return name; }, notebook_, std::move(after), useHere()));
-    if (!std::exchange(saidThatItMoves_, true))
-        notice_.showHint(tr("Target %1 moved to this rock. To set the next one, name or lock it first.").arg(rockPin_));
-    return true;
 }
 
 void Targets::remove(int number) {
@@ -210,10 +185,7 @@ void Targets::askName(const inspect::MeantCell& click) {
     if (auto* field = dialog.findChild<QLineEdit*>()) field->setMaxLength(panel_.card().name()->maxLength());
     if (dialog.exec() != QDialog::Accepted) return;
     const QString name = dialog.textValue().simplified();
-    if (onRockAt(cell) == nullptr && !name.isEmpty()) {
-        rockPin_ = 0; // a new target: the last one stays on its rock
-        views_.pinByClick(cell == click.cell ? click : inspect::exactly(cell));
-    }
+    if (onRockAt(cell) == nullptr && !name.isEmpty()) views_.pinByClick(cell == click.cell ? click : inspect::exactly(cell));
     if (const inspect::PinnedTarget* named = onRockAt(cell)) rename(named->number, name);
 }
 

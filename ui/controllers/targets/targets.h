@@ -120,7 +120,6 @@ private:
     void showCard();
     void keepConfidence();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
-    [[nodiscard]] bool moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked);
     [[nodiscard]] const inspect::PinnedTarget* onRockAt(std::size_t cell) const;
     [[nodiscard]] std::function<bool(const inspect::Notebook&)> useHere();
     [[nodiscard]] inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number) const;
@@ -139,9 +138,6 @@ private:
     TargetStore store_;
     QString key_; // of the scan of the notebook
     inspect::Notebook notebook_;
-    int rockPin_ = 0;   // number of the target that follows clicks on rocks; 0: none
-    int rockMoves_ = 0; // the undo step of its moves
-    bool saidThatItMoves_ = false;
     std::map<QString, inspect::Notebook> others_; // of scans that were on the screen earlier
     std::vector<TargetMark> beside_;
     MeasureMark draft_;
