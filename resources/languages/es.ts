@@ -53,7 +53,7 @@
 <message><source>Telegrams were lost: line </source><translation>Se perdió un telegrama: línea </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Hubo telegramas con menos haces que el barrido, los demás se perdieron: </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.</source><translation>Los telegramas llevan cuentas del codificador, pero no se indicó cuántas hay por grado: no se usan.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Los telegramas llevan cuentas del codificador, pero no se indicó cuántas hay por grado: no se usan.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>El escáner perdió la cuenta del codificador al reiniciarse: los ángulos de las líneas siguientes se calculan.</translation></message>
 <message><source> (from line %1 on).</source><translation> (desde la línea %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>

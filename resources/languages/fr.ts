@@ -53,7 +53,7 @@
 <message><source>Telegrams were lost: line </source><translation>Un télégramme a été perdu : ligne </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.</source><translation>Les télégrammes portent des impulsions d'encodeur, mais le nombre d'impulsions par degré n'a pas été donné : elles ne sont pas utilisées.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Les télégrammes portent des impulsions d'encodeur, mais le nombre d'impulsions par degré n'a pas été donné : elles ne sont pas utilisées.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>Le scanner a perdu le compte de l'encodeur au redémarrage : les angles des lignes suivantes sont calculés.</translation></message>
 <message><source> (from line %1 on).</source><translation> (à partir de la ligne %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>

@@ -53,7 +53,7 @@
 <message><source>Telegrams were lost: line </source><translation>Perdeu-se um telegrama: linha </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Houve telegramas com menos feixes que a varredura, os outros perderam-se: </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.</source><translation>Os telegramas trazem contagens do encoder, mas não se indicou quantas há por grau: não são usadas.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Os telegramas trazem contagens do encoder, mas não se indicou quantas há por grau: não são usadas.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>O scanner perdeu a contagem do encoder ao reiniciar: os ângulos das linhas seguintes são calculados.</translation></message>
 <message><source> (from line %1 on).</source><translation> (a partir da linha %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>

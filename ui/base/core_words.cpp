@@ -78,7 +78,7 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "Telegrams had fewer beams than the sweep, the others are lost: "),
     QT_TRANSLATE_NOOP("QObject", "The line angles are computed from time alone: a change of speed bends the cloud."),
     QT_TRANSLATE_NOOP("QObject",
-                      "The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used."),
+                      "The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them."),
     QT_TRANSLATE_NOOP("QObject", "The scanner lost its encoder count when it restarted: the line angles after that are computed."),
     QT_TRANSLATE_NOOP("QObject", " (from line %1 on)."),
     QT_TRANSLATE_NOOP("QObject", "How a motor turned the scanner was not said. ASSUMED: "),

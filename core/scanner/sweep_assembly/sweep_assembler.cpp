@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace edgescan::scanner {
@@ -139,6 +140,7 @@ void SweepAssembler::followEncoder(SweepLine& line, std::int64_t lost, bool rest
     const std::uint32_t position = *line.encoderPosition;
     if (!settings_.ticksPerDeg) {
         encoderWithoutScale_ = true;
+        if (encoderLeapsBack(position, lost, restarted)) finishSweep();
         return;
     }
     const auto differenceFrom = [&](std::uint32_t from) { return static_cast<std::int64_t>(static_cast<std::int32_t>(position - from)); };
@@ -157,6 +159,19 @@ void SweepAssembler::followEncoder(SweepLine& line, std::int64_t lost, bool rest
     }
     encoderAt_ = position;
     line.facts.encoder = encoderCount_;
+}
+
+/// True where the stepper was taken back to the start: the next line belongs to another sweep. Of an encoder whose scale is not known, only
+/// its direction and the size of its usual step count. A turn in small steps is not a leap.
+bool SweepAssembler::encoderLeapsBack(std::uint32_t position, std::int64_t lost, bool restarted) {
+    constexpr std::int64_t kLeap = 8; // usual steps
+    const auto from = std::exchange(encoderAt_, position);
+    if (!from || restarted) return false;
+    const auto moved = static_cast<std::int64_t>(static_cast<std::int32_t>(position - *from));
+    const std::int64_t usual = encoderStep_;
+    if (usual != 0 && moved * usual < 0 && std::abs(moved) > kLeap * std::abs(usual) * (lost + 1)) return true;
+    encoderStep_ = moved / (lost + 1);
+    return false;
 }
 
 void SweepAssembler::take(SweepLine line, std::int64_t lost) {

@@ -92,6 +92,7 @@ private:
     void finishSweep();
     void splitAtReversal();
     void followEncoder(SweepLine& line, std::int64_t lost, bool restarted);
+    [[nodiscard]] bool encoderLeapsBack(std::uint32_t position, std::int64_t lost, bool restarted);
     [[nodiscard]] std::int64_t lostInRestart(const SweepLine& line) const;
     void describe(Scan& scan);
     [[nodiscard]] TelegramAccount account() const;
@@ -108,7 +109,7 @@ private:
     std::optional<LineTiming> last_; // of the newest line
     double restartSeconds_ = 0.0;    // added to the device clock since its last restart
     std::optional<std::uint32_t> encoderAt_;
-    std::int64_t encoderCount_ = 0;
+    std::int64_t encoderCount_ = 0, encoderStep_ = 0; // step: counts to the newest line, of an encoder without a scale
     bool encoderWithoutScale_ = false, encoderWasReset_ = false;
     DeviceFlags device_;
 

@@ -175,7 +175,7 @@ void SweepAssembler::describe(Scan& scan) {
     if (!now.assumed.empty()) warn(now.assumed);
     if (angles.source == AngleSource::Time) warn("The line angles are computed from time alone: a change of speed bends the cloud.");
     if (encoderWithoutScale_)
-        warn("The telegrams carry encoder counts, but the number of counts per degree was not given: they are not used.");
+        warn("The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.");
     if (encoderWasReset_) warn("The scanner lost its encoder count when it restarted: the line angles after that are computed.");
     const DeviceFlags& ever = now.deviceEver;
     const std::string from = " (from line " + std::to_string(std::max(0, sweep_->firstFlagged())) + " on).";

@@ -72,6 +72,24 @@ TEST(Sweep, EveryFiftiethABurstAndTheLastHundredAreReported) {
     EXPECT_TRUE(warns(*assembler.snapshot(), "49, 99, 149, 199, 210 to 239"));
 }
 
+// A connection in the middle of a sweep: the stepper goes back to its start, and the lines after it are another sweep, not the same wall
+// twice. The encoder has no scale, so its leap alone says it.
+TEST(Sweep, AnEncoderThatLeapsBackBeginsANewSweep) {
+    SweepSettings settings;
+    settings.expectedLines = 60;
+    SweepAssembler assembler(settings);
+    for (int n = 0; n < 80; ++n) {
+        ScanTelegram telegram = telegramOfLine(n, {});
+        telegram.encoders = {{static_cast<std::uint32_t>(4'294'967'000U + static_cast<unsigned>((n < 25 ? n + 35 : n - 25) * 77)), 0}};
+        pushTelegram(assembler, telegram, hostNsOfLine(n));
+    }
+    auto finished = assembler.takeFinished();
+    ASSERT_EQ(finished.size(), 1U);
+    EXPECT_EQ(finished[0].progress.text(), "INCOMPLETE 25/60 lines");
+    EXPECT_EQ(assembler.progress().lines, 55);
+    EXPECT_TRUE(rowHolds(*assembler.snapshot(), 0, 25));
+}
+
 TEST(Sweep, CountersWrapWithoutFalseGaps) {
     for (const LineStyle style : {LineStyle{.beams = 11, .firstTelegram = 65400, .firstScan = 65500},
                                   LineStyle{.beams = 11, .firstTelegram = 65535, .firstUs = 4'294'000'000U}}) {
