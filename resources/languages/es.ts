@@ -53,7 +53,7 @@
 <message><source>Telegrams were lost: line </source><translation>Se perdió un telegrama: línea </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Hubo telegramas con menos haces que el barrido, los demás se perdieron: </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Los ángulos de las líneas se calculan solo con el tiempo: un cambio de velocidad curva la nube.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Los telegramas llevan cuentas del codificador, pero no se indicó cuántas hay por grado: no se usan.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Los telegramas llevan cuentas del codificador, pero no se indicó cuántas hay por grado: los ángulos no las siguen.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>El escáner perdió la cuenta del codificador al reiniciarse: los ángulos de las líneas siguientes se calculan.</translation></message>
 <message><source> (from line %1 on).</source><translation> (desde la línea %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>
@@ -657,7 +657,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Esto no se guardó: hay %1 mediciones, primero quite algunas.</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
-<message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
@@ -1785,7 +1784,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>No range of its own: the gap was filled on request, and its cells take part like measured ones.</source><translation>Sin distancia propia: el hueco se rellenó a petición, y sus celdas cuentan como las medidas.</translation></message>
 <message><source>The edge of a cell without a range next to it goes round by this one.</source><translation>El borde de una celda vecina sin distancia pasa por esta.</translation></message>
 <message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Aquí no se sabe nada: junto a datos que faltan no se mide ni escalón ni pliegue.</translation></message>
-<message><source>Mixed pixel: taken at %1 m, on the closer of two surfaces.</source><translation>Píxel mixto: tomado a %1 m, en la más cercana de dos superficies.</translation></message>
+<message><source>Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.</source><translation>Píxel mixto: su distancia está entre dos superficies. Para los bordes cuenta como %1 m, la más próxima a su distancia.</translation></message>
 <message><source>Together with the other way %1.</source><translation>Junto con la otra dirección: %1.</translation></message>
 <message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Ruido de distancia usado: sigma %1 mm aquí, %2 mm a 5 m.</translation></message>
 <message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Los vecinos yerran igual, así que para los pliegues cuenta como %1 mm aquí.</translation></message>
@@ -1806,6 +1805,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
+<message><source>at %1 m</source><translation>a %1 m</translation></message>
+<message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
+<message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>
+<message><source>jumps that are part of it: %1</source><translation>saltos incluidos: %1</translation></message>
+<message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ un extremo está %1 m detrás de la superficie vecina</translation></message>
+<message><source>between its ends the surface is up to %1 m farther away</source><translation>entre sus extremos la superficie está hasta %1 m más lejos</translation></message>
+<message><source>no pose: up is the scanner's z</source><translation>sin pose: arriba es el eje z del escáner</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
 <message><source>Angle</source><translation>Ángulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensiones a × b</translation></message>

@@ -53,7 +53,7 @@
 <message><source>Telegrams were lost: line </source><translation>Un télégramme a été perdu : ligne </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Des télégrammes avaient moins de faisceaux que le balayage, les autres sont perdus : </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Les angles des lignes sont calculés d'après le temps seul : un changement de vitesse courbe le nuage.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Les télégrammes portent des impulsions d'encodeur, mais le nombre d'impulsions par degré n'a pas été donné : elles ne sont pas utilisées.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Les télégrammes portent des impulsions d'encodeur, mais le nombre d'impulsions par degré n'a pas été donné : les angles ne les suivent pas.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>Le scanner a perdu le compte de l'encodeur au redémarrage : les angles des lignes suivantes sont calculés.</translation></message>
 <message><source> (from line %1 on).</source><translation> (à partir de la ligne %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>
@@ -657,7 +657,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été enregistré : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
-<message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
@@ -1785,7 +1784,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>No range of its own: the gap was filled on request, and its cells take part like measured ones.</source><translation>Pas de distance propre : le vide a été comblé à votre demande, et ses cellules comptent comme des cellules mesurées.</translation></message>
 <message><source>The edge of a cell without a range next to it goes round by this one.</source><translation>L'arête d'une cellule voisine sans distance passe par celle-ci.</translation></message>
 <message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Rien n'est connu ici : ni marche ni pli ne se mesurent à côté de données manquantes.</translation></message>
-<message><source>Mixed pixel: taken at %1 m, on the closer of two surfaces.</source><translation>Pixel mixte : pris à %1 m, sur la plus proche de deux surfaces.</translation></message>
+<message><source>Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.</source><translation>Pixel mixte : sa distance est entre deux surfaces. Pour les arêtes elle compte pour %1 m, la plus proche de sa distance.</translation></message>
 <message><source>Together with the other way %1.</source><translation>Avec l'autre direction : %1.</translation></message>
 <message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Bruit de distance retenu : sigma %1 mm ici, %2 mm à 5 m.</translation></message>
 <message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Les voisins se trompent ensemble ; pour les plis, il compte donc pour %1 mm ici.</translation></message>
@@ -1806,6 +1805,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
+<message><source>at %1 m</source><translation>à %1 m</translation></message>
+<message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
+<message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>
+<message><source>jumps that are part of it: %1</source><translation>sauts compris : %1</translation></message>
+<message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ une extrémité est %1 m derrière la surface voisine</translation></message>
+<message><source>between its ends the surface is up to %1 m farther away</source><translation>entre ses extrémités la surface est jusqu'à %1 m plus loin</translation></message>
+<message><source>no pose: up is the scanner's z</source><translation>pas de pose : le haut est l'axe z du scanner</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
 <message><source>Angle</source><translation>Angle</translation></message>
 <message><source>Spans a × b</source><translation>Étendues a × b</translation></message>

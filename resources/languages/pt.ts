@@ -53,7 +53,7 @@
 <message><source>Telegrams were lost: line </source><translation>Perdeu-se um telegrama: linha </translation></message>
 <message><source>Telegrams had fewer beams than the sweep, the others are lost: </source><translation>Houve telegramas com menos feixes que a varredura, os outros perderam-se: </translation></message>
 <message><source>The line angles are computed from time alone: a change of speed bends the cloud.</source><translation>Os ângulos das linhas são calculados só pelo tempo: uma mudança de velocidade curva a nuvem.</translation></message>
-<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Os telegramas trazem contagens do encoder, mas não se indicou quantas há por grau: não são usadas.</translation></message>
+<message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Os telegramas trazem contagens do encoder, mas não se indicou quantas há por grau: os ângulos não as seguem.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>O scanner perdeu a contagem do encoder ao reiniciar: os ângulos das linhas seguintes são calculados.</translation></message>
 <message><source> (from line %1 on).</source><translation> (a partir da linha %1).</translation></message>
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>
@@ -657,7 +657,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Isto não foi guardado: há %1 medições, primeiro remova algumas.</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
-<message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
@@ -1785,7 +1784,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>No range of its own: the gap was filled on request, and its cells take part like measured ones.</source><translation>Sem distância própria: a falha foi preenchida a pedido, e as suas células contam como as medidas.</translation></message>
 <message><source>The edge of a cell without a range next to it goes round by this one.</source><translation>A borda de uma célula vizinha sem distância passa por esta.</translation></message>
 <message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Nada se sabe aqui: junto a dados em falta não se mede degrau nem dobra.</translation></message>
-<message><source>Mixed pixel: taken at %1 m, on the closer of two surfaces.</source><translation>Pixel misto: tomado a %1 m, na mais próxima de duas superfícies.</translation></message>
+<message><source>Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.</source><translation>Pixel misto: a sua distância está entre duas superfícies. Para as arestas conta como %1 m, a mais próxima da sua distância.</translation></message>
 <message><source>Together with the other way %1.</source><translation>Com a outra direção: %1.</translation></message>
 <message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Ruído de distância usado: sigma %1 mm aqui, %2 mm a 5 m.</translation></message>
 <message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Os vizinhos erram juntos, por isso para as dobras conta como %1 mm aqui.</translation></message>
@@ -1806,6 +1805,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, gray %1</source><translation>, cinza %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
+<message><source>at %1 m</source><translation>a %1 m</translation></message>
+<message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
+<message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>
+<message><source>jumps that are part of it: %1</source><translation>saltos incluídos: %1</translation></message>
+<message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ uma extremidade está %1 m atrás da superfície vizinha</translation></message>
+<message><source>between its ends the surface is up to %1 m farther away</source><translation>entre as extremidades a superfície fica até %1 m mais longe</translation></message>
+<message><source>no pose: up is the scanner's z</source><translation>sem pose: para cima é o eixo z do scanner</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>
 <message><source>Spans a × b</source><translation>Extensões a × b</translation></message>

@@ -136,6 +136,36 @@ private slots:
         QCOMPARE(window_->viewer().explanation.card()->cell(), QString("Cell: line 100, beam 20 (under the pointer)"));
     }
 
+    // Edges are drawn wider than a cell: Why means the edge that is drawn under the pointer, and the very cell once zoomed in.
+    void whyMeansTheEdgeDrawnUnderThePointer() {
+        ImageView& gray = window_->viewer().views.gray();
+        const Grid<std::uint8_t>& mask = *on_->picture().detection->mask;
+        const auto isBare = [&](int line, int beam) { return mask.contains(line, beam) && mask.at(line, beam) == 0; };
+        const auto edges = *on_->picture().detection->edges;
+        const auto found = std::ranges::find_if(edges, [&](std::uint32_t k) {
+            return isBare(static_cast<int>(k) / 160, static_cast<int>(k) % 160 + 1) && static_cast<int>(k) % 160 > 20;
+        });
+        QVERIFY(found != edges.end());
+        const int line = static_cast<int>(*found) / 160, beam = static_cast<int>(*found) % 160 + 1;
+        const auto subject = [&] {
+            move(gray, pixelOf(gray, line, beam));
+            QTest::keyClick(window_, Qt::Key_W);
+            const WhyCard* card = window_->viewer().explanation.card();
+            return card == nullptr ? QString() : card->cell();
+        };
+        QVERIFY(on_->activate());
+        gray.viewPort()->fit();
+        if (gray.viewPort()->cellSize().width() > 1.0)
+            gray.viewPort()->zoomAt(QPointF(beam, line), 1.0 / gray.viewPort()->cellSize().width());
+        QVERIFY2(subject().endsWith("(the nearest edge)"), qPrintable(subject()));
+        gray.viewPort()->zoomAt(QPointF(beam, line), 20.0 / gray.viewPort()->cellSize().width());
+        QCOMPARE(subject(), QString("Cell: line %1, beam %2 (under the pointer)").arg(line).arg(beam));
+        // While the card is open, a click asks about its cell.
+        QTest::mouseClick(&gray, Qt::LeftButton, Qt::ShiftModifier, pixelOf(gray, line, beam + 1));
+        QVERIFY2(window_->viewer().explanation.card()->cell().contains(QString("beam %1").arg(beam + 1)),
+                 qPrintable(window_->viewer().explanation.card()->cell()));
+    }
+
     void theMenuOfACellIsTheSameInEveryView() {
         CloudView& cloud = window_->viewer().views.cloud();
         std::uint32_t cell = 0;

@@ -348,6 +348,8 @@ QString withoutKeys(QString text) {
 
 } // namespace
 
+std::string inLanguage(const char* text) { return exactBytes(QObject::tr(text)); }
+
 QString coreWords(const std::string& text) { return wordsOf(shownText(text)); }
 
 QString cellStateText(CellState state) {

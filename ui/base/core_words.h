@@ -10,6 +10,9 @@
 
 namespace edgescan::ui {
 
+/// For the texts of the core that take their language: a Translated.
+[[nodiscard]] std::string inLanguage(const char* text);
+
 /// A short text of a live scanner, such as "LOST 12 s" or "no return 4.2 %", in the language of the window.
 [[nodiscard]] QString coreWords(const std::string& text);
 

@@ -2,6 +2,7 @@
 #include "ui/controllers/explanation.h"
 
 #include "core/edges/explain/why.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/dialogs/why_card.h"
@@ -17,9 +18,8 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kSearchCells = 6; // cells
-
-std::string inLanguage(const char* text) { return exactBytes(QObject::tr(text)); }
+constexpr int kSearchCells = 6;  // cells
+constexpr double kDrawnPx = 2.5; // a drawn edge covers the pointer up to here
 
 /// The direction of the profile: that of the strongest step or fold; for other methods the direction in which the range changes more.
 edges::EdgeProfile profileOf(const edges::Detection& detection, const edges::Why& why) {
@@ -73,6 +73,9 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               notice_.showNotice(NoticeBar::Kind::Warning, sentence);
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
+    connect(&views, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
+        if (card_ != nullptr && card_->isVisible()) explain(click, Subject::Click);
+    });
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
         menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, click] { explain(click, Subject::Click); });
     });
@@ -88,6 +91,10 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
             if (nearestEdge_) explain(inspect::exactly(*nearestEdge_), Subject::NearestEdge);
         });
     }
+    // Edges are drawn wider than a cell: a pointer on one of them means it, whatever cell is under its tip. Zoomed in, it does not.
+    const auto edge = subject == Subject::NearestEdge ? std::nullopt : nearestEdge(*picture->detection, click.cell);
+    const auto apart = edge ? views_.pixelsBetween(click.cell, *edge) : std::nullopt;
+    if (apart && *apart <= kDrawnPx) return explain(inspect::exactly(*edge), Subject::NearestEdge);
     const Question question{picture, click, subject};
     card_->offerNearestEdge(0);
     card_->showCell(subjectText(question));

@@ -1,6 +1,7 @@
 // Explains why a cell is an edge, or why it is not.
 #pragma once
 
+#include "core/base/translated_text.h"
 #include "core/edges/explain/cell_values.h"
 #include "core/edges/pipeline/detection.h"
 #include "core/edges/pipeline/judgement.h"
@@ -33,9 +34,6 @@ struct Why : Judgement {
 
 /// The names of parameters: the flags of the command line, or the labels of the sliders.
 enum class Naming : std::uint8_t { Keys, Labels };
-/// A text in another language; asWritten() is English.
-using Translated = std::string (*)(const char* text);
-[[nodiscard]] std::string asWritten(const char* text);
 [[nodiscard]] std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated = asWritten);
 
 /// Several lines for the window: the measurements and their limits.

@@ -62,17 +62,7 @@ private:
 };
 
 std::string WhyWords::say(const char* pattern, std::initializer_list<std::string> values) const {
-    const std::string words = translated_(pattern);
-    std::string text;
-    for (std::size_t at = 0; at < words.size(); ++at) {
-        const char next = at + 1 < words.size() ? words[at + 1] : ' ';
-        const bool isPlace = words[at] == '%' && next >= '1' && next <= '9' && static_cast<std::size_t>(next - '1') < values.size();
-        if (isPlace)
-            text += values.begin()[next - '1'], ++at;
-        else
-            text += words[at];
-    }
-    return text;
+    return withValues(translated_(pattern), values);
 }
 
 std::string WhyWords::kindName(DepthEdge kind) const {
@@ -219,7 +209,7 @@ std::string WhyWords::supportText() const {
     if (why_.movedFromGap) text += "\n" + say("The edge of a cell without a range next to it goes round by this one.");
     if (depth.support == Support::Void) text += "\n" + say("Nothing is known here: no step and no fold is measured next to missing data.");
     if (depth.snappedMm)
-        text += "\n" + say("Mixed pixel: taken at %1 m, on the closer of two surfaces.", {number(*depth.snappedMm / 1000)});
+        text += "\n" + say("Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.", {number(*depth.snappedMm / 1000)});
     return text;
 }
 
@@ -290,8 +280,6 @@ std::string WhyWords::numbers() const {
 }
 
 } // namespace
-
-std::string asWritten(const char* text) { return text; }
 
 std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated) {
     return WhyWords(why, settings, naming, translated).verdict();

@@ -67,11 +67,9 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
     std::string cells;
     for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
     const auto measured = inspect::measureCells(*detection.scan, noise, measure.kind, measure.cells, measure.shares);
-    const bool narrowest = measure.kind == inspect::MeasureKind::Throat;
     return "<tr><td>" + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
            (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
-           (measured ? (narrowest ? "narrowest way near the two clicks; " : "") + htmlText(inspect::measureBasis(*measured)) : "") +
-           "</td><td>" + cells + "</td></tr>\n";
+           (measured ? htmlText(inspect::measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
 }
 
 /// Where they are: their numbers on the gray levels.

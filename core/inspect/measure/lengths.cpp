@@ -233,19 +233,22 @@ std::string measureText(const MeasuredCells& measured) {
     return text;
 }
 
-std::string measureBasis(const MeasuredCells& measured) {
-    std::string text = "at";
-    for (std::size_t n = 0; n < measured.rangesM.size(); ++n) {
-        const char* between = n == 0 ? " " : n + 1 == measured.rangesM.size() ? " and " : ", ";
-        text += between + fixedText(measured.rangesM[n], 2);
-    }
-    text += " m";
-    if (measured.angleIsBelow) text += "; a side is below what is resolved there";
-    if (measured.leaps > 0)
-        text += "; " + std::to_string(measured.leaps) + (measured.leaps > 1 ? " jumps are" : " jump is") + " part of it";
-    if (measured.behindM > 0.0) text += "; ▲ an end is " + fixedText(measured.behindM, 2) + " m behind the surface under the line";
-    if (measured.inFrontM > 0.0) text += "; an end is " + fixedText(measured.inFrontM, 2) + " m in front of the surface under the line";
-    if (measured.upAssumed) text += "; no pose: up is the scanner's z";
+std::string measureBasis(const MeasuredCells& measured, Translated translated) {
+    const auto say = [&](const char* pattern, std::initializer_list<std::string> values = {}) {
+        return withValues(translated(pattern), values);
+    };
+    std::string ranges;
+    for (std::size_t n = 0; n < measured.rangesM.size(); ++n) ranges += (n == 0 ? "" : ", ") + fixedText(measured.rangesM[n], 2);
+    std::vector<std::string> parts{say("at %1 m", {ranges})};
+    if (measured.kind == MeasureKind::Throat) parts.insert(parts.begin(), say("narrowest way near the two clicks"));
+    if (measured.angleIsBelow) parts.push_back(say("a side is below what is resolved there"));
+    if (measured.leaps > 0) parts.push_back(say("jumps that are part of it: %1", {std::to_string(measured.leaps)}));
+    if (measured.behindM > 0.0) parts.push_back(say("▲ an end is %1 m behind the surface next to it", {fixedText(measured.behindM, 2)}));
+    if (measured.inFrontM > 0.0)
+        parts.push_back(say("between its ends the surface is up to %1 m farther away", {fixedText(measured.inFrontM, 2)}));
+    if (measured.upAssumed) parts.push_back(say("no pose: up is the scanner's z"));
+    std::string text;
+    for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
     return text;
 }
 

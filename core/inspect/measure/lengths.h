@@ -1,6 +1,7 @@
 // Lengths and angles between picked cells, with their uncertainty (docs/guide/measure.md, "How well it is known").
 #pragma once
 
+#include "core/base/translated_text.h"
 #include "core/inspect/measure/cell_target.h"
 
 #include <array>
@@ -81,7 +82,7 @@ struct SurfacePoint {
 [[nodiscard]] std::string lengthText(const MeasuredLength& length);
 /// All values: "0.512 m ± 0.034", "0.51 × < 0.09 m", "148.2° ± 2.1".
 [[nodiscard]] std::string measureText(const MeasuredCells& measured);
-/// The ranges: "at 5.21 and 5.30 m"; also says if up is assumed.
-[[nodiscard]] std::string measureBasis(const MeasuredCells& measured);
+/// The ranges ("at 5.21, 5.30 m"), and what a reader must know of the ends and of the way between them.
+[[nodiscard]] std::string measureBasis(const MeasuredCells& measured, Translated translated = asWritten);
 
 } // namespace edgescan::inspect

@@ -1,5 +1,6 @@
 // Shows the targets in panel and views.
 #include "core/scan/grid/assumed_mounting.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/rocks/rocks.h"
@@ -38,7 +39,6 @@ bool isDoubtful(const Scan& scan, const inspect::StoredMeasure& measure) {
 QString movedText(const inspect::StoredMeasure& measure) {
     int moved = 0;
     for (std::size_t n = 0; n < measure.clicked.size(); ++n) moved += measure.clicked[n] != measure.cells[n] ? 1 : 0;
-    if (measure.kind == inspect::MeasureKind::Throat) return Targets::tr("narrowest way near the two clicks");
     return moved == 1 ? Targets::tr("1 end was moved to the near side") : Targets::tr("%1 ends were moved to the near side").arg(moved);
 }
 
@@ -123,8 +123,9 @@ void Targets::show() {
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
         const QString value = now != nullptr ? shownText(inspect::measureText(*now)) : tr("a cell of it has no range");
-        QString basis = now != nullptr ? shownText(inspect::measureBasis(*now)) : QString();
-        if (!measure.clicked.empty()) basis += (basis.isEmpty() ? "" : "; ") + movedText(measure);
+        QString basis = now != nullptr ? shownText(inspect::measureBasis(*now, inLanguage)) : QString();
+        if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are rims near the clicks anyway
+            basis += (basis.isEmpty() ? "" : "; ") + movedText(measure);
         if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
             basis += (basis.isEmpty() ? "" : "; ") + tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
         if (now != nullptr && mountingAssumed(*known_.picture->detection->scan))

@@ -204,6 +204,7 @@ QPoint LinkedViews::placeOf(std::size_t cell) const {
 void LinkedViews::hover(std::optional<std::size_t> cell, const QObject* from) {
     if (!shown()) return;
     hovered_ = cell;
+    if (cell && from != nullptr) hoveredIn_ = from;
     const auto mark = marked();
     for (ImageView* view : images_) view->setMarkedCell(mark && view != from ? std::optional(placeOf(*mark)) : std::nullopt);
     cloud_.setMarkedCell(mark ? std::optional(static_cast<std::uint32_t>(*mark)) : std::nullopt);
@@ -216,6 +217,16 @@ void LinkedViews::pin(std::optional<std::size_t> cell) {
     for (ImageView* view : images_) view->setCrosshair(cell ? std::optional(placeOf(*cell)) : std::nullopt);
     hover(hovered_, nullptr);
     if (another) emit pinChanged(cell);
+}
+
+std::optional<double> LinkedViews::pixelsBetween(std::size_t a, std::size_t b) const {
+    if (hoveredIn_ == &cloud_) {
+        const auto from = cloud_.pixelOf(static_cast<std::uint32_t>(a)), to = cloud_.pixelOf(static_cast<std::uint32_t>(b));
+        return from && to ? std::optional(std::hypot(to->x() - from->x(), to->y() - from->y())) : std::nullopt;
+    }
+    const QPointF way = placeOf(b) - placeOf(a);
+    const QSizeF cell = images_.front()->viewPort()->cellSize();
+    return std::hypot(way.x() * cell.width(), way.y() * cell.height());
 }
 
 inspect::MeantCell LinkedViews::meant(std::size_t clicked) const {

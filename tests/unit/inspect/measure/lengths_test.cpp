@@ -52,7 +52,7 @@ TEST(Lengths, ARockOf50MmAt10MIsNoNumber) {
     ASSERT_TRUE(measured);
     EXPECT_TRUE(measured->lengths.front().isBelow);
     EXPECT_EQ(measureText(*measured), "< 89 mm"); // 29.1 of spacing, 59 of beam, rounded up
-    EXPECT_EQ(measureBasis(*measured), "at 10.00 and 10.00 m");
+    EXPECT_EQ(measureBasis(*measured), "at 10.00, 10.00 m");
     EXPECT_EQ(measureText(*measureCells(small, kUsualNoise, MeasureKind::Vertical, ends)), "< 89 mm");
     EXPECT_EQ(measureText(*measureCells(small, kUsualNoise, MeasureKind::Angle, std::vector{ends[0], ends[1], ends[0] + 200})),
               "not resolved");
@@ -98,8 +98,7 @@ TEST(Lengths, AnEndBehindTheSurfaceUnderTheLineIsWarnedAbout) {
     // The second end is five cells beyond the plate, on the wall 0.3 m behind it.
     const auto beyond = measureCells(large, kUsualNoise, MeasureKind::Distance, std::vector{ends[0], ends[1] + 5});
     EXPECT_NEAR(beyond->behindM, 0.3, 0.01);
-    EXPECT_NE(measureBasis(*beyond).find("▲ an end is 0.30 m behind the surface under the line"), std::string::npos)
-        << measureBasis(*beyond);
+    EXPECT_NE(measureBasis(*beyond).find("▲ an end is 0.30 m behind the surface next to it"), std::string::npos) << measureBasis(*beyond);
 }
 
 TEST(Lengths, AnEchoOfDustUnderTheLineIsNoSurface) {
