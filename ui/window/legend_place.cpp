@@ -3,6 +3,7 @@
 
 #include "ui/base/view_plate.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/panels/cab/corner_picture.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
 
@@ -56,6 +57,8 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
         // Where neither side is free, the legend is one row.
         if (!label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true)) fitLegends(0);
         const bool right = !label.isEmpty() && isCovered(cloud, label, false) && !isCovered(cloud, label, true);
+        const auto* corner = cloud.findChild<CornerPicture*>("cab-corner"); // is over the top of the right side
+        if (right && corner != nullptr && corner->isVisible()) fitLegends(cloud.height() - corner->geometry().bottom());
         QLayout* over = cloud.layout();
         const bool stays = hasPointer(cloud); // no button moves away from under the pointer
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
