@@ -117,7 +117,7 @@ Command cabCommand(CabMode& cab, Preferences& preferences) {
         action.setObjectName("cab-mode");
         const auto follow = [&action](bool on) {
             action.setChecked(on);
-            action.setEnabled(!on); // holding Locked ends cab mode
+            action.setEnabled(!on); // only its button, when held, ends cab mode
         };
         follow(cab.on());
         QObject::connect(&cab, &CabMode::changed, &action, follow);

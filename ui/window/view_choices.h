@@ -25,7 +25,7 @@ class ScanLook;
 /// View > Images First.
 [[nodiscard]] Command imagesFirstCommand(PanePlaces& places);
 
-/// View > Cab Mode: this command switches it on; only holding Locked switches it off.
+/// View > Cab Mode: this command switches it on; only its button, when held, switches it off.
 [[nodiscard]] Command cabCommand(CabMode& cab, Preferences& preferences);
 
 } // namespace edgescan::ui
