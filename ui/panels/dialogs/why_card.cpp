@@ -19,6 +19,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kFromRight = 12, kFromTop = 90; // px, of the window's frame
+constexpr int kFrame = 48;                    // px: above and below the card, at most
 constexpr int kRim = 12;                      // px
 constexpr double kMostStretched = 20.0;       // limit of the exaggeration of depth against width
 
@@ -113,7 +114,7 @@ void WhyCard::fit() {
     content_->setMinimumHeight(0);
     const QRect room = screen()->availableGeometry();
     const int others = layout()->minimumSize().height() - content_->minimumSizeHint().height();
-    content_->setMinimumHeight(std::min(high, room.height() - kFromTop - others - kFromRight));
+    content_->setMinimumHeight(std::min(high, room.height() - kFromTop - others - kFrame));
     adjustSize();
 }
 
