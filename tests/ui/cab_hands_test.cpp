@@ -84,6 +84,8 @@ private slots:
                 for (const int width : {853, 1024, 1280, 1366, 1920, 2560}) {
                     on.window.resize(width, 700);
                     for (int n = 0; n < 3; ++n) QApplication::processEvents();
+                    const QToolButton* leave = tool(on.window, "cab-leave");
+                    QVERIFY2(leave->width() >= leave->sizeHint().width(), qPrintable(QString("%1 at %2").arg(leave->text()).arg(width)));
                     const auto* page = side->stepper("method")->parentWidget();
                     for (const QLabel* each : page->findChildren<QLabel*>()) {
                         if (!each->isVisible()) continue;

@@ -36,6 +36,16 @@ bool hasPointer(const CloudView& cloud) {
         plates, [&](ViewPlate* plate) { return plate->isVisible() && cloud.layout()->indexOf(plate) >= 0 && plate->underMouse(); });
 }
 
+/// True if the plates of the layout are at the right.
+bool isAtRight(const CloudView& cloud) {
+    const QLayout& over = *cloud.layout();
+    for (int n = 0; n < over.count(); ++n) {
+        const auto* plate = qobject_cast<ViewPlate*>(over.itemAt(n)->widget());
+        if (plate != nullptr) return (over.itemAt(n)->alignment() & Qt::AlignRight) != 0;
+    }
+    return false;
+}
+
 } // namespace
 
 void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
@@ -50,15 +60,18 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
             }
             over.activate();
         };
-        fitLegends(cloud.height());
+        const auto* corner = cloud.findChild<CornerPicture*>("cab-corner"); // over the top of the right side
+        const auto roomAt = [&cloud, corner](bool right) {
+            return cloud.height() - (right && corner != nullptr && corner->isVisible() ? corner->geometry().bottom() : 0);
+        };
+        const bool wasRight = isAtRight(cloud);
+        fitLegends(roomAt(wasRight));
         const auto cell = views.pinned();
         const auto at = cell ? cloud.pixelOf(static_cast<std::uint32_t>(*cell)) : std::nullopt;
         const QRect label = at ? QRect(at->toPoint() - QPoint(kRing, kLabelHigh), QSize(kLabelWide, 2 * kLabelHigh)) : QRect();
         // Where neither side is free, the legend is one row.
         if (!label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true)) fitLegends(0);
         const bool right = !label.isEmpty() && isCovered(cloud, label, false) && !isCovered(cloud, label, true);
-        const auto* corner = cloud.findChild<CornerPicture*>("cab-corner"); // is over the top of the right side
-        if (right && corner != nullptr && corner->isVisible()) fitLegends(cloud.height() - corner->geometry().bottom());
         QLayout* over = cloud.layout();
         const bool stays = hasPointer(cloud); // no button moves away from under the pointer
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
@@ -67,6 +80,7 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
             if (!stays && qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side)
                 over->setAlignment(plate, side);
         }
+        if (isAtRight(cloud) != wasRight) fitLegends(roomAt(!wasRight));
         over->activate(); // the scale avoids the legends where they are now
         if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label);
     };

@@ -33,6 +33,7 @@ CabHead::CabHead(QWidget* badge, QWidget* parent)
       clock_(new QLabel), leave_(new HoldButton), badge_(badge) {
     makeGloveButton(*leave_, "cab-leave", "lock", tr("Hold to leave"));
     leave_->setAccessibleName(tr("Hold for one second to leave cab mode"));
+    leave_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // its words are never shortened
     cancel_->hide();
     warnings_->hide();
     for (QLabel* each : {name_, facts_}) {
