@@ -16,9 +16,11 @@
 #include "ui/window/main_window.h"
 #include "ui/window/start.h"
 #include "ui/window/theme.h"
+#include "ui/window/view_choices.h"
 
 #include <QApplication>
 #include <QIcon>
+#include <QProcess>
 
 #include <CLI/CLI.hpp>
 
@@ -64,7 +66,10 @@ int runViewer(const CommandLine& wanted, const ParsedCommandLine& understood) {
     window.show();
     const Start start(window, wanted, understood);
     openWanted(window, preferences, wanted, understood);
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    const bool again = qApp->property(ui::kStartsAgain).toBool();
+    if (again && window.viewer().engine.picture() != nullptr) qApp->setProperty(ui::kStartsAgain, QStringList("--continue"));
+    return code;
 }
 
 } // namespace
@@ -106,5 +111,9 @@ int main(int argc, char** argv) {
         cli::printError(gl.reason.toStdString());
         return 1;
     }
-    return runViewer(wanted, understood);
+    const int code = runViewer(wanted, understood);
+    // With what was on the screen: the window has stored it.
+    if (const QVariant again = application.property(ui::kStartsAgain); again.isValid())
+        QProcess::startDetached(qEnvironmentVariable("APPIMAGE", QCoreApplication::applicationFilePath()), again.toStringList());
+    return code;
 }

@@ -68,7 +68,8 @@ void addFlags(CLI::App& app, CommandLine& wanted) {
     for (const ui::Language& language : ui::kLanguages) languages.emplace_back(language.code);
     app.add_option("--language", wanted.language, "Language of the window; else the one chosen in it, or that of the system")
         ->check(CLI::IsMember(languages));
-    app.add_flag("--cab", wanted.cab, "Start in cab mode, with large tools and numbers for gloves; hold Locked to leave it");
+    app.add_flag("--cab", wanted.cab,
+                 "Start in cab mode, with large tools and numbers for gloves; hold the button at the top right to leave it");
     app.add_option("--pin", wanted.pins, "Place a target at this cell of the first scan; may be given several times")
         ->take_all()
         ->type_name("LINE,BEAM");

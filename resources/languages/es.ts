@@ -659,9 +659,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
+<message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
-<message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>El objetivo %1 está en el portapapeles, como texto.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 objetivos están en el portapapeles, como tabla para una hoja de cálculo.</translation></message>
@@ -702,8 +702,13 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>drawing</source><translation>dibujo</translation></message>
 <message><source>Menu</source><translation>Menú</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
-<message><source>Locked</source><translation>Bloqueado</translation></message>
-<message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: mantener un segundo para salir del modo cabina</translation></message>
+<message><source>Hold to leave</source><translation>Mantener: salir</translation></message>
+<message><source>Hold for one second to leave cab mode</source><translation>Mantener un segundo para salir del modo cabina</translation></message>
+<message><source>Delete the last letter</source><translation>Borrar la última letra</translation></message>
+<message><source>Enter</source><translation>Intro</translation></message>
+<message><source>Close the keys</source><translation>Cerrar las teclas</translation></message>
+<message><source>Capital letter</source><translation>Mayúscula</translation></message>
+<message><source>Space</source><translation>Espacio</translation></message>
 <message><source>Previous target</source><translation>Objetivo anterior</translation></message>
 <message><source>Next target</source><translation>Objetivo siguiente</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
@@ -736,10 +741,11 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>median distance %1
 %2 are farther than %3</source><translation>distancia mediana %1
 %2 están a más de %3</translation></message>
+<message><source>to see it: A/B, %1</source><translation>para verla: A/B, %1</translation></message>
+<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
+<message><source>hold \ to see it</source><translation>mantenga \ para verla</translation></message>
 <message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
-<message><source>A: %1
-hold \ to see it</source><translation>A: %1
-mantenga \ para verla</translation></message>
+<message><source>A: %1</source><translation>A: %1</translation></message>
 <message><source>at all of them</source><translation>con todos</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % y más</translation></message>
@@ -1112,6 +1118,7 @@ mantenga \ para verla</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Del y Quitar todos no lo quitan</translation></message>
 <message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
+<message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>
 <message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
@@ -1273,7 +1280,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nube – tocar para cambiar</translation></message>
-<message><source>Hold Locked for one second to leave cab mode.</source><translation>Mantenga Bloqueado un segundo para salir del modo cabina.</translation></message>
+<message><source>To leave cab mode, hold the button for one second.</source><translation>Para salir del modo cabina, mantenga el botón un segundo.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
@@ -1281,22 +1288,29 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Fit</source><translation>Ajustar</translation></message>
+<message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Images</source><translation>Imágenes</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Take the last click back</source><translation>Retirar el último clic</translation></message>
-<message><source>Range image – tap to swap</source><translation>Imagen de distancia – tocar para cambiar</translation></message>
+<message><source>Range image – tap to swap</source><translation>Imagen de distancias – tocar para cambiar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
+<message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
+<message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
+<message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
+<message><source>This ends the program.</source><translation>Esto termina el programa.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Al cerrar termina la grabación. Lo grabado hasta ahora queda en su archivo.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>El cierre espera hasta que esté completo.</translation></message>
+<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para salir solo del modo cabina, cancele y mantenga un segundo el botón «Mantener: salir».</translation></message>
+<message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demostración antes y después de una tronadura</translation></message>
-<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Color según la distancia a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
@@ -1312,12 +1326,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
-<message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
-<message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
-<message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
-<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Al cerrar termina la grabación. Lo grabado hasta ahora queda en su archivo.</translation></message>
-<message><source>Closing waits until it is complete.</source><translation>El cierre espera hasta que esté completo.</translation></message>
-<message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
@@ -1450,7 +1458,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
 <message><source>growing</source><translation>creciendo</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % de los puntos dibujados</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % de puntos dibujados</translation></message>
 <message><source>turntable</source><translation>plato giratorio</translation></message>
 <message><source>free rotation</source><translation>rotación libre</translation></message>
 <message><source>orthographic</source><translation>ortográfica</translation></message>
@@ -1469,6 +1477,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
+<message><source>Restart Now</source><translation>Reiniciar ahora</translation></message>
 <message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
 <message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Predeterminado: el central desplaza, el derecho acerca y aleja</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: el derecho desplaza, el central acerca y aleja</translation></message>

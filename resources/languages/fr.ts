@@ -659,9 +659,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
+<message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
-<message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>La cible %1 est dans le presse-papiers, sous forme de texte.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 cibles sont dans le presse-papiers, sous forme de tableau pour un tableur.</translation></message>
@@ -702,8 +702,13 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>drawing</source><translation>dessin</translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Connecter</translation></message>
-<message><source>Locked</source><translation>Verrouillée</translation></message>
-<message><source>Locked: hold for one second to leave cab mode</source><translation>Verrouillée : maintenir une seconde pour quitter le mode cabine</translation></message>
+<message><source>Hold to leave</source><translation>Tenir : quitter</translation></message>
+<message><source>Hold for one second to leave cab mode</source><translation>Maintenir une seconde pour quitter le mode cabine</translation></message>
+<message><source>Delete the last letter</source><translation>Effacer la dernière lettre</translation></message>
+<message><source>Enter</source><translation>Entrée</translation></message>
+<message><source>Close the keys</source><translation>Fermer les touches</translation></message>
+<message><source>Capital letter</source><translation>Majuscule</translation></message>
+<message><source>Space</source><translation>Espace</translation></message>
 <message><source>Previous target</source><translation>Cible précédente</translation></message>
 <message><source>Next target</source><translation>Cible suivante</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
@@ -736,10 +741,11 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>median distance %1
 %2 are farther than %3</source><translation>distance médiane %1
 %2 sont à plus de %3</translation></message>
+<message><source>to see it: A/B, %1</source><translation>pour la voir : A/B, %1</translation></message>
+<message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
+<message><source>hold \ to see it</source><translation>tenez \ pour la voir</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
-<message><source>A: %1
-hold \ to see it</source><translation>A : %1
-tenez \ pour la voir</translation></message>
+<message><source>A: %1</source><translation>A : %1</translation></message>
 <message><source>at all of them</source><translation>avec tous</translation></message>
 <message><source>below %1 %</source><translation>moins de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % et plus</translation></message>
@@ -1112,6 +1118,7 @@ tenez \ pour la voir</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Verrouillée : Suppr et Tout supprimer ne la suppriment pas</translation></message>
 <message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
+<message><source>Locked</source><translation>Verrouillée</translation></message>
 <message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
@@ -1273,7 +1280,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuage – toucher pour échanger</translation></message>
-<message><source>Hold Locked for one second to leave cab mode.</source><translation>Maintenez Verrouillée une seconde pour quitter le mode cabine.</translation></message>
+<message><source>To leave cab mode, hold the button for one second.</source><translation>Pour quitter le mode cabine, maintenez le bouton une seconde.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
@@ -1286,17 +1293,24 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Take the last click back</source><translation>Reprendre le dernier clic</translation></message>
-<message><source>Range image – tap to swap</source><translation>Image de distance – toucher pour échanger</translation></message>
+<message><source>Range image – tap to swap</source><translation>Image de distances – toucher pour échanger</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
+<message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
+<message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
+<message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
+<message><source>This ends the program.</source><translation>Ceci termine le programme.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Fermer met fin à l'enregistrement. Ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
+<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Pour quitter seulement le mode cabine, annulez, puis maintenez une seconde le bouton « Tenir : quitter ».</translation></message>
+<message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Démo avant et après un tir</translation></message>
-<message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Couleur selon la distance à A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
@@ -1312,12 +1326,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
-<message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
-<message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
-<message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
-<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Fermer met fin à l'enregistrement. Ce qui a été enregistré jusqu'ici reste dans son fichier.</translation></message>
-<message><source>Closing waits until it is complete.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
-<message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
@@ -1469,6 +1477,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
+<message><source>Restart Now</source><translation>Redémarrer maintenant</translation></message>
 <message><source>&amp;Mouse</source><translation>S&amp;ouris</translation></message>
 <message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Par défaut : milieu déplace, droite zoome</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare : droite déplace, milieu zoome</translation></message>

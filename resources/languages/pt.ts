@@ -659,9 +659,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
+<message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
-<message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>O alvo %1 está na área de transferência, como texto.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 alvos estão na área de transferência, como tabela para uma planilha.</translation></message>
@@ -702,8 +702,13 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>drawing</source><translation>desenho</translation></message>
 <message><source>Menu</source><translation>Menu</translation></message>
 <message><source>Connect</source><translation>Conectar</translation></message>
-<message><source>Locked</source><translation>Bloqueado</translation></message>
-<message><source>Locked: hold for one second to leave cab mode</source><translation>Bloqueado: segurar um segundo para sair do modo cabine</translation></message>
+<message><source>Hold to leave</source><translation>Segurar: sair</translation></message>
+<message><source>Hold for one second to leave cab mode</source><translation>Segurar um segundo para sair do modo cabine</translation></message>
+<message><source>Delete the last letter</source><translation>Apagar a última letra</translation></message>
+<message><source>Enter</source><translation>Enter</translation></message>
+<message><source>Close the keys</source><translation>Fechar as teclas</translation></message>
+<message><source>Capital letter</source><translation>Maiúscula</translation></message>
+<message><source>Space</source><translation>Espaço</translation></message>
 <message><source>Previous target</source><translation>Alvo anterior</translation></message>
 <message><source>Next target</source><translation>Alvo seguinte</translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
@@ -736,10 +741,11 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>median distance %1
 %2 are farther than %3</source><translation>distância mediana %1
 %2 estão a mais de %3</translation></message>
+<message><source>to see it: A/B, %1</source><translation>para vê-la: A/B, %1</translation></message>
+<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
+<message><source>hold \ to see it</source><translation>segure \ para vê-la</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
-<message><source>A: %1
-hold \ to see it</source><translation>A: %1
-segure \ para vê-la</translation></message>
+<message><source>A: %1</source><translation>A: %1</translation></message>
 <message><source>at all of them</source><translation>com todos</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % e mais</translation></message>
@@ -1112,6 +1118,7 @@ segure \ para vê-la</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Del e Remover todos não o removem</translation></message>
 <message><source>Remove this target</source><translation>Remover este alvo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
+<message><source>Locked</source><translation>Bloqueado</translation></message>
 <message><source>Target %1</source><translation>Alvo %1</translation></message>
 <message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
@@ -1273,7 +1280,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
-<message><source>Hold Locked for one second to leave cab mode.</source><translation>Segure Bloqueado um segundo para sair do modo cabine.</translation></message>
+<message><source>To leave cab mode, hold the button for one second.</source><translation>Para sair do modo cabine, segure o botão um segundo.</translation></message>
 <message><source>No scan</source><translation>Nenhuma varredura</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
@@ -1281,22 +1288,29 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Fit</source><translation>Ajustar</translation></message>
+<message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Images</source><translation>Imagens</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Take the last click back</source><translation>Retirar o último clique</translation></message>
-<message><source>Range image – tap to swap</source><translation>Imagem de distância – tocar para trocar</translation></message>
+<message><source>Range image – tap to swap</source><translation>Imagem de distâncias – tocar para trocar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
+<message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
+<message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
+<message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
+<message><source>This ends the program.</source><translation>Isto termina o programa.</translation></message>
+<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Ao fechar, a gravação termina. O que foi gravado até agora fica no seu arquivo.</translation></message>
+<message><source>Closing waits until it is complete.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
+<message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para sair só do modo cabine, cancele e segure um segundo o botão “Segurar: sair”.</translation></message>
+<message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demonstração antes e depois de um desmonte</translation></message>
-<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Cor conforme a distância a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
@@ -1312,12 +1326,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
-<message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
-<message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
-<message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
-<message><source>Closing ends the recording. What was recorded so far remains in its file.</source><translation>Ao fechar, a gravação termina. O que foi gravado até agora fica no seu arquivo.</translation></message>
-<message><source>Closing waits until it is complete.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
-<message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
@@ -1469,6 +1477,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
+<message><source>Restart Now</source><translation>Reiniciar agora</translation></message>
 <message><source>&amp;Mouse</source><translation>Mo&amp;use</translation></message>
 <message><source>&amp;Default: middle pans, right zooms</source><translation>&amp;Padrão: o do meio desloca, o direito aproxima e afasta</translation></message>
 <message><source>&amp;CloudCompare: right pans, middle zooms</source><translation>&amp;CloudCompare: o direito desloca, o do meio aproxima e afasta</translation></message>

@@ -298,7 +298,7 @@ private slots:
         QVERIFY(!on.viewer.measures.kind());
     }
 
-    void onlyASecondOnLockedLeavesIt() {
+    void onlyASecondOnItsButtonLeavesIt() {
         const QString ini = QString::fromStdString((folder_ / "cab.ini").string());
         WindowFixture on(ini);
         QVERIFY(on.showWith(scan_));
@@ -309,16 +309,16 @@ private slots:
         QVERIFY(on.window.cab().on() && action->isChecked());
         QVERIFY(!action->isEnabled()); // cab mode cannot be left by a tap in the menu
         QVERIFY(on.preferences.flag("view/cab", false));
-        QToolButton* locked = tool(on.window, "cab-locked");
-        QTest::mouseClick(locked, Qt::LeftButton);
+        QToolButton* leave = tool(on.window, "cab-leave");
+        QTest::mouseClick(leave, Qt::LeftButton);
         QVERIFY(on.window.cab().on());
         QVERIFY2(on.viewer.notice.text().contains("one second"), qPrintable(on.viewer.notice.text()));
         QElapsedTimer held;
         held.start();
-        QTest::mousePress(locked, Qt::LeftButton);
+        QTest::mousePress(leave, Qt::LeftButton);
         QTRY_VERIFY(!on.window.cab().on());
         QVERIFY2(held.elapsed() >= kHoldMs, qPrintable(QString::number(held.elapsed())));
-        QTest::mouseRelease(locked, Qt::LeftButton);
+        QTest::mouseRelease(leave, Qt::LeftButton);
         QVERIFY(action->isEnabled() && !action->isChecked());
         QVERIFY(!on.preferences.flag("view/cab", true));
         QTRY_VERIFY(on.window.menuBar()->isVisible() && on.viewer.views.gray().isVisible());

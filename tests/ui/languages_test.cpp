@@ -24,6 +24,7 @@
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/status_line.h"
+#include "ui/window/view_choices.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -37,6 +38,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QToolButton>
 
 #include <algorithm>
 #include <filesystem>
@@ -278,6 +280,13 @@ private slots:
             spanish->trigger();
             QVERIFY(on.viewer.notice.isVisible());
             QCOMPARE(on.preferences.text("language"), QString("es"));
+            QVERIFY(!qApp->property(kStartsAgain).isValid());
+            QToolButton* restart = nullptr;
+            for (auto* each : on.viewer.notice.findChildren<QToolButton*>()) restart = each->text() == "Restart Now" ? each : restart;
+            QVERIFY(restart != nullptr && restart->isVisible());
+            QTest::mouseClick(restart, Qt::LeftButton);
+            QVERIFY(!on.window.isVisible() && qApp->property(kStartsAgain).toBool());
+            qApp->setProperty(kStartsAgain, {});
         }
         const Preferences preferences(ini);
         QVERIFY(useLanguage(preferences.text("language"), kTexts));

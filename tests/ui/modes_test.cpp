@@ -218,9 +218,9 @@ QStringList faultsNow(Desk& desk, QSize size) {
     if (window.size() != size)
         faults << QString("it is %1 x %2; %3").arg(window.width()).arg(window.height()).arg(demanding(window, size.width()));
     if (desk.cab) {
-        const QWidget& locked = *window.cab().frame().head().locked();
-        if (!locked.isVisible() || !window.rect().contains(QRect(locked.mapTo(&window, QPoint()), locked.size())))
-            faults << "Locked is off the screen";
+        const QWidget& leave = *window.cab().frame().head().leave();
+        if (!leave.isVisible() || !window.rect().contains(QRect(leave.mapTo(&window, QPoint()), leave.size())))
+            faults << "Hold to leave is off the screen";
     } else if (const int wide = desk.on.viewer.cloud.width(); !window.places().imagesFirst() && wide < kCloudShare * window.width() - 1) {
         faults << QString("the cloud is %1 wide").arg(wide);
     }

@@ -112,6 +112,7 @@ void Pane::fit() {
     const QLayout& line = *bar_->layout();
     const int others = title_->sizeHint().width() + note_->sizeHint().width() + alone_->sizeHint().width() + 3 * line.spacing() +
                        line.contentsMargins().left() + line.contentsMargins().right();
+    remark_->setMinimumWidth(remark_->sizeHint().width()); // shown whole or not at all
     remark_->setVisible(!remark_->text().isEmpty() && others + remark_->sizeHint().width() <= width());
 }
 

@@ -10,6 +10,7 @@
 #include "ui/panels/cab/hold_button.h"
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
@@ -74,9 +75,9 @@ void CabMode::connectHead() {
     });
     connect(head.warnings(), &QToolButton::clicked, &window_.viewer().warnings, &QToolButton::click);
     connect(head.cancel(), &QToolButton::clicked, &window_.viewer().engine.works(), &Works::cancel);
-    connect(head.locked(), &HoldButton::held, this, &CabMode::leaveRequested);
-    connect(head.locked(), &HoldButton::releasedEarly, this,
-            [this] { window_.viewer().notice.showHint(tr("Hold Locked for one second to leave cab mode.")); });
+    connect(head.leave(), &HoldButton::held, this, &CabMode::leaveRequested);
+    connect(head.leave(), &HoldButton::releasedEarly, this,
+            [this] { window_.viewer().notice.showHint(tr("To leave cab mode, hold the button for one second.")); });
     cancelSoon_.setSingleShot(true);
     cancelSoon_.setInterval(kCancelAfterMs);
     connect(&cancelSoon_, &QTimer::timeout, this, &CabMode::showWork);
@@ -130,6 +131,7 @@ void CabMode::set(bool on) {
     window_.useCab(on);
     lockDocks(on);
     window_.viewer().legend.setBrief(on);
+    window_.viewer().changeLegend.setBrief(on);
     window_.viewer().notice.setBrief(on);
     window_.viewer().live.panel().setBrief(on);
     frame_->setCab(on);
@@ -183,6 +185,7 @@ void CabMode::showScan() {
     button->setText("▲ " + QString::number(warnings.size()));
     button->setAccessibleName(window_.viewer().warnings.text());
     button->setVisible(!warnings.isEmpty());
+    for (QWidget* each : ofScan_) each->setEnabled(picture != nullptr);
     if (picture == nullptr) return frame_->head().showScan(tr("No scan"), tr("Open one, or connect to a scanner"));
     const Scan& scan = *picture->detection->scan;
     const int expected = std::max(picture->source.growth.expectedLines, scan.lines());

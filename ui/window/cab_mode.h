@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include <optional>
+#include <vector>
 
 class QAbstractButton;
 class QMenu;
@@ -36,7 +37,7 @@ public:
 
 signals:
     void changed(bool on);
-    /// The operator held Locked for a second.
+    /// The operator held the button for a second.
     void leaveRequested();
 
 private:
@@ -44,6 +45,7 @@ private:
     void connectHead();
     void addTools();
     void addMeasures(QMenu& menu);
+    void fillRemoval(QMenu& menu) const;
     void connectSide();
     void follow();
     void showScan();
@@ -63,6 +65,8 @@ private:
     CornerPicture* back_; // returns to the cloud, over the image
     QMenu* menu_;
     Keypad* keypad_;
+    QToolButton* remove_ = nullptr;
+    std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;
     Corner shown_ = Corner::Range;
     bool on_ = false;

@@ -6,6 +6,7 @@
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/tool_column.h"
 #include "ui/panels/targets/target_words.h"
 #include "ui/panels/tuning/edges_panel.h"
@@ -21,6 +22,8 @@
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kMostRemovals = 6; // measurements in the menu, the newest first
 
 void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
 
@@ -79,6 +82,12 @@ void CabMode::addTools() {
         shown_ = shown_ == Corner::Range ? Corner::Edges : shown_ == Corner::Edges ? Corner::None : Corner::Range;
         showCorner();
     });
+    remove_ = column.add("cab-remove", "remove", tr("Remove"));
+    auto* shown = new QMenu(remove_);
+    connect(remove_, &QToolButton::clicked, this, [this, shown] {
+        fillRemoval(*shown);
+        openNextTo(*shown, *remove_);
+    });
     QToolButton* undo = gloveButton("cab-undo", "undo", tr("Undo"));
     connect(undo, &QToolButton::clicked, &window_.viewer().undo, &QUndoStack::undo);
     connect(&window_.viewer().undo, &QUndoStack::canUndoChanged, undo, &QWidget::setEnabled);
@@ -92,6 +101,24 @@ void CabMode::addTools() {
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
     connect(out, &QToolButton::clicked, this, [this] { window_.viewer().exports.ask(exports::ExportContent::EdgeCloud); });
     for (QToolButton* each : {tune, report, out}) frame_->side().addButton(each);
+    const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
+    for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
+    for (QWidget* each : std::initializer_list<QWidget*>{tune, report, out, frame_->side().mainStepper()}) ofScan_.push_back(each);
+}
+
+/// A menu, not one tap: a glove must not remove what it did not mean.
+void CabMode::fillRemoval(QMenu& menu) const {
+    menu.clear();
+    Targets& targets = window_.viewer().targets;
+    if (const inspect::PinnedTarget* target = targets.active()) {
+        const TargetNumbers shown = numbers();
+        menu.addAction(shown.title + "   " + shown.distance, &targets, [&targets, number = target->number] { targets.remove(number); });
+    }
+    const std::vector<QString> measures = targets.measuresInWords();
+    const int last = static_cast<int>(measures.size()) - 1;
+    for (int n = last; n >= 0 && n > last - kMostRemovals; --n)
+        menu.addAction(measures[static_cast<std::size_t>(n)], &targets,
+                       [&targets, n] { targets.removeMeasure(static_cast<std::size_t>(n)); });
 }
 
 void CabMode::addMeasures(QMenu& menu) {
@@ -190,7 +217,10 @@ TargetNumbers CabMode::numbers() const {
 }
 
 void CabMode::showNumbers() {
-    if (on_) frame_->side().showNumbers(numbers());
+    if (!on_) return;
+    frame_->side().showNumbers(numbers());
+    const Targets& targets = window_.viewer().targets;
+    remove_->setEnabled(targets.active() != nullptr || !targets.notebook().measures.empty());
 }
 
 } // namespace edgescan::ui

@@ -3,6 +3,7 @@
 
 #include "ui/base/view_plate.h"
 #include "ui/engine/linked_views/linked_views.h"
+#include "ui/panels/cab/corner_picture.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
 
@@ -35,6 +36,16 @@ bool hasPointer(const CloudView& cloud) {
         plates, [&](ViewPlate* plate) { return plate->isVisible() && cloud.layout()->indexOf(plate) >= 0 && plate->underMouse(); });
 }
 
+/// True if the plates of the layout are at the right.
+bool isAtRight(const CloudView& cloud) {
+    const QLayout& over = *cloud.layout();
+    for (int n = 0; n < over.count(); ++n) {
+        const auto* plate = qobject_cast<ViewPlate*>(over.itemAt(n)->widget());
+        if (plate != nullptr) return (over.itemAt(n)->alignment() & Qt::AlignRight) != 0;
+    }
+    return false;
+}
+
 } // namespace
 
 void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
@@ -49,7 +60,12 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
             }
             over.activate();
         };
-        fitLegends(cloud.height());
+        const auto* corner = cloud.findChild<CornerPicture*>("cab-corner"); // over the top of the right side
+        const auto roomAt = [&cloud, corner](bool right) {
+            return cloud.height() - (right && corner != nullptr && corner->isVisible() ? corner->geometry().bottom() : 0);
+        };
+        const bool wasRight = isAtRight(cloud);
+        fitLegends(roomAt(wasRight));
         const auto cell = views.pinned();
         const auto at = cell ? cloud.pixelOf(static_cast<std::uint32_t>(*cell)) : std::nullopt;
         const QRect label = at ? QRect(at->toPoint() - QPoint(kRing, kLabelHigh), QSize(kLabelWide, 2 * kLabelHigh)) : QRect();
@@ -64,6 +80,7 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
             if (!stays && qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side)
                 over->setAlignment(plate, side);
         }
+        if (isAtRight(cloud) != wasRight) fitLegends(roomAt(!wasRight));
         over->activate(); // the scale avoids the legends where they are now
         if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label);
     };

@@ -44,14 +44,11 @@
 #include "ui/window/warned_picture.h"
 
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
-#include <QPushButton>
 #include <QScreen>
 #include <QSplitter>
 #include <QStyle>
@@ -132,9 +129,9 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     connect(&viewer_.warnings, &WarningButton::warningsAcknowledged, &viewer_.audit, [this] {
         viewer_.audit.note("acknowledged", {{"warnings", viewer_.warnings.warnings().size()}});
     });
-    const WindowCommands commands{[this] { return screenshot(); },       [this] { resetLayout(); }, [this] { startTour(*this); },
-                                  [this] { openManual(*this); },         sessionCommands(*this),    imagesFirstCommand(*places_),
-                                  cabCommand(*cab_, viewer_.preferences)};
+    const WindowCommands commands{[this] { return screenshot(); },        [this] { resetLayout(); }, [this] { startTour(*this); },
+                                  [this] { openManual(*this); },          sessionCommands(*this),    imagesFirstCommand(*places_),
+                                  cabCommand(*cab_, viewer_.preferences), [this] { quit(); }};
     for (const Command& menu : menusOf(viewer_, *this, commands))
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
@@ -332,28 +329,6 @@ QImage MainWindow::screenshot() {
     for (QWidget* widget : shownOver(viewer_.cloud, *this)) widget->render(&painter, widget->mapTo(this, QPoint(0, 0)));
     painter.end();
     return withWarnings(image, coreSentence(viewer_.warnings.warnings().join('\n')).split('\n', Qt::SkipEmptyParts), font());
-}
-
-bool MainWindow::mayClose() {
-    const bool records = viewer_.live.scanner().recording();
-    if (!records && !viewer_.engine.saving()) return true;
-    QMessageBox box(QMessageBox::Warning, tr("Close EdgeScan?"),
-                    records ? tr("A recording is being written.") : tr("A file is still being written."), QMessageBox::Cancel, this);
-    box.setObjectName("close-question");
-    box.setInformativeText(records ? tr("Closing ends the recording. What was recorded so far remains in its file.")
-                                   : tr("Closing waits until it is complete."));
-    QPushButton* end = box.addButton(records ? tr("End the Recording and Close") : tr("Close"), QMessageBox::DestructiveRole);
-    end->setObjectName("end-and-close");
-    box.setDefaultButton(QMessageBox::Cancel);
-    box.exec();
-    return box.clickedButton() == end;
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayClose()) return event->ignore();
-    viewer_.live.scanner().disconnectScanner();
-    remember();
-    QMainWindow::closeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

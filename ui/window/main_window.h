@@ -37,6 +37,8 @@ public:
     [[nodiscard]] PanePlaces& places() { return *places_; }
 
     void resetLayout();
+    /// Closes the window for the operator; in cab mode it asks before.
+    void quit();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
     void useCab(bool on);
     void lockDocks(bool on);
@@ -79,7 +81,7 @@ private:
     void arrange();
     void setImagesWidth(int width);
     void showImages();
-    [[nodiscard]] bool mayClose();
+    [[nodiscard]] bool mayClose(bool byHand);
     void maximise(Pane* pane);
     void followFrame();
     void remember();
@@ -97,6 +99,7 @@ private:
     PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;
     Docks* docks_ = nullptr;
+    bool byHand_ = false;                // the operator closes the window
     bool framed_ = false;                // the desktop has reported the width of the window's frame
     int arrangedImages_ = 0;             // width set by arrange(): images that still have it follow the window
     bool roomForImages_ = true;          // next to the cloud

@@ -33,7 +33,7 @@
 namespace edgescan::ui {
 namespace {
 
-Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands) {
+Command fileMenu(Viewer& v, const WindowCommands& commands) {
     std::vector<Command> exports;
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         if (kind.window.menu == nullptr) continue;
@@ -56,7 +56,7 @@ Command fileMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
                              command("&Screenshot…", "F12", [&v, shot = commands.screenshot] { v.exports.askScreenshot(shot()); }),
                              command("&Copy as Command", "", [&v] { v.exports.copyCommand(); }),
                              kLine,
-                             command("&Quit", "Ctrl+Q", [&window] { window.close(); }),
+                             command("&Quit", "Ctrl+Q", commands.quit),
                          });
     menu.submenu.insert(menu.submenu.begin() + 6, commands.sessions.begin(), commands.sessions.end()); // after the commands that open scans
     return menu;
@@ -366,7 +366,7 @@ Command measureMenu(Viewer& v) {
 
 std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCommands& commands) {
     const auto showKeys = [&window] { showShortcuts(&window, window.actions()); };
-    return {fileMenu(viewer, window, commands),
+    return {fileMenu(viewer, commands),
             editMenu(viewer, window),
             viewMenu(viewer, window, commands),
             scanMenu(viewer, window),

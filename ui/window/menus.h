@@ -17,6 +17,7 @@ struct WindowCommands {
     std::function<void()> resetLayout, tour, manual;
     std::vector<Command> sessions;
     Command imagesFirst, cab;
+    std::function<void()> quit; ///< asks where it must
 };
 
 /// One entry per menu of the menu bar, for the window that holds the viewer. Both must outlive everything made from them.

@@ -12,6 +12,8 @@
 #include "ui/window/pane_places.h"
 
 #include <QActionGroup>
+#include <QCoreApplication>
+#include <QWidget>
 
 namespace edgescan::ui {
 
@@ -32,14 +34,18 @@ Command themeMenu(QObject& parent, Preferences& preferences) {
     return menu;
 }
 
-Command languageMenu(QObject& parent, Preferences& preferences, NoticeBar& notice) {
-    auto* group = new QActionGroup(&parent);
+Command languageMenu(QWidget& window, Preferences& preferences, NoticeBar& notice) {
+    auto* group = new QActionGroup(&window);
     Command menu = submenu("Lan&guage", {});
     for (const Language& language : kLanguages) {
         const QString code = language.code;
-        Command made{.text = QString::fromUtf8(language.name), .set = [&preferences, &notice, code](bool) {
+        Command made{.text = QString::fromUtf8(language.name), .set = [&window, &preferences, &notice, code](bool) {
                          preferences.keep("language", code);
                          notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window uses this language from the next start on."));
+                         if (preferences.dataFolder().isEmpty()) return;      // the next start would not know it
+                         notice.offer(QObject::tr("Restart Now"), [&window] { // closing stores the session
+                             if (window.close()) QCoreApplication::instance()->setProperty(kStartsAgain, true);
+                         });
                      }};
         menu.submenu.push_back(choice(std::move(made), *group, "language-" + code, code == languageInUse()));
     }
@@ -117,7 +123,7 @@ Command cabCommand(CabMode& cab, Preferences& preferences) {
         action.setObjectName("cab-mode");
         const auto follow = [&action](bool on) {
             action.setChecked(on);
-            action.setEnabled(!on); // holding Locked ends cab mode
+            action.setEnabled(!on); // only its button, when held, ends cab mode
         };
         follow(cab.on());
         QObject::connect(&cab, &CabMode::changed, &action, follow);

@@ -5,6 +5,9 @@
 
 namespace edgescan::ui {
 
+/// A property of the application: the operator closed the window to start the program again.
+inline constexpr const char* kStartsAgain = "starts-again";
+
 class CabMode;
 class CloudView;
 class NoticeBar;
@@ -15,8 +18,8 @@ class ScanLook;
 /// One entry per theme; the choice is remembered and applied at once.
 [[nodiscard]] Command themeMenu(QObject& parent, Preferences& preferences);
 
-/// One entry per language; the choice is remembered for the next start.
-[[nodiscard]] Command languageMenu(QObject& parent, Preferences& preferences, NoticeBar& notice);
+/// One entry per language; the choice is remembered for the next start, which is offered.
+[[nodiscard]] Command languageMenu(QWidget& window, Preferences& preferences, NoticeBar& notice);
 [[nodiscard]] Command mouseMenu(QObject& parent, CloudView& cloud, Preferences& preferences);
 
 /// The colour scales of the cloud.
@@ -25,7 +28,7 @@ class ScanLook;
 /// View > Images First.
 [[nodiscard]] Command imagesFirstCommand(PanePlaces& places);
 
-/// View > Cab Mode: this command switches it on; only holding Locked switches it off.
+/// View > Cab Mode: this command switches it on; only its button, when held, switches it off.
 [[nodiscard]] Command cabCommand(CabMode& cab, Preferences& preferences);
 
 } // namespace edgescan::ui

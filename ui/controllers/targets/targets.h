@@ -78,6 +78,8 @@ public:
     void lock(int number, bool on);
     void keepMeasure(const inspect::StoredMeasure& measure);
     void removeMeasure(std::size_t place);
+    /// Kind and length of each measurement, in the order of the notebook.
+    [[nodiscard]] std::vector<QString> measuresInWords() const;
     [[nodiscard]] inspect::TargetsPart part() const;
     /// As one step of undo.
     void setPart(const inspect::TargetsPart& part);

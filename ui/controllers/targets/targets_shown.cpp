@@ -103,6 +103,16 @@ CellMarks Targets::marks() const {
     return marks;
 }
 
+std::vector<QString> Targets::measuresInWords() const {
+    std::vector<QString> words;
+    for (const inspect::StoredMeasure& measure : notebook_.measures) {
+        const inspect::MeasuredCells* now = knownOf(measure);
+        words.push_back(tr(inspect::traitsOf(measure.kind).label) + "  " +
+                        (now != nullptr ? shownText(inspect::measureText(*now)) : tr("a cell of it has no range")));
+    }
+    return words;
+}
+
 void Targets::show() {
     views_.setMarks(marks());
     const inspect::PinnedTarget* shown = active();
@@ -120,9 +130,9 @@ void Targets::show() {
     rocks_.setNames(names);
     panel_.showTargets(lines);
     lines.clear();
+    const std::vector<QString> words = measuresInWords();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
-        const QString value = now != nullptr ? shownText(inspect::measureText(*now)) : tr("a cell of it has no range");
         QString basis = now != nullptr ? shownText(inspect::measureBasis(*now, inLanguage)) : QString();
         if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are rims near the clicks anyway
             basis += (basis.isEmpty() ? "" : "; ") + movedText(measure);
@@ -130,7 +140,7 @@ void Targets::show() {
             basis += (basis.isEmpty() ? "" : "; ") + tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
         if (now != nullptr && mountingAssumed(*known_.picture->detection->scan))
             basis += (basis.isEmpty() ? "" : "; ") + tr("▲ mounting assumed");
-        lines.push_back({tr(inspect::traitsOf(measure.kind).label) + "  " + value + (basis.isEmpty() ? QString() : "\n" + basis), basis});
+        lines.push_back({words[lines.size()] + (basis.isEmpty() ? QString() : "\n" + basis), basis});
     }
     panel_.showMeasures(lines);
     showCard();

@@ -30,9 +30,10 @@ CabHead::CabHead(QWidget* badge, QWidget* parent)
     : QWidget(parent), menu_(gloveButton("cab-menu", "menu", tr("Menu"))), open_(gloveButton("cab-open", "open", tr("Open"))),
       connect_(gloveButton("cab-connect", "connect", tr("Connect"))), name_(new QLabel), facts_(new QLabel),
       cancel_(gloveButton("cab-cancel", "fold", tr("Cancel"))), warnings_(gloveButton("cab-warnings", "why", QString())),
-      clock_(new QLabel), locked_(new HoldButton), badge_(badge) {
-    makeGloveButton(*locked_, "cab-locked", "lock", tr("Locked"), true);
-    locked_->setAccessibleName(tr("Locked: hold for one second to leave cab mode"));
+      clock_(new QLabel), leave_(new HoldButton), badge_(badge) {
+    makeGloveButton(*leave_, "cab-leave", "lock", tr("Hold to leave"));
+    leave_->setAccessibleName(tr("Hold for one second to leave cab mode"));
+    leave_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // its words are never shortened
     cancel_->hide();
     warnings_->hide();
     for (QLabel* each : {name_, facts_}) {
@@ -56,7 +57,7 @@ CabHead::CabHead(QWidget* badge, QWidget* parent)
     row->setSpacing(kBetweenTools);
     for (QWidget* each : std::initializer_list<QWidget*>{menu_, open_, connect_}) row->addWidget(each);
     row->addLayout(words, 1);
-    for (QWidget* each : std::initializer_list<QWidget*>{cancel_, warnings_, badge, clock_, locked_}) row->addWidget(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{cancel_, warnings_, badge, clock_, leave_}) row->addWidget(each);
     auto* tick = new QTimer(this);
     tick->setInterval(kClockMs);
     connect(tick, &QTimer::timeout, this, &CabHead::showClock);
@@ -79,16 +80,16 @@ void CabHead::showWork(const QString& text) {
 }
 
 QSize CabHead::minimumSizeHint() const {
-    return {menu_->sizeHint().width() + locked_->sizeHint().width() + kLeastName, layout()->totalMinimumSize().height()};
+    return {menu_->sizeHint().width() + leave_->sizeHint().width() + kLeastName, layout()->totalMinimumSize().height()};
 }
 
-/// Open, connect and the clock are there while they have room: both commands are also in the menu. Locked is the only way out, and the
+/// Open, connect and the clock are there while they have room: both commands are also in the menu. The way out is always there, and the
 /// badge says what the picture is: neither goes.
 void CabHead::fit() {
     const QMargins around = layout()->contentsMargins();
     const auto wide = [](const QWidget* each) { return std::max(each->minimumSizeHint().width(), each->minimumWidth()) + kBetweenTools; };
     int left = width() - around.left() - around.right() - kLeastName;
-    for (const QWidget* each : std::initializer_list<const QWidget*>{menu_, locked_, cancel_, warnings_, badge_}) {
+    for (const QWidget* each : std::initializer_list<const QWidget*>{menu_, leave_, cancel_, warnings_, badge_}) {
         if (!each->isHidden()) left -= each == badge_ ? badge_->sizeHint().width() + kBetweenTools : wide(each);
     }
     for (QWidget* each : std::initializer_list<QWidget*>{open_, connect_, clock_}) {

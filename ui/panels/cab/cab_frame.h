@@ -30,7 +30,7 @@ public:
     [[nodiscard]] QToolButton* connectScanner() const { return connect_; }
     [[nodiscard]] QToolButton* warnings() const { return warnings_; }
     [[nodiscard]] QToolButton* cancel() const { return cancel_; }
-    [[nodiscard]] HoldButton* locked() const { return locked_; }
+    [[nodiscard]] HoldButton* leave() const { return leave_; }
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -47,7 +47,7 @@ private:
     QToolButton* cancel_;
     QToolButton* warnings_;
     QLabel* clock_;
-    HoldButton* locked_;
+    HoldButton* leave_;
     QWidget* badge_;
     QString scan_, scanFacts_, work_;
 };

@@ -3,8 +3,13 @@
 
 #include <QAbstractSpinBox>
 #include <QApplication>
+#include <QDialog>
+#include <QFocusEvent>
 #include <QGridLayout>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -14,12 +19,37 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kKey = 56, kGap = 8, kRim = 8; // px
-const QString kBack = QStringLiteral("⌫"), kDone = QStringLiteral("↵"), kToLetters = QStringLiteral("a–z"),
-              kToNumbers = QStringLiteral("123");
-const QStringList kNumberRows{"7 8 9 -", "4 5 6 .", "1 2 3 :", "0 " + kToLetters + " " + kBack + " " + kDone};
-const QStringList kLetterRows{"1 2 3 4 5 6 7 8 9 0", "q w e r t y u i o p", "a s d f g h j k l _",
-                              "z x c v b n m . - :", kToNumbers + " " + kBack + " " + kDone};
+constexpr int kKey = 56, kLowKey = 48, kKeyGap = 6, kKeyRim = 6; // px
+constexpr int kLowScreen = 640;                                  // px: a lower screen has lower keys
+const QString kBack = QStringLiteral("⌫"), kDone = QStringLiteral("↵"), kHide = QStringLiteral("▼"), kShift = QStringLiteral("⇧"),
+              kBlank = QStringLiteral("␣"), kToLetters = QStringLiteral("a–z"), kToNumbers = QStringLiteral("123");
+// A text that follows itself is one wide key.
+const QStringList kNumberRows{"7 8 9 - " + kBack, "4 5 6 . " + kDone, "1 2 3 : " + kHide, "0 , / " + kBlank + " " + kToLetters};
+const QStringList kLetterRows{"q w e r t y u i o p", "a s d f g h j k l _", kShift + " z x c v b n m . " + kBack,
+                              kToNumbers + " - :" + QString(" " + kBlank).repeated(5) + " " + kDone + " " + kHide};
+
+QString nameOf(const QString& text) {
+    if (text == kBack) return Keypad::tr("Delete the last letter");
+    if (text == kDone) return Keypad::tr("Enter");
+    if (text == kHide) return Keypad::tr("Close the keys");
+    if (text == kShift) return Keypad::tr("Capital letter");
+    return text == kBlank ? Keypad::tr("Space") : text;
+}
+
+/// The field that takes the letters; null: the widget takes none.
+QWidget* fieldOf(QObject* focused) {
+    if (auto* box = qobject_cast<QAbstractSpinBox*>(focused)) focused = box->findChild<QLineEdit*>();
+    if (auto* line = qobject_cast<QLineEdit*>(focused)) return line->isReadOnly() || !line->isEnabled() ? nullptr : line;
+    if (auto* text = qobject_cast<QPlainTextEdit*>(focused)) return text->isReadOnly() || !text->isEnabled() ? nullptr : text;
+    return nullptr;
+}
+
+bool isNumber(const QWidget& field) {
+    if (qobject_cast<QAbstractSpinBox*>(field.parentWidget()) != nullptr) return true;
+    const auto* line = qobject_cast<const QLineEdit*>(&field);
+    static const QRegularExpression number("^[0-9.:-]+$"); // an address too
+    return line != nullptr && number.match(line->text()).hasMatch();
+}
 
 } // namespace
 
@@ -31,22 +61,26 @@ void Keypad::setOn(bool on) {
     if (!on) close();
 }
 
-QWidget* Keypad::page(const char* name, const QStringList& rows) {
+QWidget* Keypad::page(const char* name, const QStringList& rows, int size) {
     auto* made = new QWidget;
     made->setObjectName(name);
     auto* grid = new QGridLayout(made);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(kGap);
+    grid->setSpacing(kKeyGap);
     for (int row = 0; row < rows.size(); ++row) {
         const QStringList texts = rows[row].split(' ');
-        for (int column = 0; column < texts.size(); ++column) {
+        for (int column = 0, wide = 1; column < texts.size(); column += wide) {
+            for (wide = 1; column + wide < texts.size() && texts[column + wide] == texts[column];) ++wide;
             auto* key = new QToolButton;
             key->setText(texts[column]);
+            key->setAccessibleName(nameOf(texts[column]));
             key->setFocusPolicy(Qt::NoFocus);
-            key->setMinimumSize(kKey, kKey);
+            key->setFixedHeight(size);
+            key->setMinimumWidth(wide * size + (wide - 1) * kKeyGap);
+            key->setCheckable(texts[column] == kShift);
             key->setAutoRepeat(texts[column] == kBack);
-            connect(key, &QToolButton::clicked, this, [this, text = texts[column]] { type(text); });
-            grid->addWidget(key, row, column);
+            connect(key, &QToolButton::clicked, this, [this, key] { type(key->text()); });
+            grid->addWidget(key, row, column, 1, wide);
         }
     }
     return made;
@@ -62,36 +96,67 @@ QToolButton* Keypad::key(const QString& text) const {
 
 bool Keypad::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::FocusIn && watched->isWidgetType()) {
-        auto* field = qobject_cast<QLineEdit*>(watched);
-        if (auto* box = qobject_cast<QAbstractSpinBox*>(watched)) field = box->findChild<QLineEdit*>();
-        field != nullptr && !field->isReadOnly() && field->isEnabled() ? openFor(*field) : close();
+        QWidget* field = fieldOf(watched);
+        const bool comesBack = static_cast<QFocusEvent*>(event)->reason() == Qt::ActiveWindowFocusReason && field == closedFor_;
+        if (field == nullptr)
+            close();
+        else if (!comesBack)
+            openFor(*field);
+    } else if (event->type() == QEvent::MouseButtonPress && watched->isWidgetType()) {
+        auto* pressed = static_cast<QWidget*>(watched);
+        QWidget* field = fieldOf(pressed->objectName() == "qt_scrollarea_viewport" ? pressed->parentWidget() : pressed);
+        if (field != nullptr && field->hasFocus()) openFor(*field); // closed by its key, and tapped again
     } else if (event->type() == QEvent::Hide && watched == field_) {
         close();
+    } else if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Escape) close();
+        // Enter ends the typing: the button that the dialog would press is in sight, and a tap away.
+        if (pressing_ && key == Qt::Key_Return && qobject_cast<QDialog*>(watched) != nullptr) return true;
     }
     return false;
 }
 
-/// Below the field where there is room, else above it.
-void Keypad::openFor(QLineEdit& field) {
+void Keypad::make(QWidget& window) {
+    const int size = window.screen()->availableGeometry().height() < kLowScreen ? kLowKey : kKey;
+    keys_ = new QWidget(&window, Qt::Tool | Qt::FramelessWindowHint | Qt::WindowDoesNotAcceptFocus);
+    keys_->setObjectName("keypad");
+    keys_->setAttribute(Qt::WA_ShowWithoutActivating);
+    keys_->setFocusPolicy(Qt::NoFocus);
+    auto* pages = new QVBoxLayout(keys_);
+    pages->setContentsMargins(kKeyRim, kKeyRim, kKeyRim, kKeyRim);
+    pages->addWidget(page("keypad-numbers", kNumberRows, size));
+    pages->addWidget(page("keypad-letters", kLetterRows, size));
+}
+
+void Keypad::openFor(QWidget& field) {
+    closedFor_ = nullptr;
     if (field_ == &field && isVisible()) return;
     field_ = &field;
     if (keys_ == nullptr || keys_->parentWidget() != field.window()) {
         if (keys_ != nullptr) keys_->deleteLater();
-        keys_ = new QWidget(field.window(), Qt::Tool | Qt::FramelessWindowHint | Qt::WindowDoesNotAcceptFocus);
-        keys_->setObjectName("keypad");
-        keys_->setAttribute(Qt::WA_ShowWithoutActivating);
-        keys_->setFocusPolicy(Qt::NoFocus);
-        auto* pages = new QVBoxLayout(keys_);
-        pages->setContentsMargins(kRim, kRim, kRim, kRim);
-        pages->addWidget(page("keypad-numbers", kNumberRows));
-        pages->addWidget(page("keypad-letters", kLetterRows));
+        make(*field.window());
     }
-    showPage(qobject_cast<QAbstractSpinBox*>(field.parentWidget()) == nullptr);
-    const QRect room = field.screen()->availableGeometry(), edit(field.mapToGlobal(QPoint()), field.size());
-    const bool below = edit.bottom() + kGap + keys_->height() <= room.bottom();
-    keys_->move(std::clamp(edit.left(), room.left(), std::max(room.left(), room.right() - keys_->width())),
-                below ? edit.bottom() + kGap : std::max(room.top(), edit.top() - kGap - keys_->height()));
+    setCapitals(false);
+    showPage(!isNumber(field));
     keys_->show();
+}
+
+/// At the bottom of the screen; at its top if the field of the main window is there. A dialog moves above the keys. If it is too high for
+/// that, its field stays in sight, and as much as possible of what is below it.
+void Keypad::dock() {
+    const QWidget& window = *field_->window();
+    const QRect room = field_->screen()->availableGeometry(), edit(field_->mapToGlobal(QPoint()), field_->size());
+    QRect place(QPoint(), keys_->size());
+    place.moveCenter(room.center());
+    place.moveBottom(room.bottom());
+    auto* dialog = qobject_cast<QDialog*>(field_->window());
+    if (dialog == nullptr && place.intersects(edit)) place.moveTop(room.top());
+    keys_->move(place.topLeft());
+    if (dialog == nullptr || window.frameGeometry().bottom() < place.top()) return;
+    const QRect frame = window.frameGeometry();
+    const int fieldAt = edit.top() - frame.top() - kKeyGap;
+    dialog->move(frame.left(), std::max(place.top() - frame.height(), room.top() - std::max(0, fieldAt)));
 }
 
 void Keypad::close() {
@@ -104,23 +169,49 @@ void Keypad::showPage(bool letters) {
     keys_->findChild<QWidget*>("keypad-letters")->setVisible(letters);
     keys_->layout()->activate();
     keys_->resize(keys_->sizeHint());
+    if (field_ != nullptr) dock();
+}
+
+/// For the next letter.
+void Keypad::setCapitals(bool on) {
+    capitals_ = on;
+    for (auto* each : keys_->findChild<QWidget*>("keypad-letters")->findChildren<QToolButton*>()) {
+        if (each->text() == kShift) each->setChecked(on);
+        if (each->text().size() == 1 && each->text()[0].isLetter()) each->setText(on ? each->text().toUpper() : each->text().toLower());
+    }
 }
 
 void Keypad::type(const QString& text) {
     if (text == kToLetters || text == kToNumbers) return showPage(text == kToLetters);
+    if (text == kShift) return setCapitals(!capitals_);
+    if (text == kHide) {
+        QWidget* closed = field_;
+        close();
+        closedFor_ = closed;
+        return;
+    }
     if (field_ == nullptr) return;
     if (text == kBack) return press(Qt::Key_Backspace);
-    if (text == kDone) return press(Qt::Key_Return);
-    press(text[0].toUpper().unicode(), text);
+    if (text == kBlank) return press(Qt::Key_Space, " ");
+    if (text != kDone) {
+        press(text[0].toUpper().unicode(), text);
+        if (capitals_ && text[0].isLetter()) setCapitals(false);
+        return;
+    }
+    const bool lines = qobject_cast<QPlainTextEdit*>(field_) != nullptr;
+    press(Qt::Key_Return, lines ? "\n" : QString());
+    if (!lines) type(kHide);
 }
 
 /// A number box reads the keys itself.
 void Keypad::press(int key, const QString& text) {
     QPointer<QWidget> to = qobject_cast<QAbstractSpinBox*>(field_->parentWidget()) != nullptr ? field_->parentWidget() : field_.data();
+    pressing_ = true;
     for (const QEvent::Type what : {QEvent::KeyPress, QEvent::KeyRelease}) {
         QKeyEvent event(what, key, Qt::NoModifier, text);
         if (to != nullptr) QApplication::sendEvent(to, &event); // the first may close the window of the field
     }
+    pressing_ = false;
 }
 
 } // namespace edgescan::ui

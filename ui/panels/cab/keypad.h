@@ -1,7 +1,6 @@
 // Keys on the screen for numbers, addresses and names, in cab mode: a glove cannot use a keyboard.
 #pragma once
 
-#include <QLineEdit>
 #include <QObject>
 #include <QPointer>
 #include <QWidget>
@@ -10,8 +9,9 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// GUI thread only. While it is on, keys open below each field of one line that gets the focus, and close with the focus. They act on that
-/// field like a keyboard and never take the focus.
+/// GUI thread only. While it is on, keys open at the bottom of the screen for each field that gets the focus or is tapped, and close with
+/// the focus, with their own key, with Escape and with the dialog. The dialog of the field moves up, so that its buttons stay in sight. The
+/// keys act on that field like a keyboard and never take the focus.
 class Keypad : public QObject {
     Q_OBJECT
 public:
@@ -20,22 +20,29 @@ public:
 
     void setOn(bool on);
     [[nodiscard]] bool isVisible() const { return keys_ != nullptr && keys_->isVisible(); }
-    [[nodiscard]] QLineEdit* field() const { return field_; }
+    [[nodiscard]] QRect place() const { return isVisible() ? keys_->geometry() : QRect(); }
+    [[nodiscard]] QWidget* field() const { return field_; }
     /// The visible key with this text; null: there is none.
     [[nodiscard]] QToolButton* key(const QString& text) const;
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void openFor(QLineEdit& field);
+    void openFor(QWidget& field);
     void close();
+    void dock();
     void type(const QString& text);
     void press(int key, const QString& text = {});
     void showPage(bool letters);
-    [[nodiscard]] QWidget* page(const char* name, const QStringList& rows);
+    void setCapitals(bool on);
+    void make(QWidget& window);
+    [[nodiscard]] QWidget* page(const char* name, const QStringList& rows, int size);
 
-    QPointer<QLineEdit> field_;
-    QPointer<QWidget> keys_; // a child of the field's window, which a modal dialog does not block
+    QPointer<QWidget> field_;
+    QPointer<QWidget> closedFor_; // a field whose keys were closed by their key
+    QPointer<QWidget> keys_;      // a child of the field's window, which a modal dialog does not block
+    bool capitals_ = false;
+    bool pressing_ = false;
 };
 
 } // namespace edgescan::ui

@@ -8,7 +8,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kButton = 64, kLetters = 24, kValue = 20; // px
+constexpr int kButton = 64, kLetters = 24, kValue = 20, kLineGap = 4; // px
 constexpr int kFirstRepeatMs = 400, kRepeatMs = 90;
 
 // The steps grow, so that a large change takes few repeats.
@@ -29,28 +29,28 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     for (QWidget* each : std::initializer_list<QWidget*>{less_, value_, more_}) each->setFont(bold);
     bold.setPixelSize(kValue);
     value_->setFont(bold);
-    value_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    value_->setAlignment(Qt::AlignCenter);
-    value_->setFrameShape(QFrame::StyledPanel);
-    value_->setMinimumHeight(kButton);
-    value_->setAutoFillBackground(true);
-    value_->setBackgroundRole(QPalette::Base);
-    name_->setWordWrap(true);
+    // The value has a line of its own: between the buttons a narrow screen had no room for "39 mm auto", and half a value misleads.
+    for (QLabel* each : {name_, value_}) {
+        each->setWordWrap(true);
+        each->setTextFormat(Qt::PlainText);
+    }
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(8);
-    grid->addWidget(name_, 0, 0, 1, 3);
-    grid->addWidget(less_, 1, 0);
-    grid->addWidget(value_, 1, 1);
-    grid->addWidget(more_, 1, 2);
-    grid->setColumnStretch(1, 1);
+    grid->setHorizontalSpacing(2 * kLineGap);
+    grid->setVerticalSpacing(kLineGap);
+    grid->addWidget(name_, 0, 0, 1, 2);
+    grid->addWidget(value_, 1, 0, 1, 2);
+    grid->addWidget(less_, 2, 0);
+    grid->addWidget(more_, 2, 1);
     addButton(*less_, -1);
     addButton(*more_, +1);
     showName(name);
 }
 
 void Stepper::addButton(QToolButton& button, int direction) {
-    button.setFixedSize(kButton, kButton);
+    button.setMinimumWidth(kButton);
+    button.setFixedHeight(kButton);
+    button.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button.setFocusPolicy(Qt::TabFocus);
     button.setAutoRepeat(true);
     button.setAutoRepeatDelay(kFirstRepeatMs);

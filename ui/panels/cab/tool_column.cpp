@@ -12,14 +12,14 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kWide = 72, kHigh = 64, kBetween = 8; // px
+constexpr int kWide = 72, kHigh = 64, kLeastHigh = 54, kBetween = 6; // px
 constexpr int kSign = 28;
 constexpr int kWordPx = 15;
 constexpr int kFewest = 3; // rows
 
 } // namespace
 
-void makeGloveButton(QToolButton& button, const char* name, const char* sign, const QString& word, bool lit) {
+void makeGloveButton(QToolButton& button, const char* name, const char* sign, const QString& word) {
     button.setObjectName(name);
     button.setIcon(toolIcon(sign));
     button.setIconSize({kSign, kSign});
@@ -32,11 +32,6 @@ void makeGloveButton(QToolButton& button, const char* name, const char* sign, co
     QFont letters = button.font();
     letters.setPixelSize(kWordPx);
     button.setFont(letters);
-    if (lit) {
-        button.setCheckable(true);
-        button.setChecked(true);
-        QObject::connect(&button, &QToolButton::toggled, &button, [&button] { button.setChecked(true); });
-    }
     // A button that is on has its own background and border, so that colour is not the only sign.
     followColours(button, [&button](const Theme& theme) {
         button.setStyleSheet(QString("QToolButton { background: %1; color: %2; border: 1px solid %3; border-radius: 6px; padding: 2px; }"
@@ -73,26 +68,31 @@ void ToolColumn::setFoot(QToolButton* button) {
     layOut();
 }
 
-/// The height of three tools: the other tools go into a second column.
-QSize ToolColumn::minimumSizeHint() const { return {grid_->minimumSize().width(), kFewest * (kHigh + kBetween) + kBetween}; }
+/// The height of three tools: the other tools go into more columns.
+QSize ToolColumn::minimumSizeHint() const { return {grid_->minimumSize().width(), kFewest * (kLeastHigh + kBetween) + kBetween}; }
 
 void ToolColumn::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const int room = (height() - kBetween) / (kHigh + kBetween);
-    if (room != rows_ && room >= kFewest) {
-        rows_ = room;
-        layOut();
-    }
+    layOut();
 }
 
+/// As few columns as the height has room for, all with the same number of buttons.
 void ToolColumn::layOut() {
-    const int most = std::max(1, rows_ - (foot_ != nullptr ? 1 : 0));
-    const int rows = std::min(most, static_cast<int>(buttons_.size()));
-    for (int n = 0; n < static_cast<int>(buttons_.size()); ++n)
-        grid_->addWidget(buttons_[static_cast<std::size_t>(n)], n % rows, n / rows, Qt::AlignTop);
+    const int foot = foot_ != nullptr ? 1 : 0, tools = static_cast<int>(buttons_.size()), all = tools + foot;
+    const int most = std::max(kFewest, (height() - kBetween) / (kLeastHigh + kBetween));
+    const int columns = (all + most - 1) / most, rows = (all + columns - 1) / columns;
+    const int high = std::clamp((height() - kBetween) / rows - kBetween, kLeastHigh, kHigh);
+    for (QToolButton* each : buttons_) each->setFixedHeight(high);
+    if (foot_ != nullptr) foot_->setFixedHeight(high);
+    if (std::pair(rows, all) == laidOut_) return;
+    laidOut_ = {rows, all};
+    for (int n = 0; n < tools; ++n) {
+        const int place = n < rows - foot ? n : n + foot; // the foot is the last of the first column
+        grid_->addWidget(buttons_[static_cast<std::size_t>(n)], place % rows, place / rows, Qt::AlignTop);
+    }
     for (int n = 0; n < grid_->rowCount(); ++n) grid_->setRowStretch(n, 0);
-    grid_->setRowStretch(rows, 1);
-    if (foot_ != nullptr) grid_->addWidget(foot_, rows + 1, 0, Qt::AlignBottom);
+    grid_->setRowStretch(rows - 1, 1); // that of the foot
+    if (foot_ != nullptr) grid_->addWidget(foot_, rows - 1, 0, Qt::AlignBottom);
 }
 
 } // namespace edgescan::ui

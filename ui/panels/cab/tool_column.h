@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include <utility>
 #include <vector>
 
 class QGridLayout;
@@ -10,8 +11,8 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// Large enough for gloves, with an icon and text below it. `lit`: always drawn as switched on.
-void makeGloveButton(QToolButton& button, const char* name, const char* sign, const QString& word, bool lit = false);
+/// Large enough for gloves, with an icon and text below it.
+void makeGloveButton(QToolButton& button, const char* name, const char* sign, const QString& word);
 [[nodiscard]] QToolButton* gloveButton(const char* name, const char* sign, const QString& word);
 
 /// GUI thread only.
@@ -35,7 +36,7 @@ private:
     std::vector<QToolButton*> buttons_;
     QToolButton* foot_ = nullptr;
     QGridLayout* grid_;
-    int rows_ = 100; // rows per column; large until the available height is known
+    std::pair<int, int> laidOut_{}; // rows and buttons
 };
 
 } // namespace edgescan::ui

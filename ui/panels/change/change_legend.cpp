@@ -200,10 +200,8 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
         const Row& row = rows_[static_cast<std::size_t>(n)];
         const bool some = comparison != nullptr && (row.box->objectName() != "change-3" || comparison->count(ChangeRow::Unseen) > 0);
         const bool shown = some && (!ofSurfaces || comparison->isOfTwoScans());
-        for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(shown && rowsShown_);
         row.count->setText(shown ? countText(comparison->count(static_cast<ChangeRow>(n))) : QString());
     }
-    unit_->setVisible(comparison != nullptr && rowsShown_);
     QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nchange a setting, or open another scan");
     if (comparison != nullptr && !working) {
         how = coreWords(inspect::registrationText(*comparison->asked.now->detection->scan, comparison->change.earlier.how))
@@ -215,9 +213,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
                               .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
     setWords(*how_, how);
-    how_->setVisible(rowsShown_ || comparison == nullptr);
     const auto distances = comparison != nullptr && rowsShown_ ? comparison->distances : nullptr;
-    byDistance_->setVisible(rowsShown_ && comparison != nullptr && comparison->isOfTwoScans());
     histogram_->showDistances(distances);
     distances_->setVisible(distances != nullptr);
     if (distances)
@@ -227,6 +223,10 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
                                   .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
     for (QToolButton* button : {previous_, next_})
         button->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
+    compared_ = comparison != nullptr;
+    ofTwoScans_ = comparison != nullptr && comparison->isOfTwoScans();
+    warned_ = comparison != nullptr && comparison->change.earlier.how.outOfSpec;
+    showRows();
     showRegion(QString());
     showFlipped(flipped_);
     show();
@@ -265,11 +265,30 @@ bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
     return ViewPlate::eventFilter(watched, event);
 }
 
+/// In a cab the rows that count something: the plate must leave the rocks in sight. A warning is always there.
+void ChangeLegend::showRows() {
+    for (const Row& row : rows_) {
+        const QString count = row.count->text();
+        const bool shown = rowsShown_ && !count.isEmpty() && (!brief_ || count != "0");
+        for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(shown);
+    }
+    unit_->setVisible(compared_ && rowsShown_ && !brief_);
+    how_->setVisible(!compared_ || (rowsShown_ && (!brief_ || warned_)));
+    byDistance_->setVisible(rowsShown_ && ofTwoScans_ && !brief_);
+}
+
+void ChangeLegend::setBrief(bool on) {
+    brief_ = on;
+    showRows();
+    showFlipped(flipped_);
+}
+
 void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
 
 void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;
-    setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1\nhold \\ to see it").arg(before_));
+    const QString toSee = brief_ ? tr("to see it: A/B, %1").arg(QObject::tr("Show &A").remove('&')) : tr("hold \\ to see it");
+    setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_) + '\n' + toSee);
 }
 
 void ChangeLegend::showCovered(bool on) {

@@ -25,6 +25,8 @@ public:
     void showKept(const QString& before, const Comparison* comparison, bool working);
     /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
+    /// On: for a cab, without explanations and without rows that count nothing.
+    void setBrief(bool on);
     void setRows(const ChangeRows& rows);
     void setByDistance(bool on);
     /// Shows which of the two scans is on the screen.
@@ -57,6 +59,7 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void setWords(QLabel& label, const QString& words);
     void fit();
+    void showRows();
     void emitRows();
 
     QLabel *title_, *unit_, *how_, *covered_, *region_;
@@ -69,6 +72,8 @@ private:
     QString before_;
     bool flipped_ = false;
     bool rowsShown_ = true;
+    bool brief_ = false;
+    bool compared_ = false, ofTwoScans_ = false, warned_ = false; // of the comparison
 };
 
 } // namespace edgescan::ui

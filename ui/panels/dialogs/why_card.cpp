@@ -1,6 +1,7 @@
 // Explains why a cell is an edge.
 #include "ui/panels/dialogs/why_card.h"
 
+#include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
@@ -8,6 +9,8 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -16,6 +19,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kFromRight = 12, kFromTop = 90; // px, of the window's frame
+constexpr int kFrame = 48;                    // px: above and below the card, at most
 constexpr int kRim = 12;                      // px
 constexpr double kMostStretched = 20.0;       // limit of the exaggeration of depth against width
 
@@ -91,13 +95,27 @@ WhyCard::WhyCard(QWidget* parent)
     beside_->hide();
     buttons->addButton(beside_, QDialogButtonBox::ActionRole);
     connect(beside_, &QPushButton::clicked, this, &WhyCard::nearestEdgeRequested);
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* each : std::initializer_list<QWidget*>{cell_, verdict_, picture_, below_, numbers_}) column->addWidget(each);
+    column->addStretch(1);
+    content_ = scrolled(*content);
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(cell_);
-    layout->addWidget(verdict_);
-    layout->addWidget(picture_);
-    layout->addWidget(below_);
-    layout->addWidget(numbers_);
+    layout->addWidget(content_, 1);
     layout->addWidget(buttons);
+}
+
+/// As high as its text where the screen has room for it; else the text scrolls.
+void WhyCard::fit() {
+    QWidget& content = *content_->widget();
+    content.ensurePolished();
+    const int high = content.layout()->heightForWidth(std::max(content_->viewport()->width(), content.layout()->minimumSize().width()));
+    content_->setMinimumHeight(0);
+    const QRect room = screen()->availableGeometry();
+    const int others = layout()->minimumSize().height() - content_->minimumSizeHint().height();
+    content_->setMinimumHeight(std::min(high, room.height() - kFromTop - others - kFrame));
+    adjustSize();
 }
 
 void WhyCard::showCell(const QString& words) { cell_->setText(words); }
@@ -108,7 +126,7 @@ void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& 
     below_->setVisible(!picture_->isHidden());
     numbers_->setText(numbers);
     numbers_->setVisible(!numbers.isEmpty());
-    adjustSize();
+    fit();
     if (!isVisible() && parentWidget() != nullptr) { // over the panel, not over the explained cell
         const QRect window = parentWidget()->frameGeometry();
         move(window.right() - width() - kFromRight, window.top() + kFromTop);

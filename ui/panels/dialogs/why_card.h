@@ -7,6 +7,7 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 
 namespace edgescan::ui {
 
@@ -49,6 +50,9 @@ signals:
     void nearestEdgeRequested();
 
 private:
+    void fit();
+
+    QScrollArea* content_ = nullptr;
     QLabel *cell_, *verdict_, *numbers_, *below_;
     QPushButton* beside_;
     ProfileView* picture_;

@@ -1,0 +1,290 @@
+// Cab mode with gloves and without a keyboard: whole numbers in Tune, keys on the screen, what can be removed, what waits for a scan.
+#include "tests/support/folders.h"
+#include "tests/ui/sized_window.h"
+#include "tests/ui/whole_widgets.h"
+#include "ui/base/language/languages.h"
+#include "ui/panels/cab/cab_frame.h"
+#include "ui/panels/cab/keypad.h"
+#include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/cab/stepper.h"
+#include "ui/panels/cab/tool_column.h"
+#include "ui/panels/change/change_legend.h"
+#include "ui/panels/dialogs/report_form.h"
+#include "ui/panels/dialogs/why_card.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/theme.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
+#include <QToolButton>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class CabHandsTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string scan_;
+
+    static QToolButton* tool(MainWindow& window, const char* name) {
+        auto* found = window.findChild<QToolButton*>(name);
+        if (found == nullptr) qFatal("there is no %s", name);
+        return found;
+    }
+    static bool useTexts(const char* code) {
+        return useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages");
+    }
+    static QMenu* opened(QToolButton* button) {
+        QTest::mouseClick(button, Qt::LeftButton);
+        return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    }
+    static void choose(QMenu* menu, int row) {
+        QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(menu->actions()[row]).center());
+    }
+    static void tap(Keypad& pad, const QString& key) {
+        QToolButton* found = pad.key(key);
+        if (found == nullptr) qFatal("there is no key %s", qPrintable(key));
+        QTest::mouseClick(found, Qt::LeftButton);
+    }
+    static QRect onScreen(const QWidget& widget) { return {widget.mapToGlobal(QPoint()), widget.size()}; }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        scan_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(files::saveScan(test::boxesScan(200, 240, 3, 0.02), scan_)));
+    }
+    void cleanup() {
+        useLanguage("en");
+        useTheme(*qApp, false);
+    }
+
+    // No label of Tune is narrower or lower than its text, for the settings of all methods.
+    void everyNumberOfTuneIsWhole() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useTexts(language.code));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            QTest::mouseClick(tool(on.window, "cab-tune"), Qt::LeftButton);
+            on.viewer.cloud.hide(); // it would be drawn at each size
+            auto* side = on.window.findChild<NumbersSide*>();
+            QSet<QString> methods;
+            for (bool more = true; more;) {
+                for (const int width : {853, 1024, 1280, 1366, 1920, 2560}) {
+                    on.window.resize(width, 700);
+                    for (int n = 0; n < 3; ++n) QApplication::processEvents();
+                    const QToolButton* leave = tool(on.window, "cab-leave");
+                    QVERIFY2(leave->width() >= leave->sizeHint().width(), qPrintable(QString("%1 at %2").arg(leave->text()).arg(width)));
+                    const auto* page = side->stepper("method")->parentWidget();
+                    for (const QLabel* each : page->findChildren<QLabel*>()) {
+                        if (!each->isVisible()) continue;
+                        const QString where =
+                            QString("%1: \"%2\" at %3, %4 px").arg(language.code, each->text()).arg(width).arg(each->width());
+                        QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(where));
+                        for (const QString& word : each->wordWrap() ? each->text().split(' ') : QStringList(each->text()))
+                            QVERIFY2(each->fontMetrics().horizontalAdvance(word) <= each->contentsRect().width() + 1, qPrintable(where));
+                        QVERIFY2(!each->wordWrap() || each->heightForWidth(each->width()) <= each->height() + 1, qPrintable(where));
+                    }
+                }
+                methods << side->stepper("method")->value();
+                const edges::Method before = on.viewer.engine.settings().method;
+                QTest::mouseClick(side->stepper("method")->more(), Qt::LeftButton);
+                QVERIFY(on.settled());
+                more = on.viewer.engine.settings().method != before;
+            }
+            QVERIFY2(methods.size() >= 2, qPrintable(QStringList(methods.values()).join(", ")));
+        }
+    }
+
+    // The keys are at the bottom of the screen. The dialog moves: its field and its buttons stay in sight.
+    void theKeysCoverNeitherFieldNorButtons() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        Keypad& pad = on.window.cab().keypad();
+        ReportForm form({}, &on.window);
+        form.show();
+        form.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&form));
+        form.move(300, form.screen()->availableGeometry().bottom() - form.height());
+        auto* site = form.findChild<QLineEdit*>("report-site");
+        auto* remark = form.findChild<QPlainTextEdit*>("report-remark");
+        for (QWidget* field : {static_cast<QWidget*>(site), static_cast<QWidget*>(remark)}) {
+            QTest::mouseClick(field == remark ? remark->viewport() : field, Qt::LeftButton);
+            field->setFocus();
+            QTRY_VERIFY2(pad.isVisible(), qPrintable(field->objectName()));
+            QCOMPARE(pad.field(), field);
+            QTRY_VERIFY(!pad.place().intersects(onScreen(*field)));
+            for (const QPushButton* each : form.findChild<QDialogButtonBox*>()->findChildren<QPushButton*>())
+                QVERIFY2(!pad.place().intersects(onScreen(*each)), qPrintable(each->text()));
+            QVERIFY(form.screen()->availableGeometry().contains(pad.place()));
+        }
+        for (const char* key : {"⇧", "R", "o", "c", "k", "␣", "⇧", "B"}) tap(pad, key);
+        tap(pad, "↵");
+        tap(pad, "a");
+        QCOMPARE(remark->toPlainText(), QString("Rock B\na"));
+        // Enter in a field of one line ends the typing, and does not press the button of the dialog.
+        QTest::mouseClick(site, Qt::LeftButton);
+        site->setFocus();
+        QTRY_COMPARE(pad.field(), static_cast<QWidget*>(site));
+        tap(pad, "123");
+        tap(pad, "7");
+        tap(pad, "↵");
+        QCOMPARE(site->text(), QString("7"));
+        QVERIFY(form.isVisible() && !pad.isVisible());
+        QTest::mouseClick(site, Qt::LeftButton); // the field still has the focus
+        QTRY_VERIFY(pad.isVisible());
+        tap(pad, "▼");
+        QVERIFY(!pad.isVisible() && form.isVisible());
+        QTest::mouseClick(site, Qt::LeftButton);
+        QTRY_VERIFY(pad.isVisible());
+        form.reject();
+        QTRY_VERIFY2(!pad.isVisible(), "the keys close with the dialog");
+        on.window.cab().set(false);
+    }
+
+    void escapeClosesTheKeys() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        Keypad& pad = on.window.cab().keypad();
+        QTest::mouseClick(tool(on.window, "cab-connect"), Qt::LeftButton);
+        QTRY_VERIFY(pad.isVisible());
+        QVERIFY(!pad.place().intersects(onScreen(*pad.field())));
+        QTest::keyClick(pad.field(), Qt::Key_Escape);
+        QVERIFY(!pad.isVisible());
+    }
+
+    void aTargetAndAMeasurementAreRemovedAndComeBack() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QToolButton* remove = tool(on.window, "cab-remove");
+        QVERIFY(remove->isVisible() && !remove->isEnabled());
+        const auto cell = [&](int line, int beam) { return static_cast<std::uint32_t>(line * 240 + beam); };
+        on.viewer.views.pin(cell(100, 120));
+        inspect::StoredMeasure measure;
+        measure.cells = {cell(60, 60), cell(100, 120)};
+        on.viewer.targets.keepMeasure(measure);
+        QTRY_VERIFY(remove->isEnabled() && on.viewer.targets.settled());
+        QMenu* menu = opened(remove);
+        QVERIFY(menu != nullptr);
+        QCOMPARE(menu->actions().size(), 2);
+        QVERIFY2(menu->actions()[0]->text().startsWith("Target 1"), qPrintable(menu->actions()[0]->text()));
+        QVERIFY2(menu->actions()[1]->text().startsWith("Distance"), qPrintable(menu->actions()[1]->text()));
+        choose(menu, 1);
+        QTRY_VERIFY(on.viewer.targets.notebook().measures.empty());
+        menu = opened(remove);
+        choose(menu, 0);
+        QTRY_VERIFY(on.viewer.targets.notebook().targets.empty() && !remove->isEnabled());
+        QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton);
+        QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton);
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        QCOMPARE(on.viewer.targets.notebook().measures.size(), std::size_t(1));
+    }
+
+    void whatNeedsAScanWaitsForIt() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        on.window.cab().set(true);
+        for (const char* name : {"cab-tune", "cab-report", "cab-export", "cab-measure", "cab-why"})
+            QVERIFY2(!tool(on.window, name)->isEnabled(), name);
+        for (const char* name : {"cab-menu", "cab-open", "cab-connect", "cab-leave"}) QVERIFY2(tool(on.window, name)->isEnabled(), name);
+        QVERIFY(on.open(scan_));
+        for (const char* name : {"cab-tune", "cab-report", "cab-export", "cab-measure", "cab-why"})
+            QTRY_VERIFY2(tool(on.window, name)->isEnabled(), name);
+    }
+
+    // One column where it fits, else columns of equal length: no lone button next to a full column.
+    void theToolsAreInEvenColumns() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        for (const QSize size : {QSize(853, 533), QSize(1024, 748), QSize(1280, 700), QSize(1366, 748), QSize(1920, 1040)}) {
+            resizeTo(on.window, size);
+            QMap<int, int> columns; // buttons by x
+            for (const auto* each : on.window.findChild<ToolColumn*>()->findChildren<QToolButton*>()) ++columns[each->x()];
+            const auto [least, most] = std::minmax_element(columns.begin(), columns.end());
+            QVERIFY2(*most - *least <= 1, qPrintable(QString("%1 and %2 at %3").arg(*least).arg(*most).arg(size.height())));
+            if (size.height() >= 700) QCOMPARE(columns.size(), 1);
+        }
+    }
+
+    void quittingAsksInACab() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        bool asked = false;
+        const auto answer = [&](const char* button) {
+            QTimer::singleShot(0, &on.window, [&asked, button, &on] {
+                auto* box = on.window.findChild<QMessageBox*>("close-question");
+                asked = box != nullptr;
+                if (box == nullptr) return;
+                if (*button == '\0')
+                    box->reject();
+                else
+                    box->findChild<QPushButton*>(button)->click();
+            });
+        };
+        answer("");
+        QTest::keyClick(&on.window, Qt::Key_Q, Qt::ControlModifier);
+        QVERIFY(asked && on.window.isVisible());
+        answer("end-and-close");
+        QTest::keyClick(&on.window, Qt::Key_Q, Qt::ControlModifier);
+        QTRY_VERIFY(!on.window.isVisible());
+    }
+
+    // The plate of a comparison names a way for fingers, not a key, and leaves out rows that count nothing.
+    void theComparisonIsForFingers() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        resizeTo(on.window, {1366, 748});
+        on.viewer.comparing.keep();
+        edges::Settings other = on.viewer.engine.settings();
+        other.sensitivity *= 2.0;
+        QVERIFY(on.use(other));
+        ChangeLegend& legend = on.viewer.changeLegend;
+        QTRY_VERIFY(!legend.counted(ChangeRow::Unchanged).isEmpty());
+        QVERIFY(legend.titleText().contains('\\'));
+        on.window.cab().set(true);
+        QVERIFY2(!legend.titleText().contains('\\') && legend.titleText().contains("Show A"), qPrintable(legend.titleText()));
+        for (const ChangeRow row : {ChangeRow::Gained, ChangeRow::Lost, ChangeRow::Unchanged})
+            QCOMPARE(legend.row(row)->isVisibleTo(&legend), legend.counted(row) != "0");
+    }
+
+    // All text is in sight, or there is a bar to scroll it with.
+    void noLineOfWhyIsCut() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {1280, 780});
+        for (const int lines : {3, 30, 90}) {
+            WhyCard card(&on.window);
+            card.showExplanation("No edge.", {}, QString("line 153, beam 534 next to it is stronger\n").repeated(lines));
+            QVERIFY(QTest::qWaitForWindowExposed(&card));
+            QApplication::processEvents();
+            const auto* area = card.findChild<QScrollArea*>();
+            QVERIFY(area != nullptr);
+            QVERIFY(card.screen()->availableGeometry().contains(card.geometry()));
+            for (const QLabel* each : card.findChildren<QLabel*>())
+                QVERIFY2(!each->isVisible() || each->height() >= each->heightForWidth(each->width()), qPrintable(each->text().left(40)));
+            const bool whole = area->widget()->height() <= area->viewport()->height();
+            QVERIFY2(whole || area->verticalScrollBar()->isVisible(), qPrintable(QString::number(lines)));
+            if (lines < 90) QVERIFY(whole);
+        }
+    }
+};
+
+int cab_hands_test(int argc, char** argv) { return runWindowTest<CabHandsTest>(argc, argv); }
+#include "cab_hands_test.moc"
