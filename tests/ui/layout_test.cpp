@@ -272,6 +272,29 @@ private slots:
         QVERIFY(!dock(again.window)->isHidden());
     }
 
+    // The menus name docks that another tab hides: such a dock comes to the front, and only the one in front is folded.
+    void aDockBehindATabComesToTheFront() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        const auto dockOf = [&](const char* name) { return on.window.findChild<QDockWidget*>(name); };
+        const auto inFront = [](const QDockWidget* dock) { return dock->isVisible() && !dock->visibleRegion().isEmpty(); };
+        for (const QSize size : {QSize(1024, 768), QSize(1366, 768)}) {
+            resizeTo(on.window, size);
+            on.viewer.rocks.setShown(true);
+            for (const char* name : {"dock-rocks", "dock-rock-table", "dock-targets", "dock-layers", "dock-rock-table", "dock-rocks"}) {
+                QDockWidget* dock = dockOf(name);
+                if (!inFront(dock)) dock->toggleViewAction()->trigger();
+                QTRY_VERIFY2(inFront(dock), name);
+                QVERIFY2(dock->toggleViewAction()->isChecked(), name);
+            }
+            dockOf("dock-rocks")->toggleViewAction()->trigger();
+            QTRY_VERIFY(dockOf("dock-rocks")->isHidden());
+            QVERIFY(!dockOf("dock-rock-table")->isHidden());
+            on.window.resetLayout();
+            on.viewer.rocks.setShown(false);
+        }
+    }
+
     void aPanelIsFoldedAlsoWhereNothingIsRemembered() {
         WindowFixture on;
         QVERIFY(on.showWith(bare_));

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -67,9 +68,15 @@ void Docks::add(const QString& title, const char* name, QWidget* content, Side s
     dock->setProperty(kByHand, preferences_.text("window/" + dock->objectName()));
     dock->setWidget(content);
     docks_.push_back({dock, side, opensFrom});
+    // Before Qt hides it: a dock behind another tab comes to the front, and only the one in front is folded.
+    connect(dock->toggleViewAction(), &QAction::toggled, this, [this, dock](bool open) {
+        if (!open && !dock->isHidden()) behindTab_ = dock->visibleRegion().isEmpty() ? dock : nullptr;
+    });
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool open) {
-        keep(*dock, open ? "open" : "folded");
+        const bool front = open || std::exchange(behindTab_, nullptr) == dock;
+        keep(*dock, front ? "open" : "folded");
         emit changed();
+        if (front && !dock->isHidden()) dock->raise();
     });
     rail_.add(dock);
     dock->hide();

@@ -68,7 +68,8 @@ private:
     QMainWindow& window_;
     DockRail& rail_;
     Preferences& preferences_;
-    std::vector<Dock> docks_; // in their order from top to bottom
+    std::vector<Dock> docks_;                // in their order from top to bottom
+    const QDockWidget* behindTab_ = nullptr; // the operator chose it in a menu while another tab hid it
     bool locked_ = false;
     int arranged_ = 0; // width set by setWidths()
     int dragged_ = 0;  // 0: the width follows the window
