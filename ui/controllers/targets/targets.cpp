@@ -167,7 +167,7 @@ bool Targets::moveRockPin(std::size_t cell, std::optional<std::uint32_t> clicked
     target->pinnedUtc = utcText(utcNow());
     target->asPinned.clear();
     const QString name = stepName("Move %1", target->number);
-    undo_.push(new UndoStep<inspect::Notebook>(
+    push(new UndoStep<inspect::Notebook>(
         rockMoves_, [name](const inspect::Notebook&, const inspect::Notebook&) { return name; }, notebook_, std::move(after), useHere()));
     if (!std::exchange(saidThatItMoves_, true))
         notice_.showHint(tr("Target %1 moved to this rock. To set the next one, name or lock it first.").arg(rockPin_));
@@ -268,7 +268,12 @@ void Targets::setPart(const inspect::TargetsPart& part) {
 }
 
 void Targets::change(const QString& what, inspect::Notebook after) {
-    undo_.push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), useHere()));
+    push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), useHere()));
+}
+
+void Targets::push(UndoStep<inspect::Notebook>* step) {
+    step->onlyWhile([this, key = key_] { return key_ == key; });
+    undo_.push(step);
 }
 
 /// The notebook of the picture on the screen, if it is still there.
