@@ -118,6 +118,9 @@ void addToolButtons(MainWindow& window) {
     addRows(bar, commands, kBehind);
     addMenu(bar, commands, kCompares);
     addRows(bar, commands, kLast);
+    for (const KeyedCommand& command : commands) { // the menus whose commands have no meaning without a scan
+        if (command.id.startsWith("Rocks/") || command.id.startsWith("Measure/")) bar.needsScan(*command.action);
+    }
     bar.setScanOpen(false);
     QObject::connect(&window, &MainWindow::pictureShown, &bar, [&bar] { bar.setScanOpen(true); });
 }
