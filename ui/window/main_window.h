@@ -19,6 +19,7 @@ namespace edgescan::ui {
 class CabMode;
 class DockRail;
 class Docks;
+enum class DockLock;
 class Preferences;
 class Pane;
 class PanePlaces;
@@ -39,7 +40,7 @@ public:
     void resetLayout();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
     void useCab(bool on);
-    void lockDocks(bool on);
+    void lockDocks(DockLock by, bool on);
     /// Shrinks and moves the window until its frame is inside the screen.
     void fitScreen();
     void showAlone(const QWidget* view);
@@ -78,6 +79,8 @@ private:
     void showTitle();
     void arrange();
     void setImagesWidth(int width);
+    [[nodiscard]] int widthOfImagesFirst();
+    void foldImages(bool fold, bool byPanel);
     void showImages();
     [[nodiscard]] bool mayClose();
     void maximise(Pane* pane);
@@ -97,9 +100,10 @@ private:
     PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;
     Docks* docks_ = nullptr;
-    bool framed_ = false;                // the desktop has reported the width of the window's frame
-    int arrangedImages_ = 0;             // width set by arrange(): images that still have it follow the window
-    bool roomForImages_ = true;          // next to the cloud
+    bool framed_ = false;       // the desktop has reported the width of the window's frame
+    int arrangedImages_ = 0;    // width set by arrange(): images that still have it follow the window
+    bool roomForImages_ = true; // next to the cloud
+    bool saidThatImagesFold_ = false;
     QTimer rememberTimer_;               // one write for a whole drag of window or splitter
     std::unique_ptr<Sessions> sessions_; // last: destroyed before the objects that it uses
 };
