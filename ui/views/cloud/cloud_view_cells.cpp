@@ -35,7 +35,12 @@ void CloudView::lookAtCells(const CellIndices& cells) {
     const QRect free = freeArea();
     pose_ = lookingAtFrom(cloud_->sensor.cast<double>(), box, cloud_->axes.up, pose_, aspect() * free.width() / std::max(1, width()));
     centre_ = pose_.focus;
-    pose_ = panned(pose_, centre_, free.center().x() - rect().center().x(), 0.0, height());
+    // The camera turns where it is: from a place aside, other rocks would hide the cells.
+    const double aside = free.center().x() - rect().center().x(), perPixel = 2.0 * pose_.halfHeight() / std::max(1, height());
+    if (pose_.parallel)
+        pose_ = panned(pose_, centre_, aside, 0.0, height());
+    else
+        pose_.focus -= aside * perPixel * pose_.right();
     applyCamera();
 }
 
