@@ -430,6 +430,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Drawing (*.dxf)</source><translation>Dibujo (*.dxf)</translation></message>
 <message><source>Table (*.csv)</source><translation>Tabla (*.csv)</translation></message>
 <message><source>Picture (*.png)</source><translation>Imagen (*.png)</translation></message>
+<message><source>class %1 on</source><translation>clase %1 activada</translation></message>
+<message><source>class %1 off</source><translation>clase %1 desactivada</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
 <message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Este escaneo es plano y con poco ruido: con el preajuste smooth-walls, los escalones bajos lejanos también son bordes.</translation></message>
@@ -564,6 +566,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Pared, no es una roca</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar las rocas…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
+<message><source>JSON files (*.json)</source><translation>Archivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La sesión no se guarda: %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>desde ahora se guarda con cada cambio</translation></message>
@@ -799,6 +802,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Sin coordenadas mina: %1. Escaneo &gt; Pose y montaje acepta una pose y una calibración.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
+<message><source>Lines through %1 edge points will be saved.</source><translation>Se guardarán líneas que pasan por %1 puntos de borde.</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
 <message><source>doubtful</source><translation>dudoso</translation></message>
@@ -846,7 +850,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
 <message><source>Choose…</source><translation>Elegir…</translation></message>
 <message><source>none</source><translation>ninguno</translation></message>
-<message><source>HTML: turns in any browser, without a network</source><translation>HTML: gira en cualquier navegador, sin red</translation></message>
+<message><source>HTML: any browser opens it and turns the cloud, without a network</source><translation>HTML: cualquier navegador lo abre y gira la nube, sin red</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir y archivar</translation></message>
 <message><source>Site</source><translation>Lugar</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
@@ -966,6 +970,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>escáner, o ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nombre o dirección del escáner; ws://ROBOT es un robot con ROS en el que funciona foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nombre o dirección del escáner</translation></message>
+<message><source>Port of the scanner</source><translation>Puerto del escáner</translation></message>
 <message><source>Sweep…</source><translation>Barrido…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Líneas de un barrido, paso por línea, montaje</translation></message>
 <message><source>Stop</source><translation>Detener</translation></message>
@@ -1494,6 +1499,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Advertencias de este escaneo:
 </translation></message>
+<message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La ventana no tiene sitio para las imágenes junto a este panel: vuelven cuando usted lo pliega.</translation></message>
 <message><source>Network capture</source><translation>Captura de red</translation></message>
 <message><source>CoLa stream</source><translation>Flujo CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dibujo con las líneas de los bordes</translation></message>

@@ -430,6 +430,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Drawing (*.dxf)</source><translation>Dessin (*.dxf)</translation></message>
 <message><source>Table (*.csv)</source><translation>Tableau (*.csv)</translation></message>
 <message><source>Picture (*.png)</source><translation>Image (*.png)</translation></message>
+<message><source>class %1 on</source><translation>classe %1 activée</translation></message>
+<message><source>class %1 off</source><translation>classe %1 désactivée</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
 <message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Ce scan est plan et peu bruité : avec le préréglage smooth-walls, les marches basses au loin sont aussi des arêtes.</translation></message>
@@ -564,6 +566,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Paroi, pas un bloc</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
+<message><source>JSON files (*.json)</source><translation>Fichiers JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ La session n'est pas enregistrée : %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>enregistrée désormais à chaque changement</translation></message>
@@ -799,6 +802,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Pose et montage accepte une pose et un étalonnage.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Lines through %1 edge points will be saved.</source><translation>Des lignes passant par %1 points d'arête seront enregistrées.</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
 <message><source>doubtful</source><translation>douteux</translation></message>
@@ -846,7 +850,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
 <message><source>Choose…</source><translation>Choisir…</translation></message>
 <message><source>none</source><translation>aucune</translation></message>
-<message><source>HTML: turns in any browser, without a network</source><translation>HTML : tourne dans tout navigateur, sans réseau</translation></message>
+<message><source>HTML: any browser opens it and turns the cloud, without a network</source><translation>HTML : tout navigateur l'ouvre et fait tourner le nuage, sans réseau</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF : des pages à imprimer et à classer</translation></message>
 <message><source>Site</source><translation>Site</translation></message>
 <message><source>Author</source><translation>Auteur</translation></message>
@@ -966,6 +970,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>scanner, ou ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nom ou adresse du scanner ; ws://ROBOT est un robot avec ROS sur lequel tourne foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nom ou adresse du scanner</translation></message>
+<message><source>Port of the scanner</source><translation>Port du scanner</translation></message>
 <message><source>Sweep…</source><translation>Balayage…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
@@ -1494,6 +1499,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avertissements de ce scan :
 </translation></message>
+<message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>La fenêtre n'a pas de place pour les images à côté de ce panneau : elles reviennent quand vous le repliez.</translation></message>
 <message><source>Network capture</source><translation>Capture réseau</translation></message>
 <message><source>CoLa stream</source><translation>Flux CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Dessin avec les lignes des arêtes</translation></message>

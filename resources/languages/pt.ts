@@ -430,6 +430,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Drawing (*.dxf)</source><translation>Desenho (*.dxf)</translation></message>
 <message><source>Table (*.csv)</source><translation>Tabela (*.csv)</translation></message>
 <message><source>Picture (*.png)</source><translation>Imagem (*.png)</translation></message>
+<message><source>class %1 on</source><translation>classe %1 ativada</translation></message>
+<message><source>class %1 off</source><translation>classe %1 desativada</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
 <message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Esta varredura é plana e com pouco ruído: com a predefinição smooth-walls, os degraus baixos ao longe também são bordas.</translation></message>
@@ -564,6 +566,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Parede, não é uma rocha</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar as rochas…</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
+<message><source>JSON files (*.json)</source><translation>Arquivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
 <message><source>▲ The session is not saved: %1</source><translation>▲ A sessão não é salva: %1</translation></message>
 <message><source>from now on saved as it changes</source><translation>a partir de agora salva a cada mudança</translation></message>
@@ -799,6 +802,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Pose e montagem aceita uma pose e uma calibração.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
+<message><source>Lines through %1 edge points will be saved.</source><translation>Serão salvas linhas que passam por %1 pontos de borda.</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
 <message><source>doubtful</source><translation>duvidoso</translation></message>
@@ -846,7 +850,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
 <message><source>Choose…</source><translation>Escolher…</translation></message>
 <message><source>none</source><translation>nenhuma</translation></message>
-<message><source>HTML: turns in any browser, without a network</source><translation>HTML: gira em qualquer navegador, sem rede</translation></message>
+<message><source>HTML: any browser opens it and turns the cloud, without a network</source><translation>HTML: qualquer navegador abre e gira a nuvem, sem rede</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir e arquivar</translation></message>
 <message><source>Site</source><translation>Local</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>
@@ -966,6 +970,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>scanner, ou ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nome ou endereço do scanner; ws://ROBOT é um robô com ROS em que corre o foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nome ou endereço do scanner</translation></message>
+<message><source>Port of the scanner</source><translation>Porta do scanner</translation></message>
 <message><source>Sweep…</source><translation>Varredura…</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Linhas de uma varredura, passo por linha, montagem</translation></message>
 <message><source>Stop</source><translation>Parar</translation></message>
@@ -1494,6 +1499,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Warnings of this scan:
 </source><translation>Avisos desta varredura:
 </translation></message>
+<message><source>The window has no room for the images next to this panel: they come back when you fold it.</source><translation>A janela não tem espaço para as imagens ao lado deste painel: elas voltam quando você o recolhe.</translation></message>
 <message><source>Network capture</source><translation>Captura de rede</translation></message>
 <message><source>CoLa stream</source><translation>Fluxo CoLa</translation></message>
 <message><source>Drawing with edge lines</source><translation>Desenho com as linhas das bordas</translation></message>

@@ -11,9 +11,13 @@
 #include "ui/base/window_room.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/rocks/rocks_panel.h"
+#include "ui/panels/start/start_page.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/status_line.h"
+#include "ui/window/docks.h"
+#include "ui/window/pane_places.h"
+#include "ui/window/start.h"
 #include "ui/window/theme.h"
 #include "ui/window/tool_bar.h"
 
@@ -270,6 +274,113 @@ private slots:
         QVERIFY(dock(again.window)->isHidden());
         again.window.resetLayout();
         QVERIFY(!dock(again.window)->isHidden());
+    }
+
+    // The start page covers the places of the docks: they take no room until the first scan, and the strips above it are as wide as it.
+    void theStartPageHasTheWholeWidth() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        StartPage* page = showStart(on.window, on.preferences);
+        for (const QSize size : {QSize(853, 533), QSize(1280, 800), QSize(1920, 1040)}) {
+            resizeTo(on.window, size);
+            on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "EdgeScan ended without being closed.");
+            QTRY_COMPARE(on.window.centralWidget()->width(), size.width());
+            QTRY_COMPARE(on.viewer.notice.width(), size.width());
+            QTRY_COMPARE(page->width(), size.width());
+            QVERIFY(dock(on.window)->isHidden() && on.window.findChild<DockRail*>()->isHidden());
+        }
+        QVERIFY(on.open(bare_));
+        QTRY_VERIFY(!page->isVisible() && dock(on.window)->isVisible());
+    }
+
+    // Images first: both fill the width or the height that the cloud leaves, one above the other if their aspect wants it; the legend is
+    // whole.
+    void imagesFirstAreAsLargeAsTheirAspectAllows() {
+        const std::string wide = (folder_ / "wide.json").string();
+        QVERIFY(bool(files::saveScan(test::boxesScan(100, 400, 3, 0.05), wide)));
+        for (const bool isWide : {false, true}) {
+            WindowFixture on;
+            QVERIFY(on.showWith(isWide ? wide : bare_));
+            const ImageView &gray = on.viewer.gray, &edges = on.viewer.edges;
+            for (const QSize size : {QSize(1024, 768), QSize(1280, 800), QSize(1920, 1040), QSize(2560, 1400)}) {
+                resizeTo(on.window, size);
+                on.window.places().setImagesFirst(false);
+                QApplication::processEvents();
+                on.window.places().setImagesFirst(true);
+                const QString at = QString("%1 wide, %2").arg(size.width()).arg(isWide);
+                const auto cells = [&](const ImageView& view) {
+                    const ViewPort& port = *view.viewPort();
+                    return QSizeF(port.cellSize(view.size()).width() * port.imageSize().width(),
+                                  port.cellSize(view.size()).height() * port.imageSize().height());
+                };
+                QTRY_VERIFY2((gray.mapTo(&on.window, QPoint()).y() < edges.mapTo(&on.window, QPoint()).y()) == isWide, qPrintable(at));
+                QTRY_VERIFY2(cells(gray).width() > 0.95 * gray.width() || cells(gray).height() > 0.95 * gray.height(), qPrintable(at));
+                QVERIFY2(on.viewer.legend.width() >= on.viewer.legend.sizeHint().width(), qPrintable(at));
+                QTRY_VERIFY2(on.viewer.cloud.rect().contains(on.viewer.legend.geometry()), qPrintable(at));
+            }
+        }
+    }
+
+    // A panel that takes the place of the images says so once; Reset Layout gives the panels their heights and the pixels their shape.
+    void aPanelThatFoldsTheImagesSaysSo() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        resizeTo(on.window, {853, 600});
+        QTRY_VERIFY(on.viewer.gray.isVisible());
+        QVERIFY(!on.viewer.notice.isVisible());
+        dock(on.window)->toggleViewAction()->trigger();
+        QTRY_VERIFY(!on.viewer.gray.isVisible());
+        QTRY_VERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("images"), qPrintable(on.viewer.notice.text()));
+        on.viewer.notice.hide();
+        dock(on.window)->toggleViewAction()->trigger();
+        QTRY_VERIFY(on.viewer.gray.isVisible());
+        dock(on.window)->toggleViewAction()->trigger();
+        QTRY_VERIFY(!on.viewer.gray.isVisible());
+        QVERIFY2(!on.viewer.notice.isVisible(), "once is enough");
+
+        resizeTo(on.window, {1280, 800});
+        on.viewer.views.pin(on.picture().detection->edges->front());
+        auto* targets = on.window.findChild<QDockWidget*>("dock-targets");
+        QTRY_VERIFY(targets->isVisible());
+        on.window.resizeDocks({dock(on.window), targets}, {600, 110}, Qt::Vertical);
+        QTRY_VERIFY(targets->height() < 300);
+        for (QAction* action : on.window.actions()) {
+            if (action->text().remove('&') == "True Angle Aspect") action->setChecked(true);
+        }
+        on.window.resetLayout();
+        QTRY_VERIFY2(targets->height() > 0.4 * on.window.height(), qPrintable(QString::number(targets->height())));
+        for (QAction* action : on.window.actions()) {
+            if (action->text().remove('&') == "True Angle Aspect") QVERIFY(!action->isChecked());
+        }
+        resizeTo(on.window, {1920, 1040}); // now rocks and targets have a place each
+        on.viewer.rocks.setShown(true);
+        const auto* rocks = on.window.findChild<QDockWidget*>("dock-rocks");
+        QTRY_VERIFY(rocks->isVisible() && targets->isVisible());
+        QTRY_VERIFY2(targets->height() > 0.2 * on.window.height() && rocks->height() > 0.2 * on.window.height(),
+                     qPrintable(QString("%1 %2").arg(targets->height()).arg(rocks->height())));
+    }
+
+    // The menus name docks that another tab hides: such a dock comes to the front, and only the one in front is folded.
+    void aDockBehindATabComesToTheFront() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        const auto dockOf = [&](const char* name) { return on.window.findChild<QDockWidget*>(name); };
+        const auto inFront = [](const QDockWidget* dock) { return dock->isVisible() && !dock->visibleRegion().isEmpty(); };
+        for (const QSize size : {QSize(1024, 768), QSize(1366, 768)}) {
+            resizeTo(on.window, size);
+            on.viewer.rocks.setShown(true);
+            for (const char* name : {"dock-rocks", "dock-rock-table", "dock-targets", "dock-layers", "dock-rock-table", "dock-rocks"}) {
+                QDockWidget* dock = dockOf(name);
+                if (!inFront(dock)) dock->toggleViewAction()->trigger();
+                QTRY_VERIFY2(inFront(dock), name);
+                QVERIFY2(dock->toggleViewAction()->isChecked(), name);
+            }
+            dockOf("dock-rocks")->toggleViewAction()->trigger();
+            QTRY_VERIFY(dockOf("dock-rocks")->isHidden());
+            QVERIFY(!dockOf("dock-rock-table")->isHidden());
+            on.window.resetLayout();
+            on.viewer.rocks.setShown(false);
+        }
     }
 
     void aPanelIsFoldedAlsoWhereNothingIsRemembered() {

@@ -212,19 +212,39 @@ private slots:
         }
     }
 
-    // The prompt of a tool has priority over the words of buttons.
-    void thePromptOfAToolIsWhole() {
+    // From 1600 px on most names are read. A prompt moves no button; it has two lines, and its tool tip has all of it.
+    void aPromptMovesNoButtonAndIsWhole() {
         for (const char* code : {"fr", "es", "pt", "en"}) {
             QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
             WindowFixture on;
             QVERIFY(on.showWith(bare_));
-            resizeTo(on.window, {1280, 800});
             const auto* words = dynamic_cast<ElidedLabel*>(on.window.findChild<QLabel*>("tool-words"));
             QVERIFY(words != nullptr);
-            on.viewer.measures.start(inspect::MeasureKind::Distance);
-            QVERIFY(!words->text().isEmpty());
-            QTRY_VERIFY2(words->shown() == words->text(), qPrintable(code + (": " + words->shown())));
-            QCOMPARE(words->toolTip(), words->text());
+            const auto buttons = on.viewer.tools.findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
+            for (const int width : {853, 1024, 1280, 1600, 1920, 2560}) {
+                on.viewer.measures.stop();
+                resizeTo(on.window, {width, 800});
+                std::vector<QRect> places;
+                for (const auto* button : buttons) places.push_back(button->geometry());
+                for (const auto kind : {inspect::MeasureKind::Distance, inspect::MeasureKind::Throat}) {
+                    on.viewer.measures.start(kind);
+                    if (kind == inspect::MeasureKind::Throat) emit on.viewer.views.gray().clicked(30, 30);
+                    QVERIFY(!words->text().isEmpty());
+                    QApplication::processEvents();
+                    for (std::size_t n = 0; n < places.size(); ++n)
+                        QVERIFY2(buttons[static_cast<int>(n)]->geometry() == places[n], qPrintable(buttons[static_cast<int>(n)]->text()));
+                    QCOMPARE(words->toolTip(), words->text());
+                    if (width >= 1280)
+                        QVERIFY2(words->shown() == words->text(),
+                                 qPrintable(QString("%1 %2 %3: %4").arg(code).arg(width).arg(words->width()).arg(words->shown())));
+                }
+                const auto named = std::ranges::count_if(
+                    buttons, [](const QToolButton* each) { return each->toolButtonStyle() == Qt::ToolButtonTextBesideIcon; });
+                QVERIFY2(named >= (width >= 1920   ? 12
+                                   : width >= 1600 ? 5
+                                                   : 0),
+                         qPrintable(QString("%1 %2: %3").arg(code).arg(width).arg(named)));
+            }
         }
         useLanguage("en");
     }

@@ -73,6 +73,34 @@ class MainWindowTest : public QObject {
     std::string real_;
 
 private slots:
+    // The undo list names what it can undo: in the words of the window, and nothing of a scan that is no longer open.
+    void undoNamesWhatItCanUndo() {
+        WindowFixture on;
+        QVERIFY(on.showWith(usualScan(folder_)));
+        const auto undo = [&] { return on.viewer.undo.undoText(); };
+        const double before = on.viewer.engine.settings().classes;
+        on.viewer.tuning.setParameter("classes", edges::kClassJump | edges::kClassVoidRim);
+        QVERIFY2(undo().contains("class convex off") && !undo().contains("rim"), qPrintable(undo()));
+        on.viewer.tuning.setParameter("classes", edges::kClassJump);
+        QCOMPARE(undo(), QString("class void rim off"));
+        on.viewer.undo.undo();
+        on.viewer.undo.undo();
+        QCOMPARE(static_cast<double>(on.viewer.engine.settings().classes), before);
+        QVERIFY(on.settled());
+        on.viewer.tuning.setParameter("sensitivity", 1.5);
+        QVERIFY(on.settled());
+        on.viewer.views.pin(on.picture().detection->edges->front());
+        on.viewer.selection.select({on.picture().detection->edges->front()});
+        QVERIFY(undo().contains("Select"));
+        const std::string other = (folder_ / "other.json").string();
+        QVERIFY(bool(files::saveScan(test::boxesScan(40, 60, 3, 0.05), other)));
+        QVERIFY(on.open(other));
+        QTRY_VERIFY2(undo().contains("Edge strength"), qPrintable(undo()));
+        on.viewer.undo.undo();
+        QCOMPARE(on.viewer.engine.settings().sensitivity, 1.0);
+        QVERIFY(!on.viewer.undo.canUndo());
+    }
+
     void initTestCase() { real_ = usualScan(folder_); }
 
     void aDraggedSliderChangesImageCloudAndNumbersTogether() {

@@ -60,6 +60,23 @@ private slots:
         }
     }
 
+    // A tag covers neither the ring of another target nor a text of the view, and a target under a plate has none: it would name what is
+    // next to the plate.
+    void tagsAreNearTheirMarksAndCoverNoOther() {
+        QImage picture(400, 300, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        const QRectF plate(0, 150, 140, 150), text(100, 0, 200, 30);
+        ScreenMarks marks;
+        const std::vector<QPointF> places{{200, 100}, {225, 90}, {240, 105}, {60, 200}, {160, 35}};
+        for (const QPointF& at : places) marks.targets.push_back({{at}, "4 · 19.11 m", false});
+        const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks, {plate}, {text});
+        QCOMPARE(tags.size(), places.size() - 1);
+        for (const QRectF& tag : tags) {
+            QVERIFY(!tag.intersects(plate) && !tag.intersects(text));
+            for (const QPointF& at : places) QVERIFY2(!tag.contains(at), qPrintable(QString("%1 %2").arg(at.x()).arg(at.y())));
+        }
+    }
+
     void initTestCase() {
         Scan scan = test::boxesScan(120, 160, 3, 0.02);
         bare_ = (folder_ / "boxes.json").string();

@@ -228,7 +228,29 @@ private slots:
         QVERIFY(views.edges().tip().isEmpty());
         QCOMPARE(views.cloud().tip(), rockTip(rock));
 
+        // A key, a click, another mode and a pointer that leaves: nothing of it remains.
+        const auto pointed = [&] {
+            QTest::mouseMove(&views.edges(), QPoint(1, 1));
+            QTest::mouseMove(&views.gray(), at);
+            return eventually([&] { return views.gray().tip() == rockTip(rock) && !views.cloud().tip().isEmpty(); });
+        };
+        const auto gone = [&] { return views.gray().tip().isEmpty() && views.cloud().tip().isEmpty(); };
+        QTest::keyClick(&on.window, Qt::Key_P);
+        QVERIFY(gone());
+        QVERIFY(pointed());
+        QTest::mousePress(on.window.findChild<QToolButton*>("tool-select"), Qt::RightButton);
+        QVERIFY(gone());
+        QVERIFY(pointed());
+        QEvent leaves(QEvent::Leave);
+        QApplication::sendEvent(&views.gray(), &leaves);
+        QVERIFY(gone());
+        QVERIFY(pointed());
+        views.setTool(Tool::Box);
+        QVERIFY(gone());
+        views.setTool(Tool::Pin);
+
         click(on, 3);
+        QVERIFY(gone());
         QVERIFY(on.viewer.rocksPanel.card().isVisible());
         QVERIFY(on.viewer.rocksPanel.card().text().startsWith("Rock 3\n"));
         QVERIFY(on.viewer.rocksPanel.card().text().contains(rockCaveat()));
@@ -496,10 +518,13 @@ private slots:
             QTest::keyClick(&on.window, Qt::Key_S);
             QVERIFY(on.viewer.rocks.tool() == RockTool::Split);
             QVERIFY(on.viewer.tools.shown().contains("click the part"));
+            QTest::mouseMove(&on.viewer.views.gray(), pixel);
+            QVERIFY(eventually([&] { return !on.viewer.views.gray().tip().isEmpty(); }));
             QTest::mouseClick(&on.viewer.views.gray(), Qt::LeftButton, Qt::NoModifier, pixel);
             QVERIFY(on.viewer.rocks.tool() == RockTool::None);
             QVERIFY(!on.viewer.tools.shown().contains("click the part"));
             QVERIFY(settled(on));
+            QVERIFY2(on.viewer.views.gray().tip().isEmpty() && on.viewer.views.cloud().tip().isEmpty(), "the split is done");
             QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{2});
             QVERIFY(picture(on).study.map.regions.size() > regions);
             QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);

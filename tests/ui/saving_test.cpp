@@ -224,11 +224,11 @@ private slots:
         strong.sensitivity = 1.5;
         QVERIFY(on.use(strong));
         const QString name = proposed();
-        QVERIFY2(name.contains("_edges_edgescan+_sensitivity1.5_") && !name.contains("_K"), qPrintable(name));
+        QVERIFY2(name.contains("_edges_edgescan+_edge-strength1.5_") && !name.contains("_K"), qPrintable(name));
         edges::Settings canny = edges::cannySettings();
         canny.lower = 7;
         QVERIFY(on.use(canny));
-        QVERIFY2(proposed().contains("_edges_canny_lower7_"), qPrintable(proposed()));
+        QVERIFY2(proposed().contains("_edges_canny_lower-threshold7_"), qPrintable(proposed()));
     }
 
     // The first folder is that of the scan, with or without a settings memory; never the folder in which the program was started.

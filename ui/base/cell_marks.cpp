@@ -11,10 +11,11 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kMarkRing = 8.0;      // radius, px
-constexpr double kEndDot = 3.5;        // of each measured cell
-constexpr int kTagOffset = 6;          // px from the ring
-const QColor kMeasured(120, 190, 255); // the line being measured; its dark halo separates it from the cloud
+constexpr double kMarkRing = 8.0;          // radius, px
+constexpr double kEndDot = 3.5;            // of each measured cell
+constexpr int kTagOffset = 6;              // px from the ring
+constexpr std::size_t kMostFreeRings = 40; // no tag covers a ring; among more of them it would be far from its own
+const QColor kMeasured(120, 190, 255);     // the line being measured; its dark halo separates it from the cloud
 
 QFont boldFont(const QPainter& painter) {
     QFont bold = painter.font();
@@ -161,22 +162,34 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
     return shown;
 }
 
-std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& taken) {
+std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& plates,
+                                    const std::vector<QRectF>& texts) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const QLineF& move : marks.moves) drawMove(painter, move);
     for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, measure);
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
     std::vector<QRectF> drawn;
-    const QRectF seen = QRectF(place).adjusted(-kMarkRing, -kMarkRing, kMarkRing, kMarkRing);
+    const QRectF inView = QRectF(place).adjusted(-kMarkRing, -kMarkRing, kMarkRing, kMarkRing);
+    const auto seen = [&](const QPointF& at) {
+        return inView.contains(at) && std::ranges::none_of(plates, [&](const QRectF& plate) { return plate.contains(at); });
+    };
+    std::vector<QRectF> taken = plates;
+    taken.insert(taken.end(), texts.begin(), texts.end());
+    if (marks.targets.size() <= kMostFreeRings) {
+        for (const ScreenMarks::Target& target : marks.targets) {
+            const QPointF corner(kMarkRing, kMarkRing);
+            if (seen(target.place.at)) taken.emplace_back(target.place.at - corner, target.place.at + corner);
+        }
+    }
     {
         Tags tags(painter, place, taken);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
-            if (seen.contains(target->place.at)) // a tag without its mark would name another place
+            if (seen(target->place.at)) // a tag without its mark would name another place
                 tags.draw(target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
         }
         for (const ScreenMarks::Measure& measure : marks.measures) {
-            if (!measure.lines.empty() && seen.contains(measure.labelAt))
+            if (!measure.lines.empty() && seen(measure.labelAt))
                 tags.draw(measure.labelAt, kTagOffset, kTagOffset, measure.label, false, measure.lines.front());
         }
         drawn = tags.drawn();

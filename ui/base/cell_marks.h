@@ -78,8 +78,9 @@ struct ScreenMarks {
 [[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t cell)>& placeOf,
                                       bool small = false);
 
-/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay inside `place`, do not overlap and keep off
-/// `taken` (plates over the view); a mark outside `place` has none. Returns the places of the tags.
-std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& taken = {});
+/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay inside `place`, do not overlap, and keep off the
+/// rings, the `plates` over the view and its `texts`; a mark outside `place` or under a plate has none. Returns the places of the tags.
+std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& plates = {},
+                                    const std::vector<QRectF>& texts = {});
 
 } // namespace edgescan::ui

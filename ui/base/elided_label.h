@@ -1,26 +1,56 @@
-// A line of text that is shortened to the available width.
+// Text that is shortened to the available width.
 #pragma once
 
 #include <QLabel>
 #include <QPainter>
+#include <QStringList>
+#include <QTextLayout>
 
 namespace edgescan::ui {
 
 /// Text that does not fit ends in "…"; the tool tip shows the whole text.
 class ElidedLabel : public QLabel {
 public:
-    explicit ElidedLabel(QWidget* parent = nullptr) : QLabel(parent) {
+    /// `most`: lines, if one line is too short for the text.
+    explicit ElidedLabel(QWidget* parent = nullptr, int most = 1) : QLabel(parent), most_(most) {
         setTextFormat(Qt::PlainText);
         setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
-    [[nodiscard]] QString shown() const { return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()); }
+    [[nodiscard]] QString shown() const { return lines().join(QString()); }
 
 protected:
     void paintEvent(QPaintEvent* /*event*/) override {
         QPainter painter(this);
         painter.setPen(palette().color(foregroundRole()));
-        painter.drawText(contentsRect(), Qt::AlignVCenter | Qt::AlignLeft | Qt::TextSingleLine, shown());
+        const QStringList all = lines();
+        const int high = fontMetrics().height();
+        QRect place = contentsRect();
+        place.setTop(place.center().y() - static_cast<int>(all.size()) * high / 2);
+        for (const QString& line : all) {
+            painter.drawText(QRect(place.left(), place.top(), place.width(), high), Qt::AlignVCenter | Qt::AlignLeft | Qt::TextSingleLine,
+                             line);
+            place.setTop(place.top() + high);
+        }
     }
+
+private:
+    [[nodiscard]] QStringList lines() const {
+        const int wide = contentsRect().width();
+        QStringList all;
+        QString rest = text();
+        while (static_cast<int>(all.size()) + 1 < most_ && fontMetrics().horizontalAdvance(rest) > wide) {
+            QTextLayout layout(rest, font());
+            layout.beginLayout();
+            QTextLine line = layout.createLine();
+            line.setLineWidth(wide);
+            layout.endLayout();
+            all << rest.left(line.textLength());
+            rest.remove(0, line.textLength());
+        }
+        return all << fontMetrics().elidedText(rest, Qt::ElideRight, wide);
+    }
+
+    int most_;
 };
 
 } // namespace edgescan::ui

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QUndoCommand>
 #include <QUndoStack>
+#include <QVariant>
 
 #include <functional>
 #include <utility>
@@ -27,9 +28,39 @@ template <class... Given>
     return ++last;
 }
 
+/// A step that may belong to one scan.
+class ScanStep {
+public:
+    ScanStep() = default;
+    ScanStep(const ScanStep&) = delete;
+    ScanStep& operator=(const ScanStep&) = delete;
+    virtual ~ScanStep() = default;
+    /// False: the step would change nothing, because another scan is on the screen.
+    [[nodiscard]] bool applies() const { return !applies_ || applies_(); }
+    void onlyWhile(std::function<bool()> applies) { applies_ = std::move(applies); }
+
+private:
+    std::function<bool()> applies_;
+};
+
+inline constexpr const char* kDrops = "drops"; ///< property of a stack that drops steps: the operator undoes nothing
+
+/// After another scan was opened: takes away the newest steps that belong to the scan before, so that Undo names only what it can undo.
+inline void dropStepsOfOtherScans(QUndoStack& stack) {
+    stack.setProperty(kDrops, true);
+    while (stack.canUndo()) {
+        const auto* step = dynamic_cast<const ScanStep*>(stack.command(stack.index() - 1));
+        const int before = stack.index();
+        if (step == nullptr || step->applies()) break;
+        stack.undo(); // changes nothing, and the stack forgets the step
+        if (stack.index() == before) break;
+    }
+    stack.setProperty(kDrops, false);
+}
+
 /// Two values of one part of the state.
 template <class Value>
-class UndoStep : public QUndoCommand {
+class UndoStep : public QUndoCommand, public ScanStep {
 public:
     /// Makes the value the part's value. False: the value belongs to another scan than the one on the screen; the step is obsolete.
     using Use = std::function<bool(const Value& value)>;

@@ -7,6 +7,7 @@
 #include "core/edges/settings/presets.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/undo_step.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/in_background.h"
 
@@ -32,7 +33,7 @@ AuditTrail::AuditTrail(const QString& folder, const Engine& engine, const Linked
         const bool isUndone = index < last;
         const QString step = undo.text(isUndone ? index : index - 1);
         last = index;
-        if (step.isEmpty()) return; // the undo stack was cleared
+        if (step.isEmpty() || undo.property(kDrops).toBool()) return; // the undo stack was cleared
         Json details = scanShown();
         details["step"] = step.toStdString();
         details["undone"] = isUndone;

@@ -21,12 +21,27 @@
 namespace edgescan::ui {
 namespace {
 
+/// "class data border on, class jump off": the choices that only one of the two sets has.
+QString describeSet(const edges::Parameter& set, const edges::Settings& before, const edges::Settings& after) {
+    const auto from = static_cast<unsigned>(set.get(before)), to = static_cast<unsigned>(set.get(after));
+    QStringList source, shown;
+    for (const edges::Choice& choice : set.choices) {
+        const auto bit = static_cast<unsigned>(choice.value);
+        if (((from ^ to) & bit) == 0) continue;
+        const char* text = (to & bit) != 0 ? QT_TRANSLATE_NOOP("QObject", "class %1 on") : QT_TRANSLATE_NOOP("QObject", "class %1 off");
+        source << QString(text).arg(choice.label);
+        shown << QObject::tr(text).arg(QObject::tr(choice.label));
+    }
+    return source.join(", ") + '\n' + shown.join(", ");
+}
+
 // "Lower threshold 10 to 25": the first parameter that differs.
 QString describe(const edges::Settings& before, const edges::Settings& after) {
     for (const edges::Parameter& p : edges::parameters()) {
         const std::string from = edges::formatValue(p, p.get(before));
         const std::string to = edges::formatValue(p, p.get(after));
         if (from == to) continue;
+        if (p.several) return describeSet(p, before, after);
         const QStringList values{shownText(from), shownText(to)};
         return QString("%1 %2 to %3").arg(QString(p.label), values[0], values[1]) + '\n' +
                QObject::tr("%1 %2 to %3").arg(QObject::tr(p.label), values[0], values[1]);

@@ -15,7 +15,7 @@ void MainWindow::useCab(bool on) {
     for (Pane* pane : panes_) pane->setTitled(!on); // the corner picture has its own text
 }
 
-void MainWindow::lockDocks(bool on) { docks_->setLocked(on); }
+void MainWindow::lockDocks(DockLock by, bool on) { docks_->setLocked(by, on); }
 
 void MainWindow::showAlone(const QWidget* view) {
     Pane* wanted = nullptr;

@@ -18,6 +18,7 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
+#include "ui/window/docks.h"
 #include "ui/window/main_window.h"
 #include "ui/window/theme.h"
 
@@ -162,7 +163,7 @@ void CabMode::set(bool on) {
 void CabMode::lockDocks(bool on) {
     window_.menuBar()->setVisible(!on);
     window_.statusBar()->setVisible(!on);
-    window_.lockDocks(on);
+    window_.lockDocks(DockLock::Cab, on);
 }
 
 /// Stage and progress instead of the facts of the scan, and Cancel.

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -67,9 +68,15 @@ void Docks::add(const QString& title, const char* name, QWidget* content, Side s
     dock->setProperty(kByHand, preferences_.text("window/" + dock->objectName()));
     dock->setWidget(content);
     docks_.push_back({dock, side, opensFrom});
+    // Before Qt hides it: a dock behind another tab comes to the front, and only the one in front is folded.
+    connect(dock->toggleViewAction(), &QAction::toggled, this, [this, dock](bool open) {
+        if (!open && !dock->isHidden()) behindTab_ = dock->visibleRegion().isEmpty() ? dock : nullptr;
+    });
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool open) {
-        keep(*dock, open ? "open" : "folded");
+        const bool front = open || std::exchange(behindTab_, nullptr) == dock;
+        keep(*dock, front ? "open" : "folded");
         emit changed();
+        if (front && !dock->isHidden()) dock->raise();
     });
     rail_.add(dock);
     dock->hide();
@@ -98,7 +105,7 @@ Docks::Side Docks::sideOf(const Dock& dock) const {
 }
 
 bool Docks::isOpenAt(const Dock& dock, int width, int most) const {
-    if (locked_) return false;
+    if (locked()) return false;
     const QString hand = byHand(*dock.widget);
     if (!hand.isEmpty()) return hand == "open";
     const bool room = sideOf(dock) == Side::Bottom || std::max(kLeastPanel, dock.widget->minimumSizeHint().width()) <= most;
@@ -114,10 +121,28 @@ void Docks::fit(int most) {
         if (!open) continue;
         if (sideOf(dock) == Side::Bottom)
             window_.resizeDocks({dock.widget}, {kTableHeight}, Qt::Vertical);
-        else if (dock.widget->objectName() != kEdges)
-            window_.resizeDocks({dock.widget}, {static_cast<int>(kPanelHeight * window_.height())}, Qt::Vertical);
+        else
+            restacked_ = restacked_ || dock.widget->objectName() != kEdges;
     }
+    if (std::exchange(restacked_, false)) shareHeight();
     showTitles();
+}
+
+/// Under the settings of edges one panel gets the larger part; more of them get equal parts.
+void Docks::shareHeight() {
+    QList<QDockWidget*> places;
+    for (QDockWidget* dock : openAtRight()) {
+        const auto together = window_.tabifiedDockWidgets(dock);
+        if (std::ranges::none_of(places, [&](QDockWidget* place) { return together.contains(place); })) places << dock;
+    }
+    if (places.size() < 2) return;
+    const bool two = places.size() == 2;
+    QList<int> heights;
+    for (const QDockWidget* place : places) {
+        const double share = !two ? 1.0 / places.size() : place == places.front() ? 1.0 - kPanelHeight : kPanelHeight;
+        heights << static_cast<int>(share * window_.height());
+    }
+    window_.resizeDocks(places, heights, Qt::Vertical);
 }
 
 /// A tab says the title already: the row below it names its button.
@@ -187,6 +212,7 @@ void Docks::stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea ot
     QDockWidget& rocks = *named(kRocks).widget;
     if (rocks.isFloating() || dock.isFloating() || window_.tabifiedDockWidgets(&rocks).contains(&dock) == together) return;
     const bool open = !dock.isHidden();
+    restacked_ = true;
     if (together)
         window_.tabifyDockWidget(&rocks, &dock);
     else
@@ -199,6 +225,7 @@ void Docks::reset() {
     for (const Dock& dock : docks_) keep(*dock.widget, QString());
     dragged_ = 0;
     place();
+    restacked_ = true;
     emit changed();
 }
 
@@ -209,14 +236,17 @@ void Docks::wantOpen() {
     }
 }
 
-void Docks::setLocked(bool on) {
-    locked_ = on;
-    rail_.setLocked(on);
+void Docks::setLocked(DockLock by, bool on) {
+    if (on)
+        locks_.insert(by);
+    else
+        locks_.erase(by);
+    rail_.setLocked(locked());
     for (const Dock& dock : docks_) {
-        dock.widget->toggleViewAction()->setEnabled(!on);
-        if (on) dock.widget->hide();
+        dock.widget->toggleViewAction()->setEnabled(!locked());
+        if (locked()) dock.widget->hide();
     }
-    if (!on) emit changed();
+    if (!locked()) emit changed();
 }
 
 } // namespace edgescan::ui

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 
+#include <set>
 #include <vector>
 
 class QDockWidget;
@@ -15,6 +16,9 @@ namespace edgescan::ui {
 class DockRail;
 class Preferences;
 struct Viewer;
+
+/// What hides all docks: cab mode, or the start page, which covers their places.
+enum class DockLock { Cab, Start };
 
 /// GUI thread only. A dock that the operator opened or folded stays so, also in the next session, until reset().
 class Docks : public QObject {
@@ -30,7 +34,8 @@ public:
     /// After a stored layout is back: what is open in it is wanted, though its content may arrive later.
     void wantOpen();
     /// While locked all are hidden and nothing opens one.
-    void setLocked(bool on);
+    void setLocked(DockLock by, bool on);
+    [[nodiscard]] bool locked() const { return !locks_.empty(); }
     /// After fit(): gives the open docks at the right the width to which the operator dragged them, else their usual one. Returns px of the
     /// window's width that they take, with the rail.
     int setWidths(int most);
@@ -64,14 +69,17 @@ private:
     void stack();
     void stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise);
     void showTitles();
+    void shareHeight();
 
     QMainWindow& window_;
     DockRail& rail_;
     Preferences& preferences_;
-    std::vector<Dock> docks_; // in their order from top to bottom
-    bool locked_ = false;
-    int arranged_ = 0; // width set by setWidths()
-    int dragged_ = 0;  // 0: the width follows the window
+    std::vector<Dock> docks_;                // in their order from top to bottom
+    const QDockWidget* behindTab_ = nullptr; // the operator chose it in a menu while another tab hid it
+    std::set<DockLock> locks_;
+    bool restacked_ = false; // docks left or joined a place: each place gets its height again
+    int arranged_ = 0;       // width set by setWidths()
+    int dragged_ = 0;        // 0: the width follows the window
 };
 
 } // namespace edgescan::ui

@@ -69,8 +69,10 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
         const auto cell = views.pinned();
         const auto at = cell ? cloud.pixelOf(static_cast<std::uint32_t>(*cell)) : std::nullopt;
         const QRect label = at ? QRect(at->toPoint() - QPoint(kRing, kLabelHigh), QSize(kLabelWide, 2 * kLabelHigh)) : QRect();
-        // Where neither side is free, the legend is one row.
-        if (!label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true)) fitLegends(0);
+        // Where neither side is free, the legends end below the label; where that is too little for them, each is one row.
+        const auto neitherIsFree = [&] { return !label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true); };
+        if (neitherIsFree()) fitLegends(cloud.height() - label.bottom());
+        if (neitherIsFree()) fitLegends(0);
         const bool right = !label.isEmpty() && isCovered(cloud, label, false) && !isCovered(cloud, label, true);
         QLayout* over = cloud.layout();
         const bool stays = hasPointer(cloud); // no button moves away from under the pointer

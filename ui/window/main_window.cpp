@@ -6,6 +6,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/files/source.h"
 #include "ui/controllers/scan_look.h"
 #include "ui/controllers/sessions/sessions.h"
@@ -196,7 +197,9 @@ void MainWindow::layOutViews() {
     column->addWidget(&viewer_.timeline);
     viewer_.notice.setParent(centre);
     keepOverViews(viewer_.notice, *splitter_);
-    connect(&viewer_.undo, &QUndoStack::indexChanged, &viewer_.notice, &NoticeBar::endPassing);
+    connect(&viewer_.undo, &QUndoStack::indexChanged, this, [this] {
+        if (!viewer_.undo.property(kDrops).toBool()) viewer_.notice.endPassing();
+    });
     cab_ = new CabMode(*this, centre);
     addTour(*this, *top);
     addManualKey(*this);

@@ -19,6 +19,7 @@ namespace edgescan::ui {
 class CabMode;
 class DockRail;
 class Docks;
+enum class DockLock;
 class Preferences;
 class Pane;
 class PanePlaces;
@@ -41,7 +42,7 @@ public:
     void quit();
     // For cab mode: hides the parts that it replaces, all docks, and all views except one (null: shows all views).
     void useCab(bool on);
-    void lockDocks(bool on);
+    void lockDocks(DockLock by, bool on);
     /// Shrinks and moves the window until its frame is inside the screen.
     void fitScreen();
     void showAlone(const QWidget* view);
@@ -80,6 +81,8 @@ private:
     void showTitle();
     void arrange();
     void setImagesWidth(int width);
+    [[nodiscard]] int widthOfImagesFirst();
+    void foldImages(bool fold, bool byPanel);
     void showImages();
     [[nodiscard]] bool mayClose(bool byHand);
     void maximise(Pane* pane);
@@ -99,10 +102,11 @@ private:
     PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;
     Docks* docks_ = nullptr;
-    bool byHand_ = false;                // the operator closes the window
-    bool framed_ = false;                // the desktop has reported the width of the window's frame
-    int arrangedImages_ = 0;             // width set by arrange(): images that still have it follow the window
-    bool roomForImages_ = true;          // next to the cloud
+    bool byHand_ = false;       // the operator closes the window
+    bool framed_ = false;       // the desktop has reported the width of the window's frame
+    int arrangedImages_ = 0;    // width set by arrange(): images that still have it follow the window
+    bool roomForImages_ = true; // next to the cloud
+    bool saidThatImagesFold_ = false;
     QTimer rememberTimer_;               // one write for a whole drag of window or splitter
     std::unique_ptr<Sessions> sessions_; // last: destroyed before the objects that it uses
 };

@@ -6,6 +6,7 @@
 #include <QSplitter>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 
@@ -21,7 +22,13 @@ void PanePlaces::setImagesFirst(bool on) {
     emit changed();
 }
 
-void PanePlaces::orient() { images_.setOrientation(imagesFirst_ ? Qt::Horizontal : Qt::Vertical); }
+void PanePlaces::setSideBySide(bool on) {
+    if (std::exchange(sideBySide_, on) == on) return;
+    orient();
+    images_.setSizes({1000, 1000});
+}
+
+void PanePlaces::orient() { images_.setOrientation(imagesFirst_ && sideBySide_ ? Qt::Horizontal : Qt::Vertical); }
 
 void PanePlaces::swap(Pane* pane) {
     swapped_ = pane == panes_.back() || pane == swapped_ ? nullptr : pane;

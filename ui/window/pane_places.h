@@ -1,5 +1,5 @@
-// Which view is where: both images in a column left of the cloud, or side by side over two thirds of the width; and which of them has
-// changed places with the cloud.
+// Which view is where: both images in a column left of the cloud, or as large as they can be; and which of them has changed places with the
+// cloud.
 #pragma once
 
 #include <QObject>
@@ -22,6 +22,8 @@ public:
 
     void setImagesFirst(bool on);
     [[nodiscard]] bool imagesFirst() const { return imagesFirst_; }
+    /// While the images are first; else one is above the other.
+    void setSideBySide(bool on);
     /// The pane and the cloud change places. Of a pane that did, or of the cloud: back.
     void swap(Pane* pane);
     /// The pane in the place of the cloud.
@@ -43,7 +45,7 @@ private:
     QSplitter& images_;
     std::array<Pane*, 3> panes_;
     Pane* swapped_ = nullptr; // it is in the place of the cloud; null: none
-    bool imagesFirst_ = false;
+    bool imagesFirst_ = false, sideBySide_ = true;
 };
 
 } // namespace edgescan::ui

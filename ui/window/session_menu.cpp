@@ -61,7 +61,7 @@ std::vector<Command> sessionCommands(MainWindow& w) {
 }
 
 std::map<std::string, std::string> MainWindow::layoutKept() const {
-    if (cab_->on()) return {}; // the layout outside cab mode is the one to store
+    if (cab_->on() || docks_->locked()) return {}; // the layout outside cab mode is the one to store
     const auto text = [](const QByteArray& bytes) { return bytes.toBase64().toStdString(); };
     const QByteArray alone = maximised_ == nullptr ? QByteArray() : maximised_->content()->objectName().toUtf8();
     return {{"docks", text(saveState())},

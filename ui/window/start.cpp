@@ -11,6 +11,7 @@
 #include "ui/panels/start/tour.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/window/docks.h"
 #include "ui/window/first_tour.h"
 #include "ui/window/main_window.h"
 
@@ -32,9 +33,7 @@ constexpr int kSettleMs = 400; // time until docks have their positions
 /// Keeps the page over everything between tool bar and status bar. The notice bar stays visible, and the scanner panel closes the page.
 class OverViews : public QObject {
 public:
-    OverViews(MainWindow& window, StartPage& page)
-        : QObject(&page), window_(window), page_(page), tour_(window.findChild<Tour*>("tour")), beside_(*new QWidget(&window)) {
-        beside_.setAutoFillBackground(true);
+    OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page), tour_(window.findChild<Tour*>("tour")) {
         for (QObject* watched :
              {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.viewer().notice),
               static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.viewer().statusLine),
@@ -54,10 +53,11 @@ public:
         const auto type = event->type();
         // A window is hidden before it is destroyed; from then on its functions must not be called.
         if (watched == &window_ && (type == QEvent::Hide || type == QEvent::Show)) gone_ = type == QEvent::Hide;
-        // An OpenGL picture under other widgets leaves the line next to it black.
-        if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show))
+        // An OpenGL picture under other widgets leaves the line next to it black; docks would take room of the strips above the page.
+        if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show)) {
             window_.viewer().views.cloud().setVisible(type == QEvent::Hide);
-        if (!gone_ && watched == &page_ && (type == QEvent::Hide || type == QEvent::Show)) beside_.setVisible(type == QEvent::Show);
+            window_.lockDocks(DockLock::Start, type == QEvent::Show);
+        }
         if (gone_ || !page_.isVisible()) return false;
         const bool moves = type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide;
         if (moves && isBelow(watched))
@@ -82,17 +82,12 @@ private:
         }
         page_.setGeometry(0, top, window_.width(), std::max(0, window_.viewer().statusLine.mapTo(&window_, QPoint(0, 0)).y() - top));
         page_.raise();
-        // The strips above the page are as wide as the views: next to them are the heads of docks whose content the page covers.
-        const int side = centre.mapTo(&window_, QPoint(centre.width(), 0)).x(), head = centre.mapTo(&window_, QPoint(0, 0)).y();
-        beside_.setGeometry(side, head, std::max(0, window_.width() - side), std::max(0, top - head));
-        beside_.raise();
         settle_.start();
     }
 
     MainWindow& window_;
     StartPage& page_;
     QWidget* tour_;
-    QWidget& beside_;
     QTimer settle_; // then everything is painted again: what moved under the page is drawn over it until then
     bool gone_ = false;
 };

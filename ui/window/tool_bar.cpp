@@ -19,11 +19,13 @@ namespace {
 
 constexpr int kSign = 22, kLeastHigh = 34; // px
 constexpr int kLeastWords = 12;            // px: without a prompt no button gives way
-constexpr int kForAsked = 300;             // px: the prompt of a tool has priority over the texts of buttons
+constexpr int kForAsked = 300;             // px: the prompt has its place also while there is none
+constexpr int kForShortAsked = 200;        // px: next to the first names only
+constexpr int kLinesAsked = 2;             // as high as the buttons
 
 } // namespace
 
-ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new ElidedLabel), wordsPlace_(nullptr) {
+ToolBar::ToolBar(QWidget* parent) : QToolBar(parent), words_(new ElidedLabel(nullptr, kLinesAsked)), wordsPlace_(nullptr) {
     setObjectName("tools");
     setWindowTitle(tr("Tools"));
     setMovable(false);
@@ -77,7 +79,7 @@ void ToolBar::add(QMenu* menu, const char* name, const char* sign, const QString
     connect(button, &QToolButton::toggled, button, follow); // a press alone does not switch it on
     follow();
     insertWidget(wordsPlace_, button);
-    take(*button, Word::IfSpace);
+    take(*button, Word::Next);
 }
 
 void ToolBar::take(QToolButton& button, Word shown) {
@@ -90,24 +92,27 @@ void ToolBar::take(QToolButton& button, Word shown) {
 
 void ToolBar::addGap() { insertSeparator(wordsPlace_); }
 
-/// Shows the text of all buttons, or only of those that always have text where there is any room for it.
+/// Shows as many names as the width allows; what the prompt says at the moment does not count.
 void ToolBar::fit() {
     constexpr int kAround = 16; // px: frame and handle
-    const auto needed = [this](auto hasWord) {
-        const int gap = style()->pixelMetric(QStyle::PM_ToolBarSeparatorExtent, nullptr, this) + 2;
-        int sum = kAround + gap * static_cast<int>(std::ranges::count_if(actions(), &QAction::isSeparator));
-        for (const Button& each : buttons_) {
-            each.button->setToolButtonStyle(hasWord(each) ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-            sum += each.button->sizeHint().width() + 2;
-        }
-        return sum;
+    const int gap = style()->pixelMetric(QStyle::PM_ToolBarSeparatorExtent, nullptr, this) + 2;
+    const auto widthWith = [](QToolButton& button, Qt::ToolButtonStyle look) {
+        button.setToolButtonStyle(look);
+        return button.sizeHint().width();
     };
-    const auto allWords = [](const Button&) { return true; };
-    const auto noWord = [](const Button&) { return false; };
-    setMinimumWidth(needed(noWord)); // the badge next to it gives way before a button does
-    const int prompt = shown().isEmpty() ? 0 : words_->sizeHint().width();
-    if (needed(allWords) + std::max(kForAsked, prompt) <= width()) return;
-    if (needed([](const Button& each) { return each.shown == Word::Always; }) + prompt > width()) needed(noWord);
+    int taken = kAround + gap * static_cast<int>(std::ranges::count_if(actions(), &QAction::isSeparator));
+    for (const Button& each : buttons_) taken += widthWith(*each.button, Qt::ToolButtonIconOnly) + 2;
+    setMinimumWidth(taken); // the badge next to it gives way before a button does
+    for (const Word next : {Word::First, Word::Next, Word::Last}) {
+        for (const Button& each : buttons_) {
+            if (each.shown != next) continue;
+            const int icon = each.button->sizeHint().width();
+            taken += widthWith(*each.button, Qt::ToolButtonTextBesideIcon) - icon;
+            if (taken + (next == Word::First ? kForShortAsked : kForAsked) <= width()) continue;
+            each.button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+            return;
+        }
+    }
 }
 
 QSize ToolBar::sizeHint() const {
@@ -150,7 +155,6 @@ void ToolBar::showSelected(const QString& words) {
 void ToolBar::showWords() {
     words_->setText(shown());
     words_->setToolTip(shown());
-    fit();
 }
 
 QString ToolBar::shown() const {

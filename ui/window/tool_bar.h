@@ -11,16 +11,17 @@ class QToolButton;
 
 namespace edgescan::ui {
 
-/// Icons; with text if there is space for all texts. GUI thread only.
+/// Icons, with the names for which the bar has room next to the place of the prompt: a prompt never moves a button. GUI thread only.
 class ToolBar : public QToolBar {
     Q_OBJECT
 public:
-    enum class Word { Always, IfSpace };
+    /// Which names appear first; those of well-known icons come last.
+    enum class Word { First, Next, Last };
 
     explicit ToolBar(QWidget* parent = nullptr);
 
     /// A button with the action's shortcut in its tool tip. `sign`: name for toolIcon().
-    void add(QAction& action, const char* sign, const QString& word, Word shown = Word::IfSpace);
+    void add(QAction& action, const char* sign, const QString& word, Word shown = Word::Next);
     /// A button that opens `menu`, which becomes its child. It is highlighted while one of `lights` is on.
     void add(QMenu* menu, const char* name, const char* sign, const QString& word, const QList<QAction*>& lights);
     /// Disabled until a scan is open.
@@ -50,7 +51,7 @@ private:
 
     struct Button {
         QToolButton* button = nullptr;
-        Word shown = Word::IfSpace;
+        Word shown = Word::Next;
     };
     std::vector<Button> buttons_;
     QList<QAction*> ofScan_;

@@ -20,34 +20,33 @@ struct ToolRow {
     const char* command = nullptr; ///< its untranslated name: menu and text of the source
     const char* sign = nullptr;
     const char* word = nullptr;
-    ToolBar::Word shown = ToolBar::Word::IfSpace;
+    ToolBar::Word shown = ToolBar::Word::Next;
     bool ofScan = false; ///< disabled before a scan is open
 };
 
 constexpr bool kOfScan = true;
 
 constexpr std::array kBefore{
-    ToolRow{"File/Open", "open", QT_TRANSLATE_NOOP("QObject", "Open"), ToolBar::Word::Always},
-    ToolRow{"File/Connect to Scanner", "connect", QT_TRANSLATE_NOOP("QObject", "Connect"), ToolBar::Word::Always},
+    ToolRow{"File/Open", "open", QT_TRANSLATE_NOOP("QObject", "Open"), ToolBar::Word::First},
+    ToolRow{"File/Connect to Scanner", "connect", QT_TRANSLATE_NOOP("QObject", "Connect"), ToolBar::Word::First},
     ToolRow{},
-    ToolRow{"Edit/Undo", "undo", QT_TRANSLATE_NOOP("QObject", "Undo")},
-    ToolRow{"Edit/Redo", "redo", QT_TRANSLATE_NOOP("QObject", "Redo")},
+    ToolRow{"Edit/Undo", "undo", QT_TRANSLATE_NOOP("QObject", "Undo"), ToolBar::Word::Last},
+    ToolRow{"Edit/Redo", "redo", QT_TRANSLATE_NOOP("QObject", "Redo"), ToolBar::Word::Last},
     ToolRow{},
-    ToolRow{"Measure/Pin", "pin", QT_TRANSLATE_NOOP("QObject", "Pin"), ToolBar::Word::IfSpace, kOfScan},
+    ToolRow{"Measure/Pin", "pin", QT_TRANSLATE_NOOP("QObject", "Pin"), ToolBar::Word::Next, kOfScan},
 };
 constexpr std::array kBehind{
-    ToolRow{"Edges/Why Is This Cell an Edge or Not?", "why", QT_TRANSLATE_NOOP("QObject", "Why"), ToolBar::Word::IfSpace, kOfScan},
+    ToolRow{"Edges/Why Is This Cell an Edge or Not?", "why", QT_TRANSLATE_NOOP("QObject", "Why"), ToolBar::Word::Next, kOfScan},
     ToolRow{},
-    ToolRow{"View/Look from/From Scanner", "view-from-scanner", QT_TRANSLATE_NOOP("QObject", "Scanner view"), ToolBar::Word::IfSpace,
-            kOfScan},
-    ToolRow{"View/Reset View", "fit", QT_TRANSLATE_NOOP("QObject", "Fit"), ToolBar::Word::IfSpace, kOfScan},
+    ToolRow{"View/Look from/From Scanner", "view-from-scanner", QT_TRANSLATE_NOOP("QObject", "Scanner view"), ToolBar::Word::Last, kOfScan},
+    ToolRow{"View/Reset View", "fit", QT_TRANSLATE_NOOP("QObject", "Fit"), ToolBar::Word::Last, kOfScan},
     ToolRow{},
-    ToolRow{"Rocks/Show Rocks", "rocks", QT_TRANSLATE_NOOP("QObject", "Rocks"), ToolBar::Word::IfSpace, kOfScan},
+    ToolRow{"Rocks/Show Rocks", "rocks", QT_TRANSLATE_NOOP("QObject", "Rocks"), ToolBar::Word::Next, kOfScan},
 };
 constexpr std::array kLast{
     ToolRow{},
-    ToolRow{"File/Export/Edge Cloud", "export", QT_TRANSLATE_NOOP("QObject", "Export"), ToolBar::Word::IfSpace, kOfScan},
-    ToolRow{"File/Report", "report", QT_TRANSLATE_NOOP("QObject", "Report"), ToolBar::Word::IfSpace, kOfScan},
+    ToolRow{"File/Export/Edge Cloud", "export", QT_TRANSLATE_NOOP("QObject", "Export"), ToolBar::Word::Next, kOfScan},
+    ToolRow{"File/Report", "report", QT_TRANSLATE_NOOP("QObject", "Report"), ToolBar::Word::Next, kOfScan},
     ToolRow{},
     ToolRow{"View/Cab Mode", "cab-mode", QT_TRANSLATE_NOOP("QObject", "Cab")},
 };
@@ -119,6 +118,9 @@ void addToolButtons(MainWindow& window) {
     addRows(bar, commands, kBehind);
     addMenu(bar, commands, kCompares);
     addRows(bar, commands, kLast);
+    for (const KeyedCommand& command : commands) { // the menus whose commands have no meaning without a scan
+        if (command.id.startsWith("Rocks/") || command.id.startsWith("Measure/")) bar.needsScan(*command.action);
+    }
     bar.setScanOpen(false);
     QObject::connect(&window, &MainWindow::pictureShown, &bar, [&bar] { bar.setScanOpen(true); });
 }

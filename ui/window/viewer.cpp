@@ -2,6 +2,7 @@
 #include "ui/window/viewer.h"
 
 #include "ui/base/notice_bar.h"
+#include "ui/base/undo_step.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/confidence/confidence_legend.h"
@@ -61,6 +62,8 @@ void Viewer::followPictures() {
     next(confidence, &Confidence::followPicture);
     next(markedEdges, &MarkedEdges::followPicture);
     next(look, &ScanLook::followPicture);
+    QObject::connect(
+        &views, &LinkedViews::newScanShown, &undo, [this] { dropStepsOfOtherScans(undo); }, Qt::QueuedConnection); // after all
 }
 
 } // namespace edgescan::ui

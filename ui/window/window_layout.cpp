@@ -1,17 +1,22 @@
 // Divides the window between cloud, images and panels, and remembers the operator's layout.
 #include "ui/window/main_window.h"
 
+#include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
 #include "ui/base/window_room.h"
 #include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/keys/shortcuts.h"
+#include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/docks.h"
 #include "ui/window/pane_places.h"
 
 #include <QGuiApplication>
+#include <QLayout>
 #include <QScreen>
 #include <QSplitter>
 #include <QStyle>
@@ -20,17 +25,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr int kNarrow = 1100;                   // px of the window: in a narrower one the images get their share of it
-constexpr double kCloudShare = 0.55;            // of the width, minimum
-constexpr double kImagesFirstShare = 2.0 / 3.0; // of the views' width, for both images side by side
-constexpr int kRangeWindowFrom = 600;           // px of the window's height
-constexpr int kLeastImages = 140;               // px of width
-constexpr int kLeastImage = 96;                 // px of height; in a lower column the range image is alone
-constexpr int kSameWidth = 2;                   // px: widths that differ by less count as equal
+constexpr int kNarrow = 1100;             // px of the window: in a narrower one the images get their share of it
+constexpr double kCloudShare = 0.55;      // of the width, minimum
+constexpr double kLeastCloudShare = 0.22; // of the views' width, while the images are first
+constexpr int kRangeWindowFrom = 600;     // px of the window's height
+constexpr int kLeastImages = 140;         // px of width
+constexpr int kLeastImage = 96;           // px of height; in a lower column the range image is alone
+constexpr int kSameWidth = 2;             // px: widths that differ by less count as equal
 
 // Widths at which the cloud has most of the window and images and panel stay readable.
 int usualImages(int window) {
@@ -55,16 +61,41 @@ void MainWindow::arrange() {
     const int besideCloud = static_cast<int>(wide * (1.0 - kCloudShare)) - splitter_->handleWidth();
     const int leastImages = std::max(kLeastImages, pictures_->minimumSizeHint().width());
     docks_->fit(besideCloud);
-    const int most = besideCloud - docks_->setWidths(besideCloud);
-    roomForImages_ = places_->imagesFirst() || most >= leastImages;
+    const int panels = docks_->setWidths(besideCloud), most = besideCloud - panels;
+    foldImages(!places_->imagesFirst() && most<leastImages, panels> 0);
     showImages();
     if (maximised_ != nullptr || !roomForImages_) return;
     const bool follow = arrangedImages_ == 0 || std::abs(pictures_->width() - arrangedImages_) <= kSameWidth;
     if (places_->imagesFirst()) {
-        if (follow) setImagesWidth(static_cast<int>(kImagesFirstShare * splitter_->width()));
+        if (follow) setImagesWidth(widthOfImagesFirst());
         return;
     }
     if (follow || pictures_->width() > most) setImagesWidth(std::clamp(usualImages(wide), leastImages, most));
+}
+
+/// Says once where they are.
+void MainWindow::foldImages(bool fold, bool byPanel) {
+    if (std::exchange(roomForImages_, !fold) == !fold || !fold || !byPanel || !viewer_.engine.picture()) return;
+    if (!std::exchange(saidThatImagesFold_, true))
+        viewer_.notice.showHint(tr("The window has no room for the images next to this panel: they come back when you fold it."));
+}
+
+/// Both as large as they can be in their own aspect, side by side or one above the other; the cloud gets the rest, at least its legend's
+/// width.
+int MainWindow::widthOfImagesFirst() {
+    const QMargins around = viewer_.cloud.layout()->contentsMargins();
+    const int legend = viewer_.legend.sizeHint().width() + around.left() + around.right();
+    const int whole = splitter_->width() - splitter_->handleWidth();
+    const int most = std::max(kLeastImages, whole - std::max(legend, static_cast<int>(kLeastCloudShare * whole)));
+    const ViewPort& port = *viewer_.gray.viewPort();
+    if (port.imageSize().isEmpty()) return most;
+    const double aspect = port.aspect() * port.imageSize().width() / port.imageSize().height();
+    const int title = panes_.front()->minimumSizeHint().height();
+    const int high = splitter_->height() - (height() >= kRangeWindowFrom ? viewer_.rangeWindow.sizeHint().height() : 0);
+    const double across = std::min(most / 2.0, aspect * (high - title)), stacked = std::min(1.0 * most, aspect * (high / 2.0 - title));
+    places_->setSideBySide(across >= stacked);
+    const double wanted = across >= stacked ? 2.0 * across + images_->handleWidth() : stacked;
+    return std::clamp(static_cast<int>(std::ceil(wanted)), std::min(most, pictures_->minimumSizeHint().width()), most);
 }
 
 void MainWindow::setImagesWidth(int width) {
@@ -98,6 +129,7 @@ void MainWindow::showImages() {
 void MainWindow::remember() {
     if (cab_->on()) return; // the layout outside cab mode is the one to store
     viewer_.preferences.keep("window/geometry", saveGeometry());
+    if (docks_->locked()) return; // by the start page: all panels are hidden
     viewer_.preferences.keep("window/state", saveState());
     viewer_.preferences.keep("window/views", splitter_->saveState());
     viewer_.preferences.keep("window/images", images_->saveState());
@@ -143,6 +175,9 @@ void MainWindow::resetLayout() {
     places_->setImagesFirst(false);
     arrangedImages_ = 0;
     images_->setSizes({1000, 1000});
+    for (const KeyedCommand& command : keyedCommands(actions())) {
+        if (command.id == "View/True Angle Aspect") command.action->setChecked(false);
+    }
     docks_->reset();
     rememberTimer_.start();
 }
@@ -163,6 +198,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 /// The window itself gets the mouse only at the edges of its docks.
 bool MainWindow::event(QEvent* event) {
+    // Qt would give the focus to the first button of a legend: the next Space would switch it.
+    if (event->type() == QEvent::WindowActivate && focusWidget() == nullptr && viewer_.cloud.isVisible()) viewer_.cloud.setFocus();
     const bool done = QMainWindow::event(event);
     if (event->type() == QEvent::MouseButtonRelease) docks_->noteDrag();
     return done;

@@ -7,6 +7,7 @@
 #include "core/edges/settings/parameters.h"
 #include "core/files/open_save/sidecar_grid.h"
 #include "core/scan/georef/placed_points.h"
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
@@ -31,14 +32,15 @@
 namespace edgescan::ui {
 namespace {
 
-// "bell_edges_canny_lower6_2026-11-20_LOCAL": what the edges were found with, in the words of the command line.
+// "bell_edges_canny_lower-threshold6_2026-11-20_LOCAL": what the edges were found with, in the words of the window.
 QString exportName(const edges::Detection& detection, exports::ExportContent content, CoordinateFrame frame) {
     const exports::ExportKind::InWindow& names = exports::exportKind(content).window;
     QStringList parts{shownName(exactText(detection.scan->name), 80).replace(' ', '-').replace('/', '-'), names.tail};
     const edges::Settings& settings = detection.settings;
     const edges::Parameter& swept = edges::sweptParameter(settings.method);
     if (names.namesMethod)
-        parts << edges::traitsOf(settings.method).key << swept.key + exactText(edges::formatValue(swept, swept.get(settings)));
+        parts << edges::traitsOf(settings.method).key
+              << QString(swept.label).toLower().replace(' ', '-') + exactText(edges::formatValue(swept, swept.get(settings)));
     parts << QDate::currentDate().toString(Qt::ISODate);
     return parts.join('_') + (exports::isCloud(content) ? frameTail(frame) : "");
 }
@@ -85,7 +87,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
     if (dialog.exec() != QDialog::Accepted) return;
     const bool cloud = exports::isCloud(dialog.content());
     SaveQuestion question;
-    question.title = cloud ? tr("Export %1 points").arg(dialog.count()) : tr("Export");
+    question.title = cloud ? tr("Export %1 points").arg(countText(dialog.count())) : tr("Export");
     question.extension = dialog.extension();
     QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
     if (dialog.options().selection) name += "_selected";
@@ -103,7 +105,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
 void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates) {
     preferences_.keepFolder(exports::isCloud(what) ? "exports" : "images", path);
     if (exports::isCloud(what)) preferences_.keep("export/extension", "." + QFileInfo(path).suffix());
-    notice_.showSaved(path, QString("%1 %2").arg(count).arg(exports::countedThings(exports::exportKind(what))), coordinates);
+    notice_.showSaved(path, QString("%1 %2").arg(countText(count)).arg(exports::countedThings(exports::exportKind(what))), coordinates);
 }
 
 void Exports::askScreenshot(const QImage& image) {

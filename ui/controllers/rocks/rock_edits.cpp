@@ -74,6 +74,7 @@ void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after) {
         if (stream_ == stream) setOperatorEdits(value);
         return stream_ == stream; // else the scan was closed, and its edits with it
     });
+    step->onlyWhile([this, stream = stream_] { return stream_ == stream; });
     newestEdit_ = step;
     undo_.push(step);
 }

@@ -45,6 +45,7 @@ void Rocks::useTool(RockTool tool) {
         views_.setPinsOnClick(tool == RockTool::None); // a click of a tool changes rocks and no target
         views_.setTrail({});
         familyPicture_ = nullptr;
+        tip_.hide(); // what it says belongs to the tool
         if (before == RockTool::Split) showSelection();
     }
     emit toolChanged(tool_); // also if it was refused: a pressed switch goes back
@@ -81,12 +82,8 @@ void Rocks::showPiece(const QObject* from) {
     if (piece_ < family_.nested.region) does = tr("a click splits it off");
     if (piece_ > family_.nested.region) does = tr("larger than the rock: a click joins it");
     const QString tip = tr("%1 cells, %2 · wheel: smaller or larger").arg(countText(piece.cells), does);
-    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
-        view->setOutline(outline.sides);
-        const bool isHere = view == from || (from == nullptr && view->underMouse());
-        view->setTip(isHere ? views_.placeOf(familyCell_) : QPoint(), isHere ? tip : QString());
-    }
-    views_.cloud().setTip(tip);
+    for (ImageView* view : {&views_.gray(), &views_.edges()}) view->setOutline(outline.sides);
+    tip_.show(familyCell_, tip, from);
     views_.cloud().setOutline(std::make_shared<const std::vector<std::uint32_t>>(std::move(outline.cells)));
 }
 

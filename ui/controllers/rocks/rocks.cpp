@@ -31,7 +31,7 @@ bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::
 Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Preferences& preferences,
              QUndoStack& undo)
     : engine_(engine), views_(views), panel_(panel), table_(table), notice_(notice), preferences_(preferences), undo_(undo),
-      drag_(views, this), sidecar_(this) {
+      drag_(views, this), tip_(views), sidecar_(this) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
     connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::followPicture);
@@ -247,14 +247,8 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
         return showPiece(from);
     }
     const rocks::Rock* rock = picture_ && cell ? picture_->rockAt(*cell) : nullptr;
-    const QString tip = rock != nullptr ? rockTip(*rock) : QString();
-    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
-        if (view == from && rock != nullptr)
-            view->setTip(views_.placeOf(*cell), tip);
-        else
-            view->setTip({}, QString());
-    }
-    views_.cloud().setTip(tip);
+    if (rock == nullptr) return tip_.hide();
+    tip_.show(*cell, rockTip(*rock), from);
 }
 
 void Rocks::click(const inspect::MeantCell& click) {

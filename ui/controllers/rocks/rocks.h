@@ -5,6 +5,7 @@
 #include "core/rocks/selection/strokes.h"
 #include "ui/controllers/rocks/rock_sidecar.h"
 #include "ui/engine/linked_views/cell_drag.h"
+#include "ui/engine/linked_views/pointer_tip.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/rocks/rock_finder.h"
 
@@ -151,6 +152,7 @@ private:
     bool on_ = false;
     RockTool tool_ = RockTool::None;
     CellDrag drag_;
+    PointerTip tip_;
     RockSidecar sidecar_;
     rocks::RockSettings settings_;
     std::vector<rocks::Edit> edits_;

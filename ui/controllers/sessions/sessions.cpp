@@ -29,7 +29,10 @@ namespace {
 constexpr int kSaveSoonMs = 400; // maximum loss when the program is killed
 
 // A name that ends in .json stays as it was typed; one without an ending gets the first one.
-QString filterOfSessions() { return Sessions::tr("EdgeScan sessions (*%1)").arg(QString(inspect::kSessionEnding) + " *.json"); }
+/// The first is the usual one: scans and records of exports are JSON files too.
+QStringList filtersOfSessions() {
+    return {Sessions::tr("EdgeScan sessions (*%1)").arg(inspect::kSessionEnding), Sessions::tr("JSON files (*.json)")};
+}
 
 std::filesystem::path folderOf(const QString& path) { return exactBytes(QFileInfo(absolutePath(path)).path()); }
 
@@ -180,8 +183,8 @@ void Sessions::saveAs(const QString& path) {
 void Sessions::askSaveAs() {
     if (!taken()) return saveAs({});
     const QString scan = QFileInfo(files_.path().isEmpty() ? "demo" : files_.path()).completeBaseName();
-    SaveQuestion question{
-        tr("Save session"), QDir(preferences_.folder("sessions")).filePath(scan + inspect::kSessionEnding), {filterOfSessions()}};
+    SaveQuestion question{tr("Save session"), QDir(preferences_.folder("sessions")).filePath(scan + inspect::kSessionEnding),
+                          filtersOfSessions()};
     question.keeps = [](const QString& there) {
         return inspect::readSession(exactBytes(there)) ? QString()
                                                        : tr("%1 is not a session and stays as it is: choose another name.").arg(there);
@@ -194,7 +197,7 @@ void Sessions::askSaveAs() {
 
 void Sessions::ask() {
     const QString path = QFileDialog::getOpenFileName(notice_.window(), tr("Open session"), preferences_.folder("sessions"),
-                                                      filterOfSessions() + ";;" + tr("Screenshots (*.png)"));
+                                                      (filtersOfSessions() << tr("Screenshots (*.png)")).join(";;"));
     if (path.isEmpty()) return;
     preferences_.keepFolder("sessions", path);
     openSession(path);

@@ -174,10 +174,12 @@ void Selection::zoomTo() {
 
 void Selection::change(const QString& what, State after) {
     if (after == state_) return;
-    undo_.push(new UndoStep<State>(what, state_, std::move(after), [this, stream = stream_](const State& value) {
+    auto* step = new UndoStep<State>(what, state_, std::move(after), [this, stream = stream_](const State& value) {
         if (stream_ == stream) use(value);
         return stream_ == stream;
-    }));
+    });
+    step->onlyWhile([this, stream = stream_] { return stream_ == stream; });
+    undo_.push(step);
 }
 
 void Selection::use(const State& state) {

@@ -240,7 +240,12 @@ void Targets::setPart(const inspect::TargetsPart& part) {
 }
 
 void Targets::change(const QString& what, inspect::Notebook after) {
-    undo_.push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), useHere()));
+    push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), useHere()));
+}
+
+void Targets::push(UndoStep<inspect::Notebook>* step) {
+    step->onlyWhile([this, key = key_] { return key_ == key; });
+    undo_.push(step);
 }
 
 /// The notebook of the picture on the screen, if it is still there.

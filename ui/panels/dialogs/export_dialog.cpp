@@ -333,7 +333,12 @@ void ExportDialog::follow() {
     }
     numbers_->setText(numbersText());
     showCounts();
-    count_->setText(cloud ? tr("%1 points will be saved.").arg(countText(count())) : tr("%1 cells will be saved.").arg(countText(count())));
+    const auto chosen = std::ranges::find(formats_, extension(), &Format::extension);
+    const bool lines = cloud && chosen != formats_.end() && chosen->drawsEdges;
+    const QString many = countText(count());
+    count_->setText(lines   ? tr("Lines through %1 edge points will be saved.").arg(many)
+                    : cloud ? tr("%1 points will be saved.").arg(many)
+                            : tr("%1 cells will be saved.").arg(many));
 }
 
 } // namespace edgescan::ui

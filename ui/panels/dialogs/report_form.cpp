@@ -38,7 +38,7 @@ ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
     logo_->setMaxLength(4096);
     logo_->setPlaceholderText(tr("none"));
     format_->setObjectName("report-format");
-    format_->addItem(tr("HTML: turns in any browser, without a network"), ".html");
+    format_->addItem(tr("HTML: any browser opens it and turns the cloud, without a network"), ".html");
     format_->addItem(tr("PDF: pages to print and to file"), ".pdf");
     format_->setCurrentIndex(std::max(0, format_->findData(words.extension)));
     auto* form = new QFormLayout(this);

@@ -67,6 +67,8 @@ LivePanel::LivePanel(QWidget* parent)
     host_->setAccessibleName(tr("Name or address of the scanner"));
     host_->setMaximumWidth(220);
     port_->setObjectName("live-port");
+    port_->setAccessibleName(tr("Port of the scanner"));
+    port_->setToolTip(tr("Port of the scanner"));
     port_->setRange(1, 65535);
     port_->setValue(kUsualPort);
     addSweepMenu();

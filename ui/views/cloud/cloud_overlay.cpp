@@ -56,6 +56,8 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
     // A plate that moved uncovers only its old place: the tags that avoid it are somewhere else.
     auto plates = platesOver();
     if (std::exchange(plates_, std::move(plates)) != plates_ && !marks_.marks.empty()) update();
+    std::vector<QRectF> texts;
+    for (const QRect& label : labels_) texts.emplace_back(label);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
@@ -63,7 +65,7 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         const QPen light(QColor(255, 90, 80), 1.4, marks_.hidden ? Qt::DashLine : Qt::SolidLine);
         strokeTwice(painter, QPen(QColor(0, 0, 0, 120), 3.0), light, [&] { painter.drawLine(*marks_.ray); });
     }
-    tags_ = drawScreenMarks(painter, rect(), marks_.marks, plates_);
+    tags_ = drawScreenMarks(painter, rect(), marks_.marks, plates_, texts);
     painter.setBrush(Qt::NoBrush);
     if (!marks_.dragged.isEmpty())
         strokeTwice(painter, QPen(QColor(0, 0, 0, 170), 3.0), QPen(Qt::white, 1.0, Qt::DashLine),
@@ -78,8 +80,9 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
     drawStaleOverlay(painter, rect(), marks_.stale);
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3 + marks_.topTaken, -kLabelMargin - 6, -kLabelMargin - 3);
     const auto* cube = parentWidget()->findChild<QWidget*>("view-cube", Qt::FindDirectChildrenOnly);
-    labels_ = drawLabels(painter, inner, marks_.note, marks_.caption, marks_.captionRoom,
-                         cube != nullptr && cube->isVisible() ? cube->geometry() : QRect());
+    const auto labels = drawLabels(painter, inner, marks_.note, marks_.caption, marks_.captionRoom,
+                                   cube != nullptr && cube->isVisible() ? cube->geometry() : QRect());
+    if (std::exchange(labels_, labels) != labels && !marks_.marks.empty()) update(); // the tags avoid them
     if (marks_.tipAt && !marks_.tip.isEmpty()) drawTipAt(painter, rect(), marks_.tipAt->toPoint(), marks_.tip);
     if (!marks_.centreText.isEmpty()) drawLabel(painter, inner, Qt::AlignCenter, marks_.centreText);
 }

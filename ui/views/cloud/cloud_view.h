@@ -159,6 +159,8 @@ public slots:
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// Looks from the scanner's side at these cells and some of their surroundings. A few cells at the rim may be outside the view.
     void lookAtCells(const CellIndices& cells);
+    /// The part of the view in which cells are shown when it goes to them: legends do not cover it.
+    [[nodiscard]] QRect freeArea() const;
     void zoomToCells(const edgescan::ui::CloudView::CellIndices& cells);
     void flyTo(qint64 cell); ///< looks at the point from nearby; it becomes the centre of rotation
     void setParallel(bool on);
