@@ -3,6 +3,7 @@
 
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/base/view_plate.h"
 #include "ui/base/window_room.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/keys/shortcuts.h"
@@ -84,7 +85,11 @@ void MainWindow::foldImages(bool fold, bool byPanel) {
 /// width.
 int MainWindow::widthOfImagesFirst() {
     const QMargins around = viewer_.cloud.layout()->contentsMargins();
-    const int legend = viewer_.legend.sizeHint().width() + around.left() + around.right();
+    int legend = 0; // the widest of those that are shown
+    for (ViewPlate* plate : viewer_.cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!plate->isHidden() && viewer_.cloud.layout()->indexOf(plate) >= 0) legend = std::max(legend, plate->sizeHint().width());
+    }
+    legend += around.left() + around.right();
     const int whole = splitter_->width() - splitter_->handleWidth();
     const int most = std::max(kLeastImages, whole - std::max(legend, static_cast<int>(kLeastCloudShare * whole)));
     const ViewPort& port = *viewer_.gray.viewPort();

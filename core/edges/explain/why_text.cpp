@@ -209,7 +209,8 @@ std::string WhyWords::supportText() const {
     if (why_.movedFromGap) text += "\n" + say("The edge of a cell without a range next to it goes round by this one.");
     if (depth.support == Support::Void) text += "\n" + say("Nothing is known here: no step and no fold is measured next to missing data.");
     if (depth.snappedMm)
-        text += "\n" + say("Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.", {number(*depth.snappedMm / 1000)});
+        text += "\n" + say("Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.",
+                           {number(*depth.snappedMm / 1000)});
     return text;
 }
 

@@ -46,7 +46,8 @@ public:
     /// The cell in the status bar: under the mouse, else the pinned one.
     [[nodiscard]] std::optional<std::size_t> marked() const { return hovered_ ? hovered_ : pinned_; }
     [[nodiscard]] std::optional<std::size_t> hovered() const { return hovered_; }
-    /// How far apart two cells are drawn in the view that the pointer was in last, device-independent pixels; empty: one is not drawn there.
+    /// How far apart two cells are drawn in the view that the pointer was in last, device-independent pixels; empty: one is not drawn
+    /// there.
     [[nodiscard]] std::optional<double> pixelsBetween(std::size_t a, std::size_t b) const;
     [[nodiscard]] std::optional<std::size_t> pinned() const { return pinned_; }
     [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
