@@ -3,6 +3,7 @@
 #include "core/sim/simulate.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/contact_sheets.h"
@@ -195,7 +196,7 @@ private slots:
             const std::string name = std::string(kind.key) + (kind.files.empty() ? ".pcd" : kind.files.front().extension);
             window.viewer().engine.save(kind.content, QString::fromStdString((folder_ / name).string()));
             QVERIFY2(eventually([&] { return saved.count() == 1 && !window.viewer().engine.working(); }), kind.key);
-            const QString counted = QString("%1 %2").arg(saved.front()[2].toLongLong()).arg(exports::countedThings(kind));
+            const QString counted = countText(saved.front()[2].toLongLong()) + " " + exports::countedThings(kind);
             QVERIFY2(window.viewer().notice.text().contains(counted), qPrintable(window.viewer().notice.text()));
         }
     }

@@ -254,6 +254,8 @@ private slots:
         std::size_t next = 1;
         while (next < mask.size() && (mask[next] != 0 || mask[next - 1] == 0 || next % 160 == 0)) ++next;
         QVERIFY(next < mask.size());
+        ViewPort& port = *window_->viewer().views.edges().viewPort(); // zoomed in, the drawn edge no longer covers the cell next to it
+        port.zoomAt(QPointF(static_cast<double>(next % 160), static_cast<double>(next / 160)), 20.0 / port.cellSize().width());
         askWhy(static_cast<std::uint32_t>(next));
         if (QTest::currentTestFailed()) return;
         const WhyCard& card = *window_->viewer().explanation.card();
