@@ -33,6 +33,7 @@ namespace {
 
 constexpr int kNarrow = 1100;             // px of the window: in a narrower one the images get their share of it
 constexpr double kCloudShare = 0.55;      // of the width, minimum
+constexpr int kLegendRoom = 320;          // px: that of a comparison in Spanish
 constexpr double kLeastCloudShare = 0.22; // of the views' width, while the images are first
 constexpr int kRangeWindowFrom = 600;     // px of the window's height
 constexpr int kLeastImages = 140;         // px of width
@@ -68,7 +69,8 @@ void MainWindow::arrange() {
     if (maximised_ != nullptr || !roomForImages_) return;
     const bool follow = arrangedImages_ == 0 || std::abs(pictures_->width() - arrangedImages_) <= kSameWidth;
     if (places_->imagesFirst()) {
-        if (follow) setImagesWidth(widthOfImagesFirst());
+        const int both = widthOfImagesFirst();
+        if (follow || pictures_->width() > both) setImagesWidth(both);
         return;
     }
     if (follow || pictures_->width() > most) setImagesWidth(std::clamp(usualImages(wide), leastImages, most));
@@ -85,7 +87,7 @@ void MainWindow::foldImages(bool fold, bool byPanel) {
 /// width.
 int MainWindow::widthOfImagesFirst() {
     const QMargins around = viewer_.cloud.layout()->contentsMargins();
-    int legend = 0; // the widest of those that are shown
+    int legend = kLegendRoom; // one that is shown later does not move the images
     for (ViewPlate* plate : viewer_.cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (!plate->isHidden() && viewer_.cloud.layout()->indexOf(plate) >= 0) legend = std::max(legend, plate->sizeHint().width());
     }
@@ -104,8 +106,8 @@ int MainWindow::widthOfImagesFirst() {
 }
 
 void MainWindow::setImagesWidth(int width) {
-    arrangedImages_ = width;
     splitter_->setSizes({width, std::max(1, splitter_->width() - width - splitter_->handleWidth())});
+    arrangedImages_ = splitter_->sizes().value(0); // the least widths of its parts may have changed it
 }
 
 void MainWindow::maximise(Pane* pane) {
