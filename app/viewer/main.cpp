@@ -67,8 +67,8 @@ int runViewer(const CommandLine& wanted, const ParsedCommandLine& understood) {
     const Start start(window, wanted, understood);
     openWanted(window, preferences, wanted, understood);
     const int code = QApplication::exec();
-    const bool again = qApp->property(ui::kStartsAgain).toBool();
-    if (again && window.viewer().engine.picture() != nullptr) qApp->setProperty(ui::kStartsAgain, QStringList("--continue"));
+    if (qApp->property(ui::kStartsAgain).isValid())
+        qApp->setProperty(ui::kStartsAgain, window.viewer().engine.picture() != nullptr ? QStringList("--continue") : QStringList());
     return code;
 }
 

@@ -45,7 +45,7 @@ def simulator():
 def program():
     """A copy of edgescan-cli, edgescan-lab and edgescan-peers, which a later build cannot change; returns the path of edgescan-cli."""
     if not os.path.exists(CLI):
-        sys.exit("%s: there is no such program; build it with ./test, or name another in EDGESCAN_CLI." % CLI)
+        sys.exit("%s: this program does not exist; build it with ./test, or name another in EDGESCAN_CLI." % CLI)
     others = [os.path.join(os.path.dirname(CLI), name) for name in ("edgescan-lab", "edgescan-peers")]
     parts = [CLI] + [other for other in others if os.path.exists(other)]
     digest = hash_of(*parts)

@@ -1820,8 +1820,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
-<message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
+<message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluidos: %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ un extremo está %1 m detrás de la superficie vecina</translation></message>

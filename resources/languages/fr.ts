@@ -1820,8 +1820,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
-<message><source>at %1 m</source><translation>à %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
+<message><source>at %1 m</source><translation>à %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>sauts compris : %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ une extrémité est %1 m derrière la surface voisine</translation></message>

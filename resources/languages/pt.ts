@@ -1820,8 +1820,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, gray %1</source><translation>, cinza %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
-<message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
+<message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluídos: %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ uma extremidade está %1 m atrás da superfície vizinha</translation></message>

@@ -36,11 +36,6 @@ class CabHandsTest : public QObject {
     test::TemporaryFolder folder_;
     std::string scan_;
 
-    static QToolButton* tool(MainWindow& window, const char* name) {
-        auto* found = window.findChild<QToolButton*>(name);
-        if (found == nullptr) qFatal("there is no %s", name);
-        return found;
-    }
     static bool useTexts(const char* code) {
         return useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages");
     }
@@ -53,7 +48,7 @@ class CabHandsTest : public QObject {
     }
     static void tap(Keypad& pad, const QString& key) {
         QToolButton* found = pad.key(key);
-        if (found == nullptr) qFatal("there is no key %s", qPrintable(key));
+        if (found == nullptr) qFatal("the keypad has no key %s", qPrintable(key));
         QTest::mouseClick(found, Qt::LeftButton);
     }
     static QRect onScreen(const QWidget& widget) { return {widget.mapToGlobal(QPoint()), widget.size()}; }

@@ -43,11 +43,6 @@ class CabTest : public QObject {
     std::string scan_;
     QTouchDevice* touch_ = nullptr;
 
-    static QToolButton* tool(MainWindow& window, const char* name) {
-        auto* found = window.findChild<QToolButton*>(name);
-        if (found == nullptr) qFatal("there is no %s", name);
-        return found;
-    }
     static void press(MainWindow& window, const char* name) { QTest::mouseClick(tool(window, name), Qt::LeftButton); }
     // The first cell with a range that the cloud shows near its middle.
     static QPoint pointOnCloud(const CloudView& cloud) {

@@ -285,7 +285,7 @@ private slots:
             for (auto* each : on.viewer.notice.findChildren<QToolButton*>()) restart = each->text() == "Restart Now" ? each : restart;
             QVERIFY(restart != nullptr && restart->isVisible());
             QTest::mouseClick(restart, Qt::LeftButton);
-            QVERIFY(!on.window.isVisible() && qApp->property(kStartsAgain).toBool());
+            QVERIFY(!on.window.isVisible() && qApp->property(kStartsAgain).isValid());
             qApp->setProperty(kStartsAgain, {});
         }
         const Preferences preferences(ini);

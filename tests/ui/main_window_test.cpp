@@ -73,7 +73,7 @@ class MainWindowTest : public QObject {
     std::string real_;
 
 private slots:
-    // The undo list names what it can undo: in the words of the window, and nothing of a scan that is no longer open.
+    // Undo shows the step that it takes back, in the words of the window. Steps of a scan that was closed are gone.
     void undoNamesWhatItCanUndo() {
         WindowFixture on;
         QVERIFY(on.showWith(usualScan(folder_)));

@@ -18,6 +18,7 @@
 
 #include <QApplication>
 #include <QSlider>
+#include <QToolButton>
 #include <QtTest>
 
 #include <functional>
@@ -72,6 +73,13 @@ struct WindowFixture {
     const std::string simulated = (folder / "simulated.json").string();
     if (!files::saveScan(sim::simulate(settings)->scan, simulated)) qFatal("%s cannot be written", simulated.c_str());
     return simulated;
+}
+
+/// A button of the window by its object name.
+[[nodiscard]] inline QToolButton* tool(MainWindow& window, const char* name) {
+    auto* found = window.findChild<QToolButton*>(name);
+    if (found == nullptr) qFatal("the window has no button %s", name);
+    return found;
 }
 
 template <class Test, class Application = QApplication>

@@ -31,16 +31,18 @@ template <class... Given>
 /// A step that may belong to one scan.
 class ScanStep {
 public:
-    ScanStep() = default;
+    /// True while that scan is on the screen; empty: the step belongs to no scan.
+    using Here = std::function<bool()>;
+
+    explicit ScanStep(Here here) : here_(std::move(here)) {}
     ScanStep(const ScanStep&) = delete;
     ScanStep& operator=(const ScanStep&) = delete;
     virtual ~ScanStep() = default;
     /// False: the step would change nothing, because another scan is on the screen.
-    [[nodiscard]] bool applies() const { return !applies_ || applies_(); }
-    void onlyWhile(std::function<bool()> applies) { applies_ = std::move(applies); }
+    [[nodiscard]] bool applies() const { return !here_ || here_(); }
 
 private:
-    std::function<bool()> applies_;
+    Here here_;
 };
 
 inline constexpr const char* kDrops = "drops"; ///< property of a stack that drops steps: the operator undoes nothing
@@ -66,12 +68,13 @@ public:
     using Use = std::function<bool(const Value& value)>;
     using Name = std::function<QString(const Value& before, const Value& after)>;
 
-    UndoStep(const QString& name, Value before, Value after, Use use)
-        : QUndoCommand(name), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)) {}
+    /// `here`: on another scan the step is obsolete.
+    UndoStep(const QString& name, Value before, Value after, Use use, Here here = {})
+        : QUndoCommand(name), ScanStep(std::move(here)), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)) {}
     /// Of a drag, whose steps become one under the name of all that it changed.
     UndoStep(int drag, Name name, Value before, Value after, Use use)
-        : QUndoCommand(name(before, after)), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)), drag_(drag),
-          name_(std::move(name)) {}
+        : QUndoCommand(name(before, after)), ScanStep({}), before_(std::move(before)), after_(std::move(after)), use_(std::move(use)),
+          drag_(drag), name_(std::move(name)) {}
 
     /// Where this step is obsolete, undo or redo continues with the next step of the stack.
     void giveWayIn(QUndoStack& stack) { stack_ = &stack; }
@@ -88,7 +91,7 @@ public:
 
 private:
     void take(const Value& value, void (QUndoStack::*next)()) {
-        if (use_(value)) return;
+        if (applies() && use_(value)) return;
         setObsolete(true);
         if (stack_ != nullptr) QMetaObject::invokeMethod(stack_, next, Qt::QueuedConnection);
     }

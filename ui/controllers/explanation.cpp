@@ -40,23 +40,13 @@ edges::EdgeProfile profileOf(const edges::Detection& detection, const edges::Why
 }
 
 /// The nearest edge if the cell is not an edge: a finger rarely hits an edge that is one cell wide.
-std::optional<std::size_t> nearestEdge(const edges::Detection& detection, std::size_t cell) {
-    const Grid<std::uint8_t>& mask = *detection.mask;
-    if (mask[cell] != 0) return std::nullopt;
-    const Scan& scan = *detection.scan;
-    const int line = static_cast<int>(cell) / scan.beams(), beam = static_cast<int>(cell) % scan.beams();
-    std::optional<std::size_t> nearest;
-    int least = kSearchCells * kSearchCells + 1;
-    for (int y = std::max(0, line - kSearchCells); y <= std::min(scan.lines() - 1, line + kSearchCells); ++y) {
-        for (int x = std::max(0, beam - kSearchCells); x <= std::min(scan.beams() - 1, beam + kSearchCells); ++x) {
-            const int away = (y - line) * (y - line) + (x - beam) * (x - beam);
-            const std::size_t k = static_cast<std::size_t>(y) * static_cast<std::size_t>(scan.beams()) + static_cast<std::size_t>(x);
-            if (away >= least || mask[k] == 0) continue;
-            least = away;
-            nearest = k;
-        }
-    }
-    return nearest;
+std::optional<std::size_t> edgeNextTo(const edges::Detection& detection, std::size_t cell) {
+    const auto edge = edges::nearestEdge(*detection.mask, cell, kSearchCells);
+    if (!edge || *edge == cell) return std::nullopt;
+    const auto beams = static_cast<std::size_t>(detection.mask->beams);
+    const auto apart = [](std::size_t a, std::size_t b) { return static_cast<double>(a) - static_cast<double>(b); };
+    const bool isNear = std::hypot(apart(*edge / beams, cell / beams), apart(*edge % beams, cell % beams)) <= kSearchCells;
+    return isNear ? edge : std::nullopt;
 }
 
 } // namespace
@@ -92,7 +82,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
         });
     }
     // Edges are drawn wider than a cell: a pointer on one of them means it, whatever cell is under its tip. Zoomed in, it does not.
-    const auto edge = subject == Subject::NearestEdge ? std::nullopt : nearestEdge(*picture->detection, click.cell);
+    const auto edge = subject == Subject::NearestEdge ? std::nullopt : edgeNextTo(*picture->detection, click.cell);
     const auto apart = edge ? views_.pixelsBetween(click.cell, *edge) : std::nullopt;
     if (apart && *apart <= kDrawnPx) return explain(inspect::exactly(*edge), Subject::NearestEdge);
     const Question question{picture, click, subject};
@@ -141,7 +131,7 @@ void Explanation::show(const Question& question, bool still, const edges::Why& w
         numbers += tr("\nThe strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.");
     if (const QString moved = clickText(question.click, *picture.detection); !moved.isEmpty())
         numbers += "\n" + tr("Clicked") + ": " + moved;
-    nearestEdge_ = nearestEdge(*picture.detection, why.probe.cell);
+    nearestEdge_ = edgeNextTo(*picture.detection, why.probe.cell);
     const auto away = [&](std::size_t cell) {
         const QPointF way = views_.placeOf(cell) - views_.placeOf(why.probe.cell);
         return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));

@@ -44,7 +44,7 @@ Command languageMenu(QWidget& window, Preferences& preferences, NoticeBar& notic
                          notice.showNotice(NoticeBar::Kind::Done, QObject::tr("The window uses this language from the next start on."));
                          if (preferences.dataFolder().isEmpty()) return;      // the next start would not know it
                          notice.offer(QObject::tr("Restart Now"), [&window] { // closing stores the session
-                             if (window.close()) QCoreApplication::instance()->setProperty(kStartsAgain, true);
+                             if (window.close()) QCoreApplication::instance()->setProperty(kStartsAgain, QStringList());
                          });
                      }};
         menu.submenu.push_back(choice(std::move(made), *group, "language-" + code, code == languageInUse()));

@@ -5,7 +5,7 @@
 
 namespace edgescan::ui {
 
-/// A property of the application: the operator closed the window to start the program again.
+/// A property of the application: the operator closed the window to start the program again; in the end the arguments of that start.
 inline constexpr const char* kStartsAgain = "starts-again";
 
 class CabMode;

@@ -64,7 +64,8 @@ void MainWindow::arrange() {
     const int leastImages = std::max(kLeastImages, pictures_->minimumSizeHint().width());
     docks_->fit(besideCloud);
     const int panels = docks_->setWidths(besideCloud), most = besideCloud - panels;
-    foldImages(!places_->imagesFirst() && most<leastImages, panels> 0);
+    const bool tooNarrow = most<leastImages, byPanel = panels> 0;
+    foldImages(!places_->imagesFirst() && tooNarrow, byPanel);
     showImages();
     if (maximised_ != nullptr || !roomForImages_) return;
     const bool follow = arrangedImages_ == 0 || std::abs(pictures_->width() - arrangedImages_) <= kSameWidth;

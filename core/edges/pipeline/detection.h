@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,5 +58,9 @@ struct Detection {
 
 /// Number of edge cells by DepthEdge; all 0 if the method does not distinguish classes.
 [[nodiscard]] std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection);
+
+/// The edge cell nearest to a cell, which may be that cell itself, of those up to `reach` lines and beams away; empty: all of them are
+/// without an edge.
+[[nodiscard]] std::optional<std::size_t> nearestEdge(const Grid<std::uint8_t>& mask, std::size_t cell, int reach);
 
 } // namespace edgescan::edges

@@ -166,6 +166,21 @@ std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection) {
     return counts;
 }
 
+std::optional<std::size_t> nearestEdge(const Grid<std::uint8_t>& mask, std::size_t cell, int reach) {
+    const int line = static_cast<int>(cell) / mask.beams, beam = static_cast<int>(cell) % mask.beams;
+    std::optional<std::size_t> nearest;
+    int least = 2 * reach * reach + 1;
+    for (int i = std::max(0, line - reach); i <= std::min(mask.lines - 1, line + reach); ++i) {
+        for (int j = std::max(0, beam - reach); j <= std::min(mask.beams - 1, beam + reach); ++j) {
+            const int away = (i - line) * (i - line) + (j - beam) * (j - beam);
+            if (away >= least || mask.at(i, j) == 0) continue;
+            least = away;
+            nearest = mask.index(i, j);
+        }
+    }
+    return nearest;
+}
+
 std::shared_ptr<const Detection> detectEdges(const std::shared_ptr<const Scan>& scan, const Settings& settings, KeepFor keep) {
     return Pipeline(keep).run(scan, settings);
 }

@@ -31,8 +31,8 @@ struct LiveHealth {
     std::string sentence; ///< of the session: what happened and what to do
     std::string scanner;  ///< what the device says it is; empty before it said so
 
-    std::string
-        lines; ///< "312/1000 lines", of unknown length "312 lines"; "INCOMPLETE 312/1000 lines" where lines are missing and no more come
+    /// "312/1000 lines", of unknown length "312 lines"; "INCOMPLETE 312/1000 lines" where lines are missing and no more come.
+    std::string lines;
     std::string lost;                 ///< "3 lost: lines 5 and 9 to 10"; empty when none
     int sweep = 0;                    ///< the sweep that is counted: 1 is the first since the connection; 0: no line came yet
     int row = 0, rows = 0;            ///< of the sweep: so far, and of the whole sweep (0: unknown)

@@ -239,8 +239,9 @@ std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     };
     std::string ranges;
     for (std::size_t n = 0; n < measured.rangesM.size(); ++n) ranges += (n == 0 ? "" : ", ") + fixedText(measured.rangesM[n], 2);
-    std::vector<std::string> parts{say("at %1 m", {ranges})};
-    if (measured.kind == MeasureKind::Throat) parts.insert(parts.begin(), say("narrowest way near the two clicks"));
+    std::vector<std::string> parts;
+    if (measured.kind == MeasureKind::Throat) parts.push_back(say("narrowest way near the two clicks"));
+    parts.push_back(say("at %1 m", {ranges}));
     if (measured.angleIsBelow) parts.push_back(say("a side is below what is resolved there"));
     if (measured.leaps > 0) parts.push_back(say("jumps that are part of it: %1", {std::to_string(measured.leaps)}));
     if (measured.behindM > 0.0) parts.push_back(say("▲ an end is %1 m behind the surface next to it", {fixedText(measured.behindM, 2)}));

@@ -69,7 +69,7 @@ void measureLines(int first, int last, Grid<float>& distance) {
 } // namespace
 
 Grid<float> distanceToZero(const Grid<std::uint8_t>& free, int threads) {
-    // Versions of OpenCV answer differently where there is no barrier at all.
+    // Without any barrier, versions of OpenCV give different numbers.
     if (std::ranges::find(free.cells, std::uint8_t{0}) == free.cells.end()) return {free.lines, free.beams, std::sqrt(kNoneSquared)};
     Grid<float> distance(free.lines, free.beams);
     threads = bandsFor(free.size(), threads);

@@ -13,6 +13,9 @@ constexpr std::size_t kFinishedKept = 4;
 constexpr double kUsPerSecond = 1e6;
 constexpr std::int64_t kLongAgo = 1'000'000; // lines lost by a longer gap are not counted
 
+/// Counts of an encoder from one position to another, across its wrap.
+std::int64_t countsBetween(std::uint32_t from, std::uint32_t to) { return static_cast<std::int32_t>(to - from); }
+
 } // namespace
 
 SweepAssembler::SweepAssembler(const SweepSettings& settings) : settings_(settings), counter_(settings.outputInterval) {}
@@ -64,8 +67,7 @@ bool SweepAssembler::isNew(SweepLine& line, std::int64_t hostNs, LineStamp& stam
     using enum GrowingSweep::Repeat;
     line.facts.seconds = static_cast<double>(stamp.deviceUs) / kUsPerSecond + restartSeconds_;
     line.facts.stampNs = clock_.hostNs(stamp.deviceUs);
-    if (encoderAt_ && line.encoderPosition)
-        line.facts.encoder = encoderCount_ + static_cast<std::int32_t>(*line.encoderPosition - *encoderAt_);
+    if (encoderAt_ && line.encoderPosition) line.facts.encoder = encoderCount_ + countsBetween(*encoderAt_, *line.encoderPosition);
     stepper_.line(line.facts);
     const bool comparable = sweep_ && !misfit_ && line.beams.beams > 0;
     const auto repeat = comparable ? sweep_->repeat(line, stamp.linesBehind - lostSince_) : Outside;
@@ -143,11 +145,10 @@ void SweepAssembler::followEncoder(SweepLine& line, std::int64_t lost, bool rest
         if (encoderLeapsBack(position, lost, restarted)) finishSweep();
         return;
     }
-    const auto differenceFrom = [&](std::uint32_t from) { return static_cast<std::int64_t>(static_cast<std::int32_t>(position - from)); };
     if (!encoderAt_) {
-        encoderCount_ = settings_.encoderZero ? differenceFrom(*settings_.encoderZero) : 0;
+        encoderCount_ = settings_.encoderZero ? countsBetween(*settings_.encoderZero, position) : 0;
     } else {
-        std::int64_t moved = differenceFrom(*encoderAt_);
+        std::int64_t moved = countsBetween(*encoderAt_, position);
         const double expected = settings_.degPerLine.value_or(0.0) * *settings_.ticksPerDeg * static_cast<double>(lost + 1);
         const double allowed = 2.0 * std::abs(expected) + 5.0 * std::abs(*settings_.ticksPerDeg);
         if (restarted && std::abs(static_cast<double>(moved) - expected) > allowed) {
@@ -167,8 +168,7 @@ bool SweepAssembler::encoderLeapsBack(std::uint32_t position, std::int64_t lost,
     constexpr std::int64_t kLeap = 8; // usual steps
     const auto from = std::exchange(encoderAt_, position);
     if (!from || restarted) return false;
-    const auto moved = static_cast<std::int64_t>(static_cast<std::int32_t>(position - *from));
-    const std::int64_t usual = encoderStep_;
+    const std::int64_t moved = countsBetween(*from, position), usual = encoderStep_;
     if (usual != 0 && moved * usual < 0 && std::abs(moved) > kLeap * std::abs(usual) * (lost + 1)) return true;
     encoderStep_ = moved / (lost + 1);
     return false;

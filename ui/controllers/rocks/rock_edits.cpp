@@ -70,11 +70,9 @@ void Rocks::setOperatorEdits(const OperatorEdits& byHand) {
 }
 
 void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after) {
-    auto* step = new UndoStep<OperatorEdits>(name, operatorEdits(), std::move(after), [this, stream = stream_](const OperatorEdits& value) {
-        if (stream_ == stream) setOperatorEdits(value);
-        return stream_ == stream; // else the scan was closed, and its edits with it
-    });
-    step->onlyWhile([this, stream = stream_] { return stream_ == stream; });
+    auto* step = new UndoStep<OperatorEdits>(
+        name, operatorEdits(), std::move(after), [this](const OperatorEdits& value) { return setOperatorEdits(value), true; },
+        [this, stream = stream_] { return stream_ == stream; }); // else the scan was closed, and its edits with it
     newestEdit_ = step;
     undo_.push(step);
 }

@@ -28,8 +28,8 @@ namespace {
 
 constexpr int kSaveSoonMs = 400; // maximum loss when the program is killed
 
-// A name that ends in .json stays as it was typed; one without an ending gets the first one.
-/// The first is the usual one: scans and records of exports are JSON files too.
+// The first is the usual one: scans and records of exports are JSON files too. A name that ends in .json stays as it was typed; one without
+// an ending gets that of the first.
 QStringList filtersOfSessions() {
     return {Sessions::tr("EdgeScan sessions (*%1)").arg(inspect::kSessionEnding), Sessions::tr("JSON files (*.json)")};
 }

@@ -63,12 +63,9 @@ void MarkedEdges::setPart(const edges::EdgeMarks& marks) { change(stepName("Open
 
 void MarkedEdges::change(const QString& what, const edges::EdgeMarks& after) {
     if (after == marks_) return;
-    auto* step = new UndoStep<edges::EdgeMarks>(what, marks_, after, [this, stream = stream_](const edges::EdgeMarks& value) {
-        if (stream_ == stream) use(value);
-        return stream_ == stream;
-    });
-    step->onlyWhile([this, stream = stream_] { return stream_ == stream; });
-    undo_.push(step);
+    undo_.push(new UndoStep<edges::EdgeMarks>(
+        what, marks_, after, [this](const edges::EdgeMarks& value) { return use(value), true; },
+        [this, stream = stream_] { return stream_ == stream; }));
 }
 
 void MarkedEdges::use(const edges::EdgeMarks& marks) {

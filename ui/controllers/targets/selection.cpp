@@ -174,12 +174,9 @@ void Selection::zoomTo() {
 
 void Selection::change(const QString& what, State after) {
     if (after == state_) return;
-    auto* step = new UndoStep<State>(what, state_, std::move(after), [this, stream = stream_](const State& value) {
-        if (stream_ == stream) use(value);
-        return stream_ == stream;
-    });
-    step->onlyWhile([this, stream = stream_] { return stream_ == stream; });
-    undo_.push(step);
+    undo_.push(new UndoStep<State>(
+        what, state_, std::move(after), [this](const State& value) { return use(value), true; },
+        [this, stream = stream_] { return stream_ == stream; }));
 }
 
 void Selection::use(const State& state) {

@@ -240,20 +240,9 @@ void Targets::setPart(const inspect::TargetsPart& part) {
 }
 
 void Targets::change(const QString& what, inspect::Notebook after) {
-    push(new UndoStep<inspect::Notebook>(what, notebook_, std::move(after), useHere()));
-}
-
-void Targets::push(UndoStep<inspect::Notebook>* step) {
-    step->onlyWhile([this, key = key_] { return key_ == key; });
-    undo_.push(step);
-}
-
-/// The notebook of the picture on the screen, if it is still there.
-std::function<bool(const inspect::Notebook&)> Targets::useHere() {
-    return [this, key = key_](const inspect::Notebook& value) {
-        if (key_ == key) use(value);
-        return key_ == key;
-    };
+    undo_.push(new UndoStep<inspect::Notebook>(
+        what, notebook_, std::move(after), [this](const inspect::Notebook& value) { return use(value), true; },
+        [this, key = key_] { return key_ == key; }));
 }
 
 void Targets::use(const inspect::Notebook& notebook) {

@@ -26,8 +26,6 @@ class NoticeBar;
 class Rocks;
 class Engine;
 class TargetsPanel;
-template <class Value>
-class UndoStep;
 
 /// The values for everything in a notebook, on one picture.
 struct KnownTargets {
@@ -125,8 +123,6 @@ private:
     void keepConfidence();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
     [[nodiscard]] const inspect::PinnedTarget* onRockAt(std::size_t cell) const;
-    [[nodiscard]] std::function<bool(const inspect::Notebook&)> useHere();
-    void push(UndoStep<inspect::Notebook>* step);
     [[nodiscard]] inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number) const;
     [[nodiscard]] const inspect::CellTarget* knownOf(std::uint32_t cell) const;
     [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;

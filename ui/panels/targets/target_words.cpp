@@ -5,13 +5,13 @@
 #include "core/base/tolerance_text.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
+#include "core/edges/pipeline/detection.h"
 #include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>
 #include <QStringList>
 
-#include <algorithm>
 #include <cmath>
 
 namespace edgescan::ui {
@@ -119,24 +119,12 @@ TargetRow confidenceRow(const ShownConfidence& confidence) {
 
 namespace {
 
-bool isEdgeDrawnNear(const edges::Detection& detection, std::uint32_t cell) {
-    const Grid<std::uint8_t>& mask = *detection.mask;
-    constexpr int kNear = inspect::kSnapReach + 1;
-    const int line = static_cast<int>(cell) / mask.beams, beam = static_cast<int>(cell) % mask.beams;
-    for (int i = std::max(0, line - kNear); i <= std::min(mask.lines - 1, line + kNear); ++i) {
-        for (int j = std::max(0, beam - kNear); j <= std::min(mask.beams - 1, beam + kNear); ++j) {
-            if (mask.at(i, j) != 0) return true;
-        }
-    }
-    return false;
-}
-
 QString moveText(const inspect::MeantCell& click, const edges::Detection& detection) {
     switch (click.reason) {
     case inspect::SnapReason::AsClicked:
         return {};
     case inspect::SnapReason::BehindAnEdge:
-        if (!isEdgeDrawnNear(detection, click.cell))
+        if (!edges::nearestEdge(*detection.mask, click.cell, inspect::kSnapReach + 1))
             return QObject::tr(
                        "%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side")
                 .arg(fixed(click.nearerM, 2));

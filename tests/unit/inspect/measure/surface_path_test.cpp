@@ -70,8 +70,8 @@ TEST(SurfacePath, ReportsJumpsAndGaps) {
     const CartesianTables tables(step);
     const auto from = cellOf(step, 10, 30), to = cellOf(step, 10, 130);
     EXPECT_EQ(surfacePath(step, tables, kQuietNoise, from, to)->leaps, 1);
-    const auto told = measureCells(step, kQuietNoise, MeasureKind::Path, std::vector{from, to});
-    EXPECT_NE(measureBasis(*told).find("jumps that are part of it: 1"), std::string::npos) << measureBasis(*told);
+    const auto measured = measureCells(step, kQuietNoise, MeasureKind::Path, std::vector{from, to});
+    EXPECT_NE(measureBasis(*measured).find("jumps that are part of it: 1"), std::string::npos) << measureBasis(*measured);
     for (int j = 40; j < 60; ++j) step.state.at(10, j) = CellState::NoReturn;
     EXPECT_EQ(surfacePath(step, tables, kQuietNoise, from, to)->leaps, 2);
     step.state.at(10, 30) = CellState::NoReturn;
