@@ -422,8 +422,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de la última medición: mida primero una distancia entre dos celdas.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
-<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plano vertical, escala real. Bordes en verde%1.</translation></message>
-<message><source>, rocks in colours</source><translation>, rocas en colores</translation></message>
+<message><source>Vertical plane, true scale. Green points are edges%1.</source><translation>Plano vertical, escala real. Los puntos verdes son bordes%1.</translation></message>
+<message><source>; rocks have their colours</source><translation>; las rocas tienen sus colores</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sin pose: arriba es el z del escáner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Las rocas aún se están calculando: exporte de nuevo la sección en un momento.</translation></message>
 <message><source>Export Section</source><translation>Exportar la sección</translation></message>
@@ -644,6 +644,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
+<message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados y vuelven con él.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>No guardado: esta imagen es parte de una grabación o de un barrido en vivo, no un archivo entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
@@ -1174,11 +1175,11 @@ RL %3 m</translation></message>
 <message><source>scanner, line of sight</source><translation>escáner, línea de visión</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
 <message><source>Copy All</source><translation>Copiar todos</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>Las posiciones de todos los objetivos como tabla con unidades, para una hoja de cálculo</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>La medición elegida</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, en escala logarítmica. Rayado: el tramo más ancho en que desaparece un quinto de ellas como máximo. La línea vertical es el umbral en uso.</translation></message>
 <message><source>counting the edge cells …</source><translation>contando las celdas de borde …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
@@ -1333,12 +1334,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
+<message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Dibujo de bordes (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Archivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
 <message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir la campana de &amp;demostración</translation></message>
-<message><source>Open Demo after the &amp;Blast</source><translation>Abrir la demo tras la &amp;tronadura</translation></message>
+<message><source>Demo before and after a &amp;Blast</source><translation>Demo antes y después de una &amp;tronadura</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar al escáner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recar&amp;gar</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>

@@ -422,8 +422,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités de la dernière mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
-<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plan vertical, échelle vraie. Arêtes en vert%1.</translation></message>
-<message><source>, rocks in colours</source><translation>, blocs en couleurs</translation></message>
+<message><source>Vertical plane, true scale. Green points are edges%1.</source><translation>Plan vertical, échelle vraie. Les points verts sont des arêtes%1.</translation></message>
+<message><source>; rocks have their colours</source><translation> ; les blocs ont leurs couleurs</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ pas de pose : le haut est le z du scanner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Les blocs sont encore en cours de calcul : exportez de nouveau la coupe dans un instant.</translation></message>
 <message><source>Export Section</source><translation>Exporter la coupe</translation></message>
@@ -644,6 +644,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
+<message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées et reviennent avec lui.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Non enregistré : cette image est une partie d'un enregistrement ou d'un balayage en direct, pas un fichier entier.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
@@ -1174,11 +1175,11 @@ RL %3 m</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, ligne de visée</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
 <message><source>Copy All</source><translation>Tout copier</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>Les positions de toutes les cibles en tableau avec unités, pour un tableur</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The selected measurement</source><translation>La mesure choisie</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, sur une échelle logarithmique. Hachuré : le plus large intervalle sur lequel un cinquième d'entre elles au plus disparaît. Le trait vertical est le seuil utilisé.</translation></message>
 <message><source>counting the edge cells …</source><translation>comptage des cellules d'arête …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
@@ -1333,12 +1334,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
+<message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Dessin des arêtes (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
 <message><source>&amp;File</source><translation>&amp;Fichier</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Ouvrir…</translation></message>
 <message><source>Open &amp;Demo Draw-Bell</source><translation>Ouvrir la cloche de &amp;démonstration</translation></message>
-<message><source>Open Demo after the &amp;Blast</source><translation>Ouvrir la démo après le &amp;tir</translation></message>
+<message><source>Demo before and after a &amp;Blast</source><translation>Démo avant et après un &amp;tir</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Connecter au scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Rechar&amp;ger</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exporter</translation></message>

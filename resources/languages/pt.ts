@@ -422,8 +422,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades da última medição: meça primeiro uma distância entre duas células.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
-<message><source>Vertical plane, true scale. Edges green%1.</source><translation>Plano vertical, escala real. Arestas a verde%1.</translation></message>
-<message><source>, rocks in colours</source><translation>, rochas a cores</translation></message>
+<message><source>Vertical plane, true scale. Green points are edges%1.</source><translation>Plano vertical, escala real. Os pontos verdes são bordas%1.</translation></message>
+<message><source>; rocks have their colours</source><translation>; as rochas têm suas cores</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sem pose: para cima é o z do scanner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>As rochas ainda estão sendo calculadas: exporte de novo a seção em um momento.</translation></message>
 <message><source>Export Section</source><translation>Exportar a secção</translation></message>
@@ -644,6 +644,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
+<message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos e voltam com ela.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Não guardado: esta imagem é parte de uma gravação ou de uma varredura ao vivo, não um arquivo inteiro.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
@@ -1174,11 +1175,11 @@ RL %3 m</translation></message>
 <message><source>scanner, line of sight</source><translation>scanner, linha de visada</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
-<message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
 <message><source>Copy All</source><translation>Copiar todos</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>As posições de todos os alvos como tabela com unidades, para uma planilha</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>A medição escolhida</translation></message>
+<message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
 <message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de células de borda em cada limiar, em escala logarítmica. Hachurado: o trecho mais largo em que desaparece no máximo um quinto delas. A linha vertical é o limiar em uso.</translation></message>
 <message><source>counting the edge cells …</source><translation>contando as células de borda …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
@@ -1333,12 +1334,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
+<message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Desenho das bordas (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
 <message><source>&amp;File</source><translation>&amp;Arquivo</translation></message>
 <message><source>&amp;Open…</source><translation>&amp;Abrir…</translation></message>
 <message><source>Open &amp;Demo Draw-Bell</source><translation>Abrir o sino de &amp;demonstração</translation></message>
-<message><source>Open Demo after the &amp;Blast</source><translation>Abrir a demo depois do &amp;desmonte</translation></message>
+<message><source>Demo before and after a &amp;Blast</source><translation>Demo antes e depois de um &amp;desmonte</translation></message>
 <message><source>&amp;Connect to Scanner…</source><translation>&amp;Conectar ao scanner…</translation></message>
 <message><source>Re&amp;load</source><translation>Recarre&amp;gar</translation></message>
 <message><source>&amp;Export</source><translation>&amp;Exportar</translation></message>

@@ -12,6 +12,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScreen>
@@ -68,6 +69,27 @@ private slots:
         QCOMPARE(window.viewer().statusLine.recordedShown(), QString());
         emit window.viewer().views.gray().clicked(30, 40);
         QVERIFY2(window.viewer().statusLine.probeShown().startsWith("Pinned: x "), qPrintable(window.viewer().statusLine.probeShown()));
+    }
+
+    // A drawing has its own command, and the tool bar has all exports; without a scan they are off.
+    void everyExportIsInTheMenuOfTheToolBar() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        QVERIFY(!tool(on.window, "tool-export")->isEnabled());
+        QVERIFY(on.open(bare_));
+        QToolButton* exports = tool(on.window, "tool-export");
+        QVERIFY(exports->isEnabled());
+        QAction* drawing = nullptr;
+        for (QAction* each : exports->menu()->actions()) drawing = each->text().contains("DXF") ? each : drawing;
+        QVERIFY(drawing != nullptr && drawing->isEnabled());
+        QString format;
+        QTimer::singleShot(0, [&format] {
+            auto* dialog = qobject_cast<ExportDialog*>(QApplication::activeModalWidget());
+            format = dialog->extension();
+            dialog->reject();
+        });
+        drawing->trigger();
+        QCOMPARE(format, QString(".dxf"));
     }
 
     void withoutAPoseTheMineGridCannotBeChosen() {

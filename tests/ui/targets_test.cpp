@@ -370,7 +370,13 @@ private slots:
             // Another scan has its own targets; back on this scan they are restored.
             QVERIFY(on.open(plate_));
             QVERIFY(targets(on).empty());
+            const auto says = [&](const QString& words) {
+                const auto labels = on.viewer.targetsPanel.findChildren<QLabel*>();
+                return std::ranges::any_of(labels, [&](QLabel* each) { return each->isVisible() && each->text().contains(words); });
+            };
+            QVERIFY(says("Targets and measurements of the scan before: 3."));
             QVERIFY(on.open(boxes_));
+            QVERIFY(!says("of the scan before"));
             QCOMPARE(static_cast<int>(targets(on).size()), 2);
             QVERIFY(known(on));
             before = on.viewer.targets.notebook();
@@ -410,6 +416,8 @@ private slots:
         click(gray, 20, 30);
         QVERIFY(targets(on).empty()); // no target
         QVERIFY2(on.viewer.tools.shown().contains("click the other end"), qPrintable(on.viewer.tools.shown()));
+        // The empty panel does not ask for a pin while a tool waits for another click.
+        QCOMPARE(on.viewer.targetsPanel.findChild<QLabel*>("targets-asked")->text(), on.viewer.tools.shown());
         click(on.viewer.views.edges(), 90, 120);
         QVERIFY(known(on));
         QCOMPARE(static_cast<int>(on.viewer.targets.notebook().measures.size()), 1);

@@ -128,7 +128,8 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     }
     picture_ = question.picture;
     card_->plot().show(section, question.aboutM, heightsOf(*question.picture->detection->scan, section->plane), question.drawn);
-    QString words = tr("Vertical plane, true scale. Edges green%1.").arg(question.rocks ? tr(", rocks in colours") : QString());
+    QString words =
+        tr("Vertical plane, true scale. Green points are edges%1.").arg(question.rocks ? tr("; rocks have their colours") : QString());
     if (section->plane.upAssumed) words += " " + tr("▲ no pose: up is the scanner's z");
     card_->setWords(words);
     card_->show();

@@ -240,6 +240,7 @@ void MainWindow::layOutTools() {
     viewer_.origin.setShrinks(); // its tool tip has all of it
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
+    connect(&viewer_.measures, &Measures::asked, &viewer_.targetsPanel, &TargetsPanel::showAsked);
     connect(&viewer_.rocks, &Rocks::toolChanged, &viewer_.tools, [this](RockTool tool) { viewer_.tools.showRockTool(promptOf(tool)); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
@@ -248,8 +249,8 @@ void MainWindow::layOutTools() {
             [this](std::size_t cell) { viewer_.explanation.explain(inspect::exactly(cell), Explanation::Subject::Pin); });
     connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);
     const ScannerLink& scanner = viewer_.live.scanner();
-    for (const auto told : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
-        connect(&scanner, told, this, &MainWindow::showOrigin);
+    for (const auto changed : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
+        connect(&scanner, changed, this, &MainWindow::showOrigin);
     connect(&scanner, &ScannerLink::healthChanged, this, &MainWindow::showOrigin);
     showOrigin();
 }

@@ -38,6 +38,8 @@ Command fileMenu(Viewer& v, const WindowCommands& commands) {
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         if (kind.window.menu == nullptr) continue;
         exports.push_back(command(kind.window.menu, kind.window.keys, [&v, content = kind.content] { v.exports.ask(content); }));
+        if (kind.content == exports::ExportContent::EdgeCloud)
+            exports.push_back(command("Edge &Drawing (DXF)…", "", [&v, content = kind.content] { v.exports.ask(content, ".dxf"); }));
     }
     exports.push_back(command("&Selected Cells…", "", [&v] { v.exports.askSelected(); }));
     Command recent = submenu("Open &Recent", {});
@@ -47,7 +49,7 @@ Command fileMenu(Viewer& v, const WindowCommands& commands) {
                              command("&Open…", "Ctrl+O", [&v] { v.files.ask(); }),
                              recent,
                              command("Open &Demo Draw-Bell", "", [&v] { v.files.openDemo(); }),
-                             command("Open Demo after the &Blast", "", [&v] { v.files.openDemo(true); }),
+                             command("Demo before and after a &Blast", "", [&v] { v.comparing.openDemoPair(); }),
                              command("&Connect to Scanner…", "Ctrl+L", [&v] { v.live.panel().askAddress(); }),
                              command("Re&load", "F5", [&v] { v.files.reload(); }),
                              kLine,

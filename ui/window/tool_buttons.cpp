@@ -44,8 +44,6 @@ constexpr std::array kBehind{
     ToolRow{"Rocks/Show Rocks", "rocks", QT_TRANSLATE_NOOP("QObject", "Rocks"), ToolBar::Word::Next, kOfScan},
 };
 constexpr std::array kLast{
-    ToolRow{},
-    ToolRow{"File/Export/Edge Cloud", "export", QT_TRANSLATE_NOOP("QObject", "Export"), ToolBar::Word::Next, kOfScan},
     ToolRow{"File/Report", "report", QT_TRANSLATE_NOOP("QObject", "Report"), ToolBar::Word::Next, kOfScan},
     ToolRow{},
     ToolRow{"View/Cab Mode", "cab-mode", QT_TRANSLATE_NOOP("QObject", "Cab")},
@@ -72,10 +70,19 @@ const MenuRow kSelections{"tool-select",
 const MenuRow kCompares{"tool-compare",
                         "ab",
                         QT_TRANSLATE_NOOP("QObject", "A/B"),
-                        {"Edges/Compare A/B/Keep This as A", "Edges/Compare A/B/Compare with Scan", "", "Edges/Compare A/B/Show A",
+                        {"Edges/Compare A/B/Keep This as A", "Edges/Compare A/B/Compare with Scan",
+                         "Edges/Compare A/B/Demo before and after a Blast", "", "Edges/Compare A/B/Show A",
                          "Edges/Compare A/B/Show What Changed", "Edges/Compare A/B/Next Changed Region",
                          "Edges/Compare A/B/Previous Changed Region", "", "Edges/Compare A/B/Forget A"},
                         {"Edges/Compare A/B/Show A"}};
+
+const MenuRow kExports{"tool-export",
+                       "export",
+                       QT_TRANSLATE_NOOP("QObject", "Export"),
+                       {"File/Export/Edge Cloud", "File/Export/Edge Drawing (DXF)", "File/Export/Full Cloud", "File/Export/Selected Cells",
+                        "Rocks/Export Rocks", "", "File/Export/Edge Image", "File/Export/Gray Image", "File/Export/Range Image",
+                        "File/Screenshot", "", "File/Report"},
+                       {}};
 
 QAction& actionOf(const QList<KeyedCommand>& commands, const char* id) {
     const auto found = std::ranges::find(commands, QString::fromUtf8(id), &KeyedCommand::id);
@@ -117,9 +124,12 @@ void addToolButtons(MainWindow& window) {
     for (const MenuRow* row : {&kMeasures, &kSelections}) addMenu(bar, commands, *row);
     addRows(bar, commands, kBehind);
     addMenu(bar, commands, kCompares);
+    bar.addGap();
+    addMenu(bar, commands, kExports);
     addRows(bar, commands, kLast);
     for (const KeyedCommand& command : commands) { // the menus whose commands have no meaning without a scan
-        if (command.id.startsWith("Rocks/") || command.id.startsWith("Measure/")) bar.needsScan(*command.action);
+        const auto isOf = [&command](const char* menu) { return command.id.startsWith(menu); };
+        if (isOf("Rocks/") || isOf("Measure/") || isOf("File/Export/")) bar.needsScan(*command.action);
     }
     bar.setScanOpen(false);
     QObject::connect(&window, &MainWindow::pictureShown, &bar, [&bar] { bar.setScanOpen(true); });

@@ -60,7 +60,7 @@ Exports::Exports(Engine& engine, const Files& files, NoticeBar& notice, Preferen
     connect(&engine_, &Engine::saved, this, &Exports::reportSaved);
 }
 
-void Exports::ask(exports::ExportContent wanted) { askOf(wanted, false); }
+void Exports::ask(exports::ExportContent wanted, const QString& extension) { askOf(wanted, false, extension); }
 
 void Exports::setSelection(const std::vector<std::uint32_t>& cells) {
     selection_ = cells.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(cells);
@@ -71,7 +71,7 @@ void Exports::askSelected() {
     notice_.showHint(tr("Nothing is selected yet: drag a box (B) or a lasso (L) over a view first."));
 }
 
-void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
+void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QString& extension) {
     if (!engine_.picture()) {
         notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
         return;
@@ -83,7 +83,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly) {
         if (each.write == nullptr) continue;
         for (const char* extension : each.writes) formats.push_back({filterOf(each, {extension}), extension, each.drawsEdges});
     }
-    dialog.offerFormats(formats, preferences_.text("export/extension", ".pcd"));
+    dialog.offerFormats(formats, extension.isEmpty() ? preferences_.text("export/extension", ".pcd") : extension);
     if (dialog.exec() != QDialog::Accepted) return;
     const bool cloud = exports::isCloud(dialog.content());
     SaveQuestion question;

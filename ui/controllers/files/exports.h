@@ -24,8 +24,8 @@ class Exports : public QObject {
 public:
     Exports(Engine& engine, const Files& files, NoticeBar& notice, Preferences& preferences);
 
-    /// Asks what, in which coordinates and where to.
-    void ask(exports::ExportContent wanted);
+    /// Asks what, in which coordinates and where to. `extension`: the format chosen at first, ".dxf"; empty: that of the last export.
+    void ask(exports::ExportContent wanted, const QString& extension = {});
     /// The same for what is selected alone.
     void askSelected();
     /// Cells, ascending, that an export may be cut down to; none: nothing is selected.
@@ -40,7 +40,7 @@ public:
     void copyCommand();
 
 private:
-    void askOf(exports::ExportContent wanted, bool selectedOnly);
+    void askOf(exports::ExportContent wanted, bool selectedOnly, const QString& extension = {});
     void reportSaved(exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates);
 
     Engine& engine_;

@@ -95,15 +95,23 @@ QString Targets::keyOf(const Picture& picture) const {
     return QString("%1 %2").arg(picture.source.stream).arg(picture.source.growth.sweep);
 }
 
+/// What another scan had: an empty list without a word looks like a loss.
+QString Targets::leftBehind(std::size_t entries) {
+    if (entries == 0) return {};
+    return tr("Targets and measurements of the scan before: %1. They are stored and come back with it.").arg(entries);
+}
+
 void Targets::followPicture() {
     const QString key = keyOf(*engine_.picture());
     if (key != key_) {
+        const std::size_t before = stored_ ? notebook_.targets.size() + notebook_.measures.size() : 0;
         if (!key_.isEmpty()) others_[key_] = std::move(notebook_);
         key_ = key;
         notebook_ = {};
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
-        panel_.showNote(!path.isEmpty() ? QString()
+        stored_ = !path.isEmpty();
+        panel_.showNote(stored_ ? leftBehind(before)
                         : store_.isOff()
                             ? tr("Not stored: EdgeScan was started without its settings.")
                             : tr("Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file."));

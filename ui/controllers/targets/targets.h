@@ -122,6 +122,7 @@ private:
     void showCard();
     void keepConfidence();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
+    [[nodiscard]] static QString leftBehind(std::size_t entries);
     [[nodiscard]] const inspect::PinnedTarget* onRockAt(std::size_t cell) const;
     [[nodiscard]] inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number) const;
     [[nodiscard]] const inspect::CellTarget* knownOf(std::uint32_t cell) const;
@@ -137,7 +138,8 @@ private:
     NoticeBar& notice_;
     QUndoStack& undo_;
     TargetStore store_;
-    QString key_; // of the scan of the notebook
+    QString key_;         // of the scan of the notebook
+    bool stored_ = false; // the notebook of that scan is
     inspect::Notebook notebook_;
     std::map<QString, inspect::Notebook> others_; // of scans that were on the screen earlier
     std::vector<TargetMark> beside_;

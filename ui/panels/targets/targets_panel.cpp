@@ -29,11 +29,11 @@ void fitHeight(QListWidget& list) {
 } // namespace
 
 TargetsPanel::TargetsPanel(QWidget* parent)
-    : QWidget(parent), hint_(new QLabel(tr("Click a cell in any view to pin it."))), targets_(new QListWidget),
-      copyAll_(new QPushButton(tr("Copy All"))), letGoOfAll_(new QPushButton(tr("Remove All"))), card_(new TargetCard),
-      measuresTitle_(new QLabel(tr("Measured"))), measures_(new QListWidget), removeMeasure_(new QPushButton(tr("Remove"))),
-      note_(new QLabel) {
+    : QWidget(parent), hint_(new QLabel), targets_(new QListWidget), copyAll_(new QPushButton(tr("Copy All"))),
+      letGoOfAll_(new QPushButton(tr("Remove All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
+      measures_(new QListWidget), removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
     setObjectName("targets-panel");
+    hint_->setObjectName("targets-asked");
     targets_->setObjectName("target-list");
     measures_->setObjectName("measure-list");
     for (QListWidget* list : {targets_, measures_}) {
@@ -75,6 +75,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {
         if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
     });
+    showAsked({});
     showTargets({});
     showMeasures({});
     showNote({});
@@ -115,6 +116,8 @@ void TargetsPanel::showTargets(const std::vector<TargetLine>& lines) {
     copyAll_->setVisible(!lines.empty());
     letGoOfAll_->setVisible(!lines.empty());
 }
+
+void TargetsPanel::showAsked(const QString& words) { hint_->setText(words.isEmpty() ? tr("Click a cell in any view to pin it.") : words); }
 
 void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
     const bool more = lines.size() > shownMeasures_.size();

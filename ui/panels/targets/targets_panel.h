@@ -32,6 +32,8 @@ public:
 
     void showTargets(const std::vector<TargetLine>& lines);
     void showMeasures(const std::vector<TargetLine>& lines);
+    /// The next click of a measuring tool; empty: a click pins.
+    void showAsked(const QString& words);
     /// Where the targets are stored, or why they are not.
     void showNote(const QString& note);
 
