@@ -53,9 +53,8 @@ void ScalePlate::place() {
 }
 
 void ScalePlate::keepOff(const QRect& place) {
-    if (place == keptFree_) return;
     keptFree_ = place;
-    this->place();
+    this->place(); // also without another place to keep free: a legend may have moved
 }
 
 /// In the corner opposite to the legends, else above the target or the legends; empty: every place would cover something.
