@@ -11,9 +11,12 @@
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/start/start_page.h"
 #include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_overlay.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/start.h"
 #include "ui/window/theme.h"
 
 #include <QAbstractSpinBox>
@@ -201,6 +204,31 @@ private slots:
             QVERIFY(!on.window.menuBar()->isVisible());
             on.window.cab().set(false);
             QApplication::processEvents();
+        }
+    }
+
+    // The start page is below the head, whichever comes first: Open, Connect and the way out stay free, and the page has the rest.
+    void theStartPageLeavesTheHeadFree() {
+        for (const bool cabFirst : {false, true}) {
+            WindowFixture on;
+            on.window.cab().set(cabFirst);
+            QVERIFY(on.show());
+            StartPage* page = showStart(on.window, on.preferences);
+            on.window.cab().set(true);
+            const QWidget& head = on.window.cab().frame().head();
+            for (const QSize size : {QSize(1280, 800), QSize(1024, 768), QSize(853, 533)}) {
+                resizeTo(on.window, size);
+                QTRY_COMPARE(page->y(), head.mapTo(&on.window, QPoint(0, head.height())).y());
+                QTRY_COMPARE(page->geometry().bottom(), on.window.rect().bottom());
+                QTRY_COMPARE(page->width(), on.window.width());
+                for (const auto* each : page->findChildren<QAbstractButton*>()) {
+                    if (each->isVisible()) QVERIFY2(each->height() >= kGlovePx, qPrintable(each->objectName()));
+                }
+                QVERIFY(!page->findChild<QWidget*>("start-cab")->isVisible());
+            }
+            on.window.cab().set(false);
+            QTRY_VERIFY(page->findChild<QWidget*>("start-cab")->isVisible());
+            QTRY_VERIFY(page->geometry().bottom() < on.viewer.statusLine.mapTo(&on.window, QPoint()).y());
         }
     }
 
