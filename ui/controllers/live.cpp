@@ -171,8 +171,9 @@ void Live::showHealth() {
     const auto& shown = engine_.picture();
     const bool own = !shown || showsScanner();
     const bool held = scanner_.connected() && !scanner_.following() && shown && own;
-    // After Stop the counted sweep may be the one after the held picture.
-    const bool otherSweep = !scanner_.connected() && shown && own && shown->source.growth.sweep + 1 != scanner_.health().sweep;
+    // After Stop there may be two sweeps, and by Undo the picture is not that of the count: the count has the number of its sweep.
+    const bool otherSweep =
+        !scanner_.connected() && shown && own && (scanner_.other() || shown->source.growth.sweep + 1 != scanner_.health().sweep);
     panel_.showHealth(scanner_.health(),
                       !own                 ? HealthStrip::Picture::Other
                       : held || otherSweep ? HealthStrip::Picture::Held
@@ -197,6 +198,7 @@ QString Live::note(bool held) const {
 }
 
 void Live::offerOther() {
+    showHealth();
     const auto& other = scanner_.other();
     if (!other) return panel_.offerOther({}, {});
     const scanner::SweepProgress &next = other->progress, &now = scanner_.shown();

@@ -82,7 +82,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     const QString ofScanner = present ? QString() : coreSentence(health.sentence);
     const QString sentence = ofScanner.isEmpty() ? note : ofScanner;
     if (sentence_->text() != sentence) sentence_->setText(sentence);
-    sentence_->setVisible(!sentence.isEmpty());
+    const bool inViews = brief_ && ofScanner.isEmpty() && picture == Picture::Held; // in a cab the views alone say it
+    sentence_->setVisible(!sentence.isEmpty() && !inViews);
     sentence_->setToolTip(sentence);
 }
 

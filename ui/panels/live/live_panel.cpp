@@ -149,6 +149,8 @@ scanner::SweepSettings LivePanel::sweep() const { return sweep_->settings(); }
 QString LivePanel::scannerShown() const { return scanner_->text(); }
 
 void LivePanel::askAddress() {
+    asking_ = true;
+    showFields();
     show();
     host_->setFocus();
     host_->selectAll();
@@ -165,7 +167,11 @@ void LivePanel::setConnected(bool connected) {
     followAddress();
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
     other_.clear();
-    if (!connected) setRecording(false);
+    asking_ = false;
+    if (!connected) {
+        setRecording(false);
+        setFollowing(true); // the button no longer looks pressed
+    }
     showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
 }
@@ -188,10 +194,11 @@ void LivePanel::setBrief(bool on) {
     showFields();
 }
 
-/// What the state needs; with gloves on, only what a connected scanner needs.
+/// What the state needs; with gloves on, only what a connected scanner needs, and after Stop the other sweep.
 void LivePanel::showFields() {
-    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_);
-    for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(brief_ && connected_);
+    const bool few = brief_ && (connected_ || (!other_.isEmpty() && !asking_));
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_ || few);
+    for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(few);
     record_->setHidden(!connected_);
     follow_->setHidden(!connected_ && other_.isEmpty());
     topics_->setHidden(!connected_ || !bridge_ || brief_);

@@ -86,7 +86,8 @@ private:
     FlowLayout* buttons_ = nullptr;
     QHBoxLayout* stripRow_ = nullptr;
     bool connected_ = false, brief_ = false, bridge_ = false;
-    QString other_; // on the button after Stop
+    bool asking_ = false; // the operator asked for the fields of the address
+    QString other_;       // on the button after Stop
 };
 
 } // namespace edgescan::ui
