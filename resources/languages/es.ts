@@ -400,6 +400,14 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retenido: %1. Pulse Seguir para continuar con el escáner.</translation></message>
+<message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
+<message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra el barrido %2, que crece ahora.</translation></message>
+<message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>El barrido %1 es parcial: %2 de %3 líneas.</translation></message>
+<message><source>Show %1 lines</source><translation>Mostrar %1 líneas</translation></message>
+<message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>El barrido %1 tiene %2 líneas en la pantalla; al pulsar se muestra con %3 líneas.</translation></message>
+<message><source>Show sweep %1</source><translation>Mostrar el barrido %1</translation></message>
+<message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>El barrido %1 está en la pantalla; al pulsar se muestra el barrido %2, que tiene %3 líneas.</translation></message>
+<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 es parcial: %2 de %3 líneas. El escáner estaba en medio de este barrido cuando EdgeScan se conectó. El barrido siguiente lo sustituye.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
@@ -977,8 +985,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Stop</source><translation>Detener</translation></message>
 <message><source>Stop recording</source><translation>Detener la grabación</translation></message>
 <message><source>Follow</source><translation>Seguir</translation></message>
-<message><source>The picture is held: from now on it grows with the scanner again</source><translation>La imagen está retenida: desde ahora vuelve a crecer con el escáner</translation></message>
-<message><source>The picture stays as it is while the scanner goes on</source><translation>La imagen queda como está mientras el escáner continúa</translation></message>
+<message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>La imagen de la pantalla está retenida mientras el escáner continúa; al pulsar se muestra lo que el escáner mide ahora.</translation></message>
+<message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>La imagen de la pantalla crece con el escáner; al pulsar se retiene mientras el escáner continúa.</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>

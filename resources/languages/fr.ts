@@ -400,6 +400,14 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Figé : %1. Appuyez sur Suivre pour continuer avec le scanner.</translation></message>
+<message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
+<message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre le balayage %2, qui croît maintenant.</translation></message>
+<message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>Le balayage %1 est partiel : %2 lignes sur %3.</translation></message>
+<message><source>Show %1 lines</source><translation>Montrer %1 lignes</translation></message>
+<message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>Le balayage %1 a %2 lignes à l'écran ; un appui le montre avec %3 lignes.</translation></message>
+<message><source>Show sweep %1</source><translation>Montrer le balayage %1</translation></message>
+<message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>Le balayage %1 est à l'écran ; un appui montre le balayage %2, qui a %3 lignes.</translation></message>
+<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 est partiel : %2 lignes sur %3. Le scanner était au milieu de ce balayage quand EdgeScan s'est connecté. Le balayage suivant le remplace.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
@@ -977,8 +985,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
 <message><source>Stop recording</source><translation>Arrêter l'enregistrement</translation></message>
 <message><source>Follow</source><translation>Suivre</translation></message>
-<message><source>The picture is held: from now on it grows with the scanner again</source><translation>L'image est figée : désormais elle croît de nouveau avec le scanner</translation></message>
-<message><source>The picture stays as it is while the scanner goes on</source><translation>L'image reste telle quelle pendant que le scanner continue</translation></message>
+<message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>L'image à l'écran est figée pendant que le scanner continue ; un appui montre ce que le scanner mesure maintenant.</translation></message>
+<message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>L'image à l'écran croît avec le scanner ; un appui la fige pendant que le scanner continue.</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>

@@ -400,6 +400,14 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
 <message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retido: %1. Carregue em Seguir para continuar com o scanner.</translation></message>
+<message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
+<message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>A varredura %1 está retida na tela. Seguir mostra a varredura %2, que cresce agora.</translation></message>
+<message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>A varredura %1 é parcial: %2 de %3 linhas.</translation></message>
+<message><source>Show %1 lines</source><translation>Mostrar %1 linhas</translation></message>
+<message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>A varredura %1 tem %2 linhas na tela; um toque a mostra com %3 linhas.</translation></message>
+<message><source>Show sweep %1</source><translation>Mostrar a varredura %1</translation></message>
+<message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>A varredura %1 está na tela; um toque mostra a varredura %2, que tem %3 linhas.</translation></message>
+<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 é parcial: %2 de %3 linhas. O scanner estava no meio desta varredura quando o EdgeScan se conectou. A varredura seguinte a substitui.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
@@ -977,8 +985,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Stop</source><translation>Parar</translation></message>
 <message><source>Stop recording</source><translation>Parar a gravação</translation></message>
 <message><source>Follow</source><translation>Seguir</translation></message>
-<message><source>The picture is held: from now on it grows with the scanner again</source><translation>A imagem está retida: a partir de agora volta a crescer com o scanner</translation></message>
-<message><source>The picture stays as it is while the scanner goes on</source><translation>A imagem fica como está enquanto o scanner continua</translation></message>
+<message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>A imagem na tela está retida enquanto o scanner continua; um toque mostra o que o scanner mede agora.</translation></message>
+<message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>A imagem na tela cresce com o scanner; um toque a retém enquanto o scanner continua.</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>

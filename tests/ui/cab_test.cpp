@@ -2,6 +2,7 @@
 // move, zoom and open menus.
 #include "tests/support/scans.h"
 #include "tests/ui/sized_window.h"
+#include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/touch.h"
 #include "ui/panels/cab/cab_frame.h"
@@ -11,9 +12,12 @@
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/start/start_page.h"
 #include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_overlay.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/start.h"
 #include "ui/window/theme.h"
 
 #include <QAbstractSpinBox>
@@ -28,6 +32,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
@@ -127,6 +132,42 @@ private slots:
         }
     }
 
+    // Distance and coordinates are whole in each language on the lowest screens, whatever the lines about the rock need.
+    void theCoordinatesAreInSight() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useLanguage(language.code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            on.viewer.views.pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
+            on.viewer.rocks.setShown(true);
+            QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr && on.viewer.targets.settled(); }));
+            const auto* side = on.window.findChild<NumbersSide*>();
+            const QWidget* room = side->findChild<QLabel*>("cab-distance")->parentWidget()->parentWidget();
+            for (const QSize size : {QSize(853, 460), QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+                resizeTo(on.window, size);
+                const QString where = QString("%1 at %2 x %3").arg(language.code).arg(size.width()).arg(size.height());
+                int seen = 0;
+                const auto check = [&] {
+                    seen = 0;
+                    for (const QLabel* each : room->findChildren<QLabel*>()) {
+                        const QString& name = each->objectName();
+                        const bool number = QRegularExpression("^-?[0-9,. ]+$").match(each->text()).hasMatch(); // of a coordinate
+                        if (!each->isVisible() || !(number || name == "cab-distance")) continue;
+                        const QRect place(each->mapTo(room, QPoint()), each->size());
+                        if (room->rect().contains(place) &&
+                            each->fontMetrics().horizontalAdvance(each->text()) <= each->contentsRect().width())
+                            ++seen;
+                    }
+                    return seen == 4;
+                };
+                QVERIFY2(eventually(check), qPrintable(where + QString(": %1 in sight").arg(seen)));
+            }
+            on.window.cab().set(false);
+        }
+        useLanguage("en");
+    }
+
     // A target has all its rows in sight on the screen of a cab, with and without a rock.
     void noRowOfATargetIsCutOnALowScreen() {
         WindowFixture on;
@@ -152,9 +193,9 @@ private slots:
             }
             side->showNumbers(numbers);
             for (int n = 0; n < 5; ++n) QApplication::processEvents();
-            const auto* room = side->findChild<QScrollArea*>();
-            QVERIFY2(room->widget()->height() <= room->viewport()->height(),
-                     qPrintable(QString("%1 px in %2").arg(room->widget()->height()).arg(room->viewport()->height())));
+            const QWidget* rows = side->findChild<QLabel*>("cab-distance")->parentWidget();
+            const QWidget* room = rows->parentWidget();
+            QVERIFY2(rows->height() <= room->height(), qPrintable(QString("%1 px in %2").arg(rows->height()).arg(room->height())));
         }
     }
 
@@ -201,6 +242,31 @@ private slots:
             QVERIFY(!on.window.menuBar()->isVisible());
             on.window.cab().set(false);
             QApplication::processEvents();
+        }
+    }
+
+    // The start page is below the head, whichever comes first: Open, Connect and the way out stay free, and the page has the rest.
+    void theStartPageLeavesTheHeadFree() {
+        for (const bool cabFirst : {false, true}) {
+            WindowFixture on;
+            on.window.cab().set(cabFirst);
+            QVERIFY(on.show());
+            StartPage* page = showStart(on.window, on.preferences);
+            on.window.cab().set(true);
+            const QWidget& head = on.window.cab().frame().head();
+            for (const QSize size : {QSize(1280, 800), QSize(1024, 768), QSize(853, 533), QSize(853, 460)}) {
+                resizeTo(on.window, size);
+                QTRY_COMPARE(page->y(), head.mapTo(&on.window, QPoint(0, head.height())).y());
+                QTRY_COMPARE(page->geometry().bottom(), on.window.rect().bottom());
+                QTRY_COMPARE(page->width(), on.window.width());
+                for (const auto* each : page->findChildren<QAbstractButton*>()) {
+                    if (each->isVisible()) QVERIFY2(each->height() >= kGlovePx, qPrintable(each->objectName()));
+                }
+                QVERIFY(!page->findChild<QWidget*>("start-cab")->isVisible());
+            }
+            on.window.cab().set(false);
+            QTRY_VERIFY(page->findChild<QWidget*>("start-cab")->isVisible());
+            QTRY_VERIFY(page->geometry().bottom() < on.viewer.statusLine.mapTo(&on.window, QPoint()).y());
         }
     }
 

@@ -332,11 +332,11 @@ private slots:
         scanner::EmulatedScannerSettings settings;
         settings.linesPerSecond = 100;
         settings.keepTurning = true;
-        const auto emulated = scanner(settings);
-        QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;
         QVERIFY(on.show());
+        const auto emulated = scanner(settings); // after the window: it turns at once, and the connection is made near the first line
+        QVERIFY(emulated);
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         QVERIFY(waitForLines(window, 60));
         emulated->dropConnections();

@@ -98,6 +98,7 @@ void Live::connectPanel() {
     connect(&panel_, &LivePanel::recordRequested, this, &Live::record);
     connect(&panel_, &LivePanel::keepRequested, this, &Live::keepLastMinute);
     connect(&panel_, &LivePanel::sweepRequested, this, &Live::useSweep);
+    connect(&panel_, &LivePanel::otherRequested, &scanner_, &ScannerLink::showOther);
     connect(&panel_, &LivePanel::followRequested, this, [this](bool on) {
         scanner_.follow(on);
         panel_.setFollowing(scanner_.following());
@@ -109,6 +110,7 @@ void Live::connectScanner() {
     connect(&scanner_, &ScannerLink::recordingChanged, &panel_, &LivePanel::setRecording);
     connect(&scanner_, &ScannerLink::followingChanged, &panel_, &LivePanel::setFollowing);
     connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
+    connect(&scanner_, &ScannerLink::otherChanged, this, &Live::offerOther);
     connect(&scanner_, &ScannerLink::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) { notice_.showSaved(path); });
 }
@@ -169,15 +171,46 @@ void Live::showHealth() {
     const auto& shown = engine_.picture();
     const bool own = !shown || showsScanner();
     const bool held = scanner_.connected() && !scanner_.following() && shown && own;
-    // After Stop the counted sweep may be the one after the held picture.
-    const bool otherSweep = !scanner_.connected() && shown && own && shown->source.growth.sweep + 1 != scanner_.health().sweep;
-    panel_.showHealth(scanner_.health(), !own                 ? HealthStrip::Picture::Other
-                                         : held || otherSweep ? HealthStrip::Picture::Held
-                                                              : HealthStrip::Picture::Follows);
+    // After Stop there may be two sweeps, and by Undo the picture is not that of the count: the count has the number of its sweep.
+    const bool otherSweep =
+        !scanner_.connected() && shown && own && (scanner_.other() || shown->source.growth.sweep + 1 != scanner_.health().sweep);
+    panel_.showHealth(scanner_.health(),
+                      !own                 ? HealthStrip::Picture::Other
+                      : held || otherSweep ? HealthStrip::Picture::Held
+                                           : HealthStrip::Picture::Follows,
+                      own ? note(held) : QString());
     views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note =
         held ? tr("Held: %1. Press Follow to go on with the scanner.").arg(scanName(shown->detection->scan->name, 60)) : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
+}
+
+/// What is on the screen, and what the button does.
+QString Live::note(bool held) const {
+    const int counted = scanner_.health().sweep;
+    if (held) {
+        const int sweep = engine_.picture()->source.growth.sweep + 1;
+        return sweep == counted ? tr("Sweep %1 is held on the screen. Follow shows its newest lines.").arg(sweep)
+                                : tr("Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.").arg(sweep).arg(counted);
+    }
+    const auto& part = scanner_.part();
+    return part ? tr("Sweep %1 is a part: %2 of %3 lines.").arg(part->number + 1).arg(part->received).arg(part->expected) : QString();
+}
+
+void Live::offerOther() {
+    showHealth();
+    const auto& other = scanner_.other();
+    if (!other) return panel_.offerOther({}, {});
+    const scanner::SweepProgress &next = other->progress, &now = scanner_.shown();
+    const int sweep = next.number + 1;
+    if (next.number == now.number)
+        panel_.offerOther(
+            tr("Show %1 lines").arg(next.lines),
+            tr("Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.").arg(sweep).arg(now.lines).arg(next.lines));
+    else
+        panel_.offerOther(
+            tr("Show sweep %1").arg(sweep),
+            tr("Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.").arg(now.number + 1).arg(sweep).arg(next.lines));
 }
 
 void Live::reportSweepEnd() {
@@ -190,7 +223,14 @@ void Live::reportSweepEnd() {
     QStringList warnings;
     for (const std::string& warning : scan.warnings) warnings << coreSentence(warning);
     const QString name = scanName(scan.name);
-    if (warnings.isEmpty() && picture.source.growth.expectedLines == 0)
+    if (const auto& part = scanner_.part(); part && part->number == picture.source.growth.sweep)
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep "
+                              "replaces it.")
+                               .arg(name)
+                               .arg(part->received)
+                               .arg(part->expected));
+    else if (warnings.isEmpty() && picture.source.growth.expectedLines == 0)
         notice_.showNotice(NoticeBar::Kind::Done,
                            tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));
     else if (warnings.isEmpty())

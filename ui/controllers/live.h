@@ -58,6 +58,8 @@ private:
     void useSweep();
     void connectScanner();
     void showHealth();
+    void offerOther();
+    [[nodiscard]] QString note(bool held) const;
     void showReplayed(const ReplayedSweep& at);
     void loadTimeline(const QString& path);
     void reportSweepEnd();

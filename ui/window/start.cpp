@@ -5,12 +5,14 @@
 #include "ui/base/pane.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/dialogs/sheets.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/start/start_page.h"
 #include "ui/panels/start/tour.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/window/cab_mode.h"
 #include "ui/window/docks.h"
 #include "ui/window/first_tour.h"
 #include "ui/window/main_window.h"
@@ -19,6 +21,7 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QFileDialog>
+#include <QPushButton>
 #include <QStandardPaths>
 #include <QTimer>
 
@@ -30,14 +33,15 @@ namespace {
 constexpr int kAskAgainMs = 1000;
 constexpr int kSettleMs = 400; // time until docks have their positions
 
-/// Keeps the page over everything between tool bar and status bar. The notice bar stays visible, and the scanner panel closes the page.
+/// Keeps the page over everything between tool bar and status bar; in a cab, over everything below the head. The notice bar stays visible,
+/// and the scanner panel closes the page.
 class OverViews : public QObject {
 public:
     OverViews(MainWindow& window, StartPage& page) : QObject(&page), window_(window), page_(page), tour_(window.findChild<Tour*>("tour")) {
-        for (QObject* watched :
-             {static_cast<QObject*>(&page), static_cast<QObject*>(&window), static_cast<QObject*>(&window.viewer().notice),
-              static_cast<QObject*>(window.centralWidget()), static_cast<QObject*>(&window.viewer().statusLine),
-              static_cast<QObject*>(&window.viewer().live.panel()), static_cast<QObject*>(tour_)})
+        for (QObject* watched : {static_cast<QObject*>(&page), static_cast<QObject*>(&window),
+                                 static_cast<QObject*>(&window.viewer().notice), static_cast<QObject*>(window.centralWidget()),
+                                 static_cast<QObject*>(&window.cab().frame().head()), static_cast<QObject*>(&window.viewer().statusLine),
+                                 static_cast<QObject*>(&window.viewer().live.panel()), static_cast<QObject*>(tour_)})
             watched->installEventFilter(this);
         for (QObject* dock : window.findChildren<QDockWidget*>()) dock->installEventFilter(this);
         for (QObject* pane : window.findChildren<Pane*>()) pane->installEventFilter(this);
@@ -77,10 +81,13 @@ private:
     void place() {
         const QWidget& centre = *window_.centralWidget();
         int top = centre.mapTo(&window_, QPoint(0, 0)).y();
-        for (const QWidget* strip : {static_cast<QWidget*>(&window_.viewer().notice), tour_}) {
+        for (const QWidget* strip :
+             {static_cast<QWidget*>(&window_.cab().frame().head()), static_cast<QWidget*>(&window_.viewer().notice), tour_}) {
             if (strip->isVisible()) top = std::max(top, strip->mapTo(&window_, QPoint(0, strip->height())).y());
         }
-        page_.setGeometry(0, top, window_.width(), std::max(0, window_.viewer().statusLine.mapTo(&window_, QPoint(0, 0)).y() - top));
+        const QWidget& foot = window_.viewer().statusLine; // a cab has none
+        const int bottom = foot.isVisible() ? foot.mapTo(&window_, QPoint(0, 0)).y() : window_.height();
+        page_.setGeometry(0, top, window_.width(), std::max(0, bottom - top));
         page_.raise();
         settle_.start();
     }
@@ -139,6 +146,12 @@ StartPage* showStart(MainWindow& w, Preferences& preferences) {
     QObject::connect(&w.viewer().engine, &Engine::pictureReady, page, &QWidget::hide);
     QObject::connect(&w.viewer().engine, &Engine::coarseChanged, page, // a cancelled opening goes back to the page
                      [&w, page] { page->setVisible(!w.viewer().engine.coarse() && !w.viewer().engine.picture()); });
+    // A cab has its own way out, and no keys.
+    const auto hideForGloves = [page](bool cab) {
+        for (const char* name : {"start-cab", "start-keys"}) page->findChild<QPushButton*>(name)->setHidden(cab);
+    };
+    QObject::connect(&w.cab(), &CabMode::changed, page, hideForGloves);
+    hideForGloves(w.cab().on());
     page->showRecent(preferences.recentFiles());
     showSession(w, *page);
     offerTour(w, preferences);

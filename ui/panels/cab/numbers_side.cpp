@@ -21,7 +21,9 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kNumberPx = 42, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17, kLeastNotePx = 15;
-constexpr int kLowPx = 720; // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
+constexpr int kLeastScrolled = 90;
+constexpr int kLowestPx = 480; // a lower side has no stepper next to the numbers: Tune has it
+constexpr int kLowPx = 720;    // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
 
 } // namespace
 
@@ -110,6 +112,7 @@ QScrollArea* scrolledByFinger(QWidget* content, Qt::ScrollBarPolicy bar, QScroll
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setVerticalScrollBarPolicy(bar);
+    scroll->setMinimumHeight(kLeastScrolled); // the large arrows of its bar would ask for more than a screen of 480 has
     scroll->setWidget(content);
     QScroller::grabGesture(scroll->viewport(), gesture);
     return scroll;
@@ -176,11 +179,12 @@ QWidget* NumbersSide::makeNumbers() {
     above->addStretch(1);
     above->addWidget(tolerance_);
     column->addLayout(above);
-    for (QLabel* each : std::initializer_list<QLabel*>{distance_, rock_, size_, sizeRemark_}) column->addWidget(each);
-    column->addSpacing(8);
-    column->addLayout(coordinates_);
+    column->addWidget(distance_);
+    column->addLayout(coordinates_); // above the rock, whose words have as many lines as the language needs: a low screen shows them whole
     column->addWidget(pose_);
-    column->addSpacing(8);
+    column->addSpacing(4);
+    for (QLabel* each : std::initializer_list<QLabel*>{rock_, size_, sizeRemark_}) column->addWidget(each);
+    column->addSpacing(4);
     column->addLayout(rows_);
     column->addStretch(1);
     coordinates_->setColumnStretch(1, 1);
@@ -229,6 +233,7 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
 
 void NumbersSide::fitHeight() {
     const bool low = height() < kLowPx;
+    main_->setVisible(stepped_ && height() >= kLowestPx);
     for (const auto& [name, value] : coordinateLabels_) static_cast<FittedLabel*>(value)->setMost(low ? kTextPx : kCoordinatePx);
     for (const auto& [name, value] : rowLabels_) {
         for (QLabel* each : {name, value}) {
@@ -271,7 +276,8 @@ void NumbersSide::fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLa
 }
 
 void NumbersSide::showSettings(const std::vector<SteppedSetting>& settings) {
-    main_->setVisible(!settings.empty());
+    stepped_ = !settings.empty();
+    fitHeight();
     if (!settings.empty()) {
         mainKey_ = settings.front().key;
         main_->showName(settings.front().name);

@@ -86,6 +86,7 @@ private:
     QGridLayout* coordinates_;
     QGridLayout* rows_;
     std::vector<std::pair<QLabel*, QLabel*>> coordinateLabels_, rowLabels_;
+    bool stepped_ = false; // the main stepper has a setting
     Stepper* main_;
     QString mainKey_;
     QVBoxLayout* settings_ = nullptr;

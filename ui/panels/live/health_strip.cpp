@@ -38,9 +38,10 @@ HealthStrip::HealthStrip(QWidget* parent)
     showHealth(files::LiveHealth{});
 }
 
-void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
+void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, const QString& note) {
     shown_ = health;
     picture_ = picture;
+    note_ = note;
     const auto showText = [](QLabel* label, const std::string& text) {
         const QString words = coreWords(text);
         if (label->text() != words) label->setText(words);
@@ -78,15 +79,17 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture) {
     showText(pose_, health.lines.empty() || brief_ ? std::string() : health.pose);
     showText(end_, health.end);
     badge(recording_, signOf(health.recorded), health.recording);
-    const QString sentence = coreSentence(health.sentence);
+    const QString ofScanner = present ? QString() : coreSentence(health.sentence);
+    const QString sentence = ofScanner.isEmpty() ? note : ofScanner;
     if (sentence_->text() != sentence) sentence_->setText(sentence);
-    sentence_->setVisible(health.liveness != files::Liveness::Live && !sentence.isEmpty());
+    const bool inViews = brief_ && ofScanner.isEmpty() && picture == Picture::Held; // in a cab the views alone say it
+    sentence_->setVisible(!sentence.isEmpty() && !inViews);
     sentence_->setToolTip(sentence);
 }
 
 void HealthStrip::setBrief(bool on) {
     brief_ = on;
-    showHealth(files::LiveHealth(shown_), picture_);
+    showHealth(files::LiveHealth(shown_), picture_, QString(note_));
 }
 
 } // namespace edgescan::ui

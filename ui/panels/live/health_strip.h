@@ -21,7 +21,8 @@ public:
 
     /// The relation of the picture on the screen to the scanner.
     enum class Picture { Follows, Held, Other };
-    void showHealth(const files::LiveHealth& health, Picture picture = Picture::Follows);
+    /// `note`: a sentence about the picture, shown while the scanner has nothing to say.
+    void showHealth(const files::LiveHealth& health, Picture picture = Picture::Follows, const QString& note = {});
     /// Less that is as it should be, for cab mode.
     void setBrief(bool on);
     [[nodiscard]] const files::LiveHealth& shown() const { return shown_; }
@@ -31,6 +32,7 @@ public:
 private:
     files::LiveHealth shown_;
     Picture picture_ = Picture::Follows;
+    QString note_;
     bool brief_ = false;
     StateBadge* badge_;
     QLabel* lines_;

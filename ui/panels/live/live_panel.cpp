@@ -99,7 +99,7 @@ LivePanel::LivePanel(QWidget* parent)
     });
     connect(record_, &QPushButton::clicked, this, &LivePanel::recordRequested);
     connect(keep_, &QPushButton::clicked, this, &LivePanel::keepRequested);
-    connect(follow_, &QPushButton::clicked, this, [this](bool hold) { emit followRequested(!hold); });
+    connect(follow_, &QPushButton::clicked, this, [this](bool hold) { connected_ ? emit followRequested(!hold) : emit otherRequested(); });
     // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
     // meaning by then.
     for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
@@ -149,6 +149,8 @@ scanner::SweepSettings LivePanel::sweep() const { return sweep_->settings(); }
 QString LivePanel::scannerShown() const { return scanner_->text(); }
 
 void LivePanel::askAddress() {
+    asking_ = true;
+    showFields();
     show();
     host_->setFocus();
     host_->selectAll();
@@ -164,7 +166,12 @@ void LivePanel::setConnected(bool connected) {
     host_->setEnabled(!connected);
     followAddress();
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
-    if (!connected) setRecording(false);
+    other_.clear();
+    asking_ = false;
+    if (!connected) {
+        setRecording(false);
+        setFollowing(true); // the button no longer looks pressed
+    }
     showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
 }
@@ -187,11 +194,13 @@ void LivePanel::setBrief(bool on) {
     showFields();
 }
 
-/// What the state needs; with gloves on, only what a connected scanner needs.
+/// What the state needs; with gloves on, only what a connected scanner needs, and after Stop the other sweep.
 void LivePanel::showFields() {
-    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_);
-    for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(brief_ && connected_);
-    for (QWidget* each : std::initializer_list<QWidget*>{record_, follow_}) each->setHidden(!connected_);
+    const bool few = brief_ && (connected_ || (!other_.isEmpty() && !asking_));
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_ || few);
+    for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(few);
+    record_->setHidden(!connected_);
+    follow_->setHidden(!connected_ && other_.isEmpty());
     topics_->setHidden(!connected_ || !bridge_ || brief_);
     keep_->setHidden(brief_ || !connected_); // it is in the menu
 }
@@ -208,16 +217,29 @@ void LivePanel::setFollowing(bool following) {
     follow_->setChecked(held);
     follow_->setText(held ? tr("Follow") : tr("Hold"));
     follow_->setIcon(toolIcon(held ? "play" : "hold"));
-    follow_->setToolTip(held ? tr("The picture is held: from now on it grows with the scanner again")
-                             : tr("The picture stays as it is while the scanner goes on"));
+    follow_->setToolTip(
+        held ? tr("The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.")
+             : tr("The picture on the screen grows with the scanner; a press holds it while the scanner goes on."));
     QPalette colours;
     if (held) colours.setColor(QPalette::Button, themeInUse().chosen);
     if (held) colours.setColor(QPalette::ButtonText, Qt::white);
     follow_->setPalette(colours);
 }
 
-void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture picture) {
-    strip_->showHealth(health, picture);
+void LivePanel::offerOther(const QString& words, const QString& help) {
+    if (connected_) return;
+    other_ = words;
+    follow_->setChecked(false);
+    follow_->setEnabled(!words.isEmpty());
+    follow_->setText(words);
+    follow_->setIcon(toolIcon("play"));
+    follow_->setToolTip(help);
+    showFields();
+    if (!words.isEmpty()) show();
+}
+
+void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture picture, const QString& note) {
+    strip_->showHealth(health, picture, note);
     strip_->show();
     const QString scanner = shownText(health.scanner);
     if (scanner_->text() == scanner) return;

@@ -43,7 +43,11 @@ public:
     /// Fewer fields, for cab mode.
     void setBrief(bool on);
     void setFollowing(bool following);
-    void showHealth(const files::LiveHealth& health, HealthStrip::Picture picture);
+    /// After Stop: the button shows what the scanner measured while the picture was held. Empty: there is nothing else to show.
+    void offerOther(const QString& words, const QString& help);
+    [[nodiscard]] bool offersOther() const { return !other_.isEmpty(); }
+    /// `note`: one sentence about the picture on the screen; the strip shows it while the scanner is well.
+    void showHealth(const files::LiveHealth& health, HealthStrip::Picture picture, const QString& note = {});
 
     /// Hides the panel with all that it says about the last scanner.
     void forgetScanner();
@@ -58,6 +62,7 @@ signals:
     void recordRequested(bool on);
     void keepRequested();
     void followRequested(bool on);
+    void otherRequested();
     /// The operator typed mounting or steps while the scanner is connected.
     void sweepRequested();
 
@@ -81,6 +86,8 @@ private:
     FlowLayout* buttons_ = nullptr;
     QHBoxLayout* stripRow_ = nullptr;
     bool connected_ = false, brief_ = false, bridge_ = false;
+    bool asking_ = false; // the operator asked for the fields of the address
+    QString other_;       // on the button after Stop
 };
 
 } // namespace edgescan::ui

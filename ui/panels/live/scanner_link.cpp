@@ -12,6 +12,13 @@ namespace {
 constexpr int kLinkTickMs = 40;
 constexpr qint64 kLeastMs = 100; // between two pictures of a growing sweep
 
+/// The first sweep of a connection ended with too few lines although no gap ended it, and more of them are missing than were lost: the
+/// scanner was in the middle of it when EdgeScan connected.
+bool beganBefore(const scanner::SweepProgress& sweep) {
+    const int before = sweep.expected - sweep.lines;
+    return sweep.number == 0 && before > static_cast<int>(sweep.lost.size()) && sweep.irregular.count(scanner::Irregularity::Gap) == 0;
+}
+
 } // namespace
 
 ScannerLink::ScannerLink(Engine& engine, QObject* parent) : QObject(parent), engine_(engine) {
@@ -19,7 +26,10 @@ ScannerLink::ScannerLink(Engine& engine, QObject* parent) : QObject(parent), eng
     connect(&timer_, &QTimer::timeout, this, &ScannerLink::tick);
     connect(&engine_, &Engine::failed, this, [this] { awaiting_ = false; });
     // The operator opened another file: the next scan line must not replace it.
-    connect(&engine_, &Engine::opened, this, [this] { follow(false); });
+    connect(&engine_, &Engine::opened, this, [this] {
+        follow(false);
+        if (std::exchange(other_, std::nullopt)) emit otherChanged();
+    });
 }
 
 ScannerLink::~ScannerLink() = default;
@@ -30,6 +40,9 @@ void ScannerLink::followPicture() {
     if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
     // After each picture the worker is free for the sliders for the time that the picture took.
     restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
+    if (feed_) return;
+    showStopped();
+    emit otherChanged(); // which of them is on the screen has changed
 }
 
 void ScannerLink::runInThread(std::function<std::function<void()>()> work) {
@@ -43,6 +56,8 @@ void ScannerLink::connectTo(const scanner::ConnectionSettings& scanner, const sc
     recordingClosed_ = false;
     heldNumber_ = -1;
     finished_.reset();
+    part_.reset();
+    if (std::exchange(other_, std::nullopt)) emit otherChanged();
     posted_ = {};
     awaiting_ = recordingErrorReported_ = false;
     restMs_ = 0;
@@ -60,6 +75,7 @@ std::optional<int> ScannerLink::useSweep(const scanner::SweepSettings& sweep) {
     if (!gone) return gone;
     heldNumber_ = -1; // the number of sweeps starts again
     finished_.reset();
+    part_.reset();
     posted_ = {};
     *news_ = true;
     if (!following_) follow(true);
@@ -73,12 +89,12 @@ void ScannerLink::disconnectScanner() {
     const std::uint64_t stream = stream_;
     const QString recorded = recording_ ? recordingPath_ : QString();
     const std::shared_ptr<files::LiveFeed> feed = std::exchange(feed_, nullptr);
-    files::LiveStatus last = feed->status();
-    last.connection.phase = scanner::ConnectionPhase::Stopped;
-    last.recording.reset();
-    last.connection.sentence.clear(); // "... is sending." was so until now
-    health_ = files::healthOf(last);
-    health_.end.clear();
+    last_ = feed->status();
+    last_.connection.phase = scanner::ConnectionPhase::Stopped;
+    last_.recording.reset();
+    last_.connection.sentence.clear(); // "... is sending." was so until now
+    part_.reset();
+    showStopped();
     runInThread([this, feed, shows, stream, recorded]() -> std::function<void()> {
         feed->stop();
         const Result<files::RecordingState> closed = feed->stopRecording();
@@ -86,7 +102,13 @@ void ScannerLink::disconnectScanner() {
         return [this, closed, sweep, shows, stream, recorded] {
             if (!recorded.isEmpty() || !closed) reportRecorded(closed, recorded);
             // a file that is being opened meanwhile is wanted more
-            if (shows && stream == stream_ && sweep.scan && !engine_.opening()) post(sweep, false);
+            if (stream != stream_ || !sweep.scan || engine_.opening()) return;
+            if (shows) return post(sweep, false);
+            const auto& held = engine_.picture();
+            if (!held || held->source.stream != stream || held->detection->scan == sweep.scan) return;
+            if (shown_.number == sweep.progress.number && shown_.lines == sweep.progress.lines) return;
+            other_ = sweep;
+            emit otherChanged();
         };
     });
     // A picture that was held while its sweep grew stays, but nothing grows any more.
@@ -106,10 +128,35 @@ void ScannerLink::follow(bool on) {
     const bool wanted = on && feed_ != nullptr;
     if (wanted == following_) return;
     following_ = wanted;
-    posted_ = {};
+    again_ = true;
     if (wanted) finished_.reset();
     emit followingChanged(following_);
     emit healthChanged();
+}
+
+/// The strip counts the sweep on the screen, not one after it.
+void ScannerLink::showStopped() {
+    const auto& picture = engine_.picture();
+    scanner::SweepProgress ended = shown_;
+    ended.growing = false;
+    const bool own = picture && picture->source.stream == stream_;
+    health_ = files::healthOf(last_, own ? picture->detection->scan->placement.get() : nullptr, own ? &ended : nullptr);
+    health_.end.clear();
+    emit healthChanged();
+}
+
+void ScannerLink::showOther() {
+    const auto& picture = engine_.picture();
+    if (!other_ || feed_ || !picture || picture->source.stream != stream_ || engine_.opening()) return;
+    scanner::SweepState left{picture->detection->scan, shown_};
+    if (const Growth& growth = picture->source.growth; growth.sweep != shown_.number) { // by Undo
+        left.progress = {};
+        left.progress.number = growth.sweep;
+        left.progress.expected = growth.expectedLines;
+        left.progress.lines = left.progress.received = left.scan->lines();
+    }
+    post(*std::exchange(other_, left), false);
+    emit otherChanged();
 }
 
 bool ScannerLink::showsStale() const {
@@ -143,9 +190,9 @@ void ScannerLink::noticeTroubles(const files::LiveStatus& status) {
 void ScannerLink::showSweep() {
     if (!following_ || engine_.opening() || (awaiting_ && engine_.behind()) || sincePost_.elapsed() < restMs_) return;
     if (finished_) return showFinal(*std::exchange(finished_, std::nullopt));
-    if (!news_->exchange(false) && posted_.scan) return;
+    if (!news_->exchange(false) && posted_.scan && !again_) return;
     const scanner::SweepState sweep = feed_->sweep();
-    if (!sweep.scan || sweep.scan == posted_.scan) return;
+    if (!sweep.scan || (sweep.scan == posted_.scan && !again_)) return;
     if (sweep.progress.growing)
         post(sweep, true);
     else if (sweep.progress.number > heldNumber_)
@@ -156,12 +203,15 @@ void ScannerLink::showSweep() {
 
 void ScannerLink::showFinal(const scanner::SweepState& sweep) {
     heldNumber_ = sweep.progress.number;
+    const bool part = beganBefore(sweep.progress);
+    part_ = part ? std::optional(sweep.progress) : std::nullopt;
     post(sweep, false);
-    if (holdAtEnd_) follow(false);
+    if (holdAtEnd_ && !part) follow(false);
 }
 
 void ScannerLink::post(const scanner::SweepState& sweep, bool growing) {
     posted_ = sweep;
+    again_ = false;
     awaiting_ = true;
     sincePost_.restart();
     engine_.follow(sweep.scan, {stream_, {sweep.progress.number, growing, sweep.progress.expected}});

@@ -52,8 +52,17 @@ public:
     /// Off: the picture does not change while the scanner continues.
     void follow(bool on);
     [[nodiscard]] bool following() const { return following_; }
-    /// On: following ends with the sweep, so that the next sweep does not replace the picture.
+    /// On: following ends with the sweep, so that the next sweep does not replace the picture. A part of a sweep is not held: the next
+    /// sweep replaces it.
     void setHoldAtEnd(bool on) { holdAtEnd_ = on; }
+    /// The newest finished sweep, where it is only a part because the scanner was in the middle of it when EdgeScan connected.
+    [[nodiscard]] const std::optional<scanner::SweepProgress>& part() const { return part_; }
+    /// After the connection ended while a picture was held: what the scanner had measured since. Null: nothing.
+    [[nodiscard]] const std::optional<scanner::SweepState>& other() const { return other_; }
+    /// Shows it; what was on the screen becomes the other.
+    void showOther();
+    /// Progress of the sweep on the screen, as far as the picture shows it.
+    [[nodiscard]] const scanner::SweepProgress& shown() const { return shown_; }
 
     [[nodiscard]] const files::LiveHealth& health() const { return health_; }
     /// True if the picture comes from this scanner and is outdated.
@@ -65,12 +74,14 @@ signals:
     void connectedChanged(bool connected);
     void recordingChanged(bool recording);
     void followingChanged(bool following);
+    void otherChanged();
     void healthChanged();
     void written(const QString& path);
     void failed(const QString& sentence);
 
 private:
     void tick();
+    void showStopped();
     void showSweep();
     void showFinal(const scanner::SweepState& sweep);
     void post(const scanner::SweepState& sweep, bool growing);
@@ -93,7 +104,11 @@ private:
     bool recordingErrorReported_ = false;
     int heldNumber_ = -1; // number of the newest sweep that was shown complete
     std::optional<scanner::SweepState> finished_;
+    std::optional<scanner::SweepProgress> part_;
+    std::optional<scanner::SweepState> other_;
+    files::LiveStatus last_;       // of the connection that has ended
     scanner::SweepState posted_;   // the newest state that was passed to the session
+    bool again_ = false;           // it is to be passed once more
     scanner::SweepProgress shown_; // the progress that the picture on the screen shows
     QElapsedTimer sincePost_;
     qint64 restMs_ = 0; // pause between two posts
