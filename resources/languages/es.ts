@@ -530,6 +530,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer: haga clic o dibuje en otra parte de la roca.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
 <message><source>mark as not a rock</source><translation>marca de no roca</translation></message>
@@ -1014,8 +1015,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece una pared, o está más allá de «Roca más lejana» (%1 m). Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el tamaño, así que otras rocas tienen otros: %1 y %2 más.</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Los números siguen el tamaño, así que otras rocas tienen otros: %1.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1 y %2 más.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1.</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
@@ -1702,8 +1703,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
 <message><source>visible length a [m]</source><translation>largo visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Mayor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
-<message><source>visible width b [m]</source><translation>ancho visible b [m]</translation></message>
-<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Menor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
+<message><source>size: visible width b [m]</source><translation>tamaño: ancho visible b [m]</translation></message>
+<message><source>Size of the rock: smallest visible span across the line of sight; hidden parts are not counted</source><translation>Tamaño de la roca: menor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
 <message><source>± of a and b [m]</source><translation>± de a y b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a y b: espaciado de los puntos y ancho del haz, dos veces</translation></message>
 <message><source>distance [m]</source><translation>distancia [m]</translation></message>

@@ -530,6 +530,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler : cliquez ou dessinez sur une autre partie du bloc.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
 <message><source>mark as not a rock</source><translation>marque de non-bloc</translation></message>
@@ -1014,8 +1015,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>elle ressemble à une paroi, ou elle est au-delà de « Bloc le plus éloigné » (%1 m). Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent la taille, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Les numéros suivent la taille, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
 <message><source>something that is not a rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
@@ -1702,8 +1703,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
 <message><source>visible length a [m]</source><translation>longueur visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Plus grande étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
-<message><source>visible width b [m]</source><translation>largeur visible b [m]</translation></message>
-<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Plus petite étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
+<message><source>size: visible width b [m]</source><translation>taille : largeur visible b [m]</translation></message>
+<message><source>Size of the rock: smallest visible span across the line of sight; hidden parts are not counted</source><translation>Taille du bloc : plus petite étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
 <message><source>± of a and b [m]</source><translation>± de a et b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a et b : espacement des points et largeur du faisceau, deux fois</translation></message>
 <message><source>distance [m]</source><translation>distance [m]</translation></message>

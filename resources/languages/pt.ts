@@ -530,6 +530,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer: clique ou desenhe em outra parte da rocha.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
 <message><source>mark as not a rock</source><translation>marca de não rocha</translation></message>
@@ -1014,8 +1015,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece uma parede, ou está além de “Rocha mais distante” (%1 m). Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem o tamanho, então outras rochas têm novos: %1 e mais %2.</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Os números seguem o tamanho, então outras rochas têm novos: %1.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1 e mais %2.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1.</translation></message>
 <message><source>at least %1</source><translation>pelo menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que não é uma rocha</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
@@ -1702,8 +1703,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
 <message><source>visible length a [m]</source><translation>comprimento visível a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Maior extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
-<message><source>visible width b [m]</source><translation>largura visível b [m]</translation></message>
-<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Menor extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
+<message><source>size: visible width b [m]</source><translation>tamanho: largura visível b [m]</translation></message>
+<message><source>Size of the rock: smallest visible span across the line of sight; hidden parts are not counted</source><translation>Tamanho da rocha: menor extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
 <message><source>± of a and b [m]</source><translation>± de a e b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a e b: espaçamento dos pontos e largura do feixe, duas vezes</translation></message>
 <message><source>distance [m]</source><translation>distância [m]</translation></message>
