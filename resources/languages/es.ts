@@ -941,6 +941,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>along the line</source><translation>a lo largo de la línea</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
+<message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: puntos más allá</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
@@ -1186,6 +1187,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
+<message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
@@ -1815,12 +1817,14 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadena: %1 celdas, la más fuerte en %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borde: %1; ningún valor de “%2” la hace borde.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>No es borde: %1; ningún valor de “%2” la hace borde.</translation></message>
-<message><source>Edge: %1; stays one at %2.</source><translation>Borde: %1; lo sigue siendo con %2.</translation></message>
-<message><source>No edge: %1; would appear at %2.</source><translation>No es borde: %1; aparecería con %2.</translation></message>
+<message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Borde: %1; sigue siendo un borde mientras %2 sea %3 o menos.</translation></message>
+<message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>No es borde: %1; pasa a ser un borde cuando %2 es %3 o menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distancia %2 m</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them</source><translation>▲ más largo que los %1 m entre los clics: los bordes en sus extremos están hasta a %2 celdas de ellos</translation></message>
+<message><source>its ends are up to %1 cells from the clicks</source><translation>sus extremos están como máximo a %1 celdas de los clics</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>

@@ -941,6 +941,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
+<message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼ : points au-delà</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
@@ -1186,6 +1187,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
+<message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
@@ -1815,12 +1817,14 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Chaîne : %1 cellules, la plus forte à %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Pas d'arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
-<message><source>Edge: %1; stays one at %2.</source><translation>Arête : %1 ; le reste avec %2.</translation></message>
-<message><source>No edge: %1; would appear at %2.</source><translation>Pas d'arête : %1 ; apparaîtrait avec %2.</translation></message>
+<message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Arête : %1 ; cela reste une arête tant que %2 vaut %3 ou moins.</translation></message>
+<message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Pas d'arête : %1 ; cela devient une arête quand %2 vaut %3 ou moins.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1 : distance %2 m</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them</source><translation>▲ plus long que les %1 m entre les clics : les bords à ses extrémités en sont jusqu'à %2 cellules</translation></message>
+<message><source>its ends are up to %1 cells from the clicks</source><translation>ses extrémités sont à %1 cellules des clics au plus</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
 <message><source>at %1 m</source><translation>à %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>
