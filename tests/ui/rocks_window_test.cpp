@@ -10,6 +10,8 @@
 #include "ui/panels/rocks/size_curve_view.h"
 #include "ui/panels/section/section_card.h"
 #include "ui/panels/section/section_plot.h"
+#include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/targets_panel.h"
 #include "ui/window/tool_bar.h"
 
 #include <QCheckBox>
@@ -17,7 +19,9 @@
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QInputDialog>
+#include <QLayout>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -696,6 +700,21 @@ private slots:
         QVERIFY(named(1, "Berta").startsWith("Name of target 1"));
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{2});
         QCOMPARE(on.viewer.targets.notebook().targets.front().name, std::string("Berta"));
+    }
+
+    // In a low window the card of a target is longer than its panel: the list is in sight without scrolling.
+    void theListOfTargetsIsInSightWithACard() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QTRY_VERIFY((on.window.resize(1280, 800), on.window.size() == QSize(1280, 800)));
+        QVERIFY(settled(on));
+        for (const std::uint32_t label : {1U, 2U, 3U}) click(on, label);
+        QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().targets.size() == 3; }));
+        const auto* list = on.viewer.targetsPanel.findChild<QListWidget*>("target-list");
+        const QWidget& card = on.viewer.targetsPanel.card();
+        QVERIFY(eventually([&] { return card.height() >= card.layout()->totalHeightForWidth(card.width()); })); // laid out
+        QVERIFY(eventually([&] { return list->isVisible() && list->visibleRegion().boundingRect() == list->rect(); }));
+        QVERIFY(list->visualItemRect(list->item(2)).bottom() <= list->viewport()->height());
     }
 
     void selectingSeveralRocksDoesNotMoveTheCloud() {
