@@ -608,7 +608,7 @@ private slots:
         on.viewer.rocks.mergeSelected();
         QVERIFY2(on.viewer.notice.text().startsWith("Nothing was merged: this is one rock"), qPrintable(on.viewer.notice.text()));
         QCOMPARE(on.viewer.undo.count(), 1);
-        // A rock marked as one again is no change, and no step.
+        // A rock marked as one again has not changed: there is not another step.
         on.viewer.rocks.select({second});
         on.viewer.rocks.callSelected(true);
         QVERIFY(settled(on));

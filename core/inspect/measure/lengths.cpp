@@ -123,7 +123,7 @@ std::optional<MeasuredCells> measureInSection(const Scan& scan, const RangeNoise
     return known;
 }
 
-constexpr int kFewCells = 3; // an end that is no farther from its click is where it was clicked
+constexpr int kFewCells = 3; // an end within so many cells of its click is where it was clicked
 
 /// Why a throat is not where it was clicked, or longer than the way between the clicks. Empty: it is there.
 std::string clicksPart(const MeasuredCells& measured, Translated translated) {
