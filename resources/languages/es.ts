@@ -538,6 +538,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer: haga clic o dibuje en otra parte de la roca.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
 <message><source>mark as not a rock</source><translation>marca de no roca</translation></message>
@@ -949,6 +950,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>along the line</source><translation>a lo largo de la línea</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
+<message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: puntos más allá</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
@@ -1023,8 +1025,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece una pared, o está más allá de «Roca más lejana» (%1 m). Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el tamaño, así que otras rocas tienen otros: %1 y %2 más.</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Los números siguen el tamaño, así que otras rocas tienen otros: %1.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1 y %2 más.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1.</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
@@ -1194,6 +1196,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
+<message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
@@ -1712,8 +1715,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>La etiqueta: 1 es la mayor área visible</translation></message>
 <message><source>visible length a [m]</source><translation>largo visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Mayor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
-<message><source>visible width b [m]</source><translation>ancho visible b [m]</translation></message>
-<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Menor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
+<message><source>size: visible width b [m]</source><translation>tamaño: ancho visible b [m]</translation></message>
+<message><source>Size of the rock: smallest visible span across the line of sight; hidden parts are not counted</source><translation>Tamaño de la roca: menor extensión visible transversal a la línea de visión; las partes ocultas no cuentan</translation></message>
 <message><source>± of a and b [m]</source><translation>± de a y b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a y b: espaciado de los puntos y ancho del haz, dos veces</translation></message>
 <message><source>distance [m]</source><translation>distancia [m]</translation></message>
@@ -1824,12 +1827,14 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadena: %1 celdas, la más fuerte en %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borde: %1; ningún valor de “%2” la hace borde.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>No es borde: %1; ningún valor de “%2” la hace borde.</translation></message>
-<message><source>Edge: %1; stays one at %2.</source><translation>Borde: %1; lo sigue siendo con %2.</translation></message>
-<message><source>No edge: %1; would appear at %2.</source><translation>No es borde: %1; aparecería con %2.</translation></message>
+<message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Borde: %1; sigue siendo un borde mientras %2 sea %3 o menos.</translation></message>
+<message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>No es borde: %1; pasa a ser un borde cuando %2 es %3 o menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distancia %2 m</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them</source><translation>▲ más largo que los %1 m entre los clics: los bordes en sus extremos están hasta a %2 celdas de ellos</translation></message>
+<message><source>its ends are up to %1 cells from the clicks</source><translation>sus extremos están como máximo a %1 celdas de los clics</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>

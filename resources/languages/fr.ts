@@ -538,6 +538,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler : cliquez ou dessinez sur une autre partie du bloc.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
 <message><source>mark as not a rock</source><translation>marque de non-bloc</translation></message>
@@ -949,6 +950,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
+<message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼ : points au-delà</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
@@ -1023,8 +1025,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>elle ressemble à une paroi, ou elle est au-delà de « Bloc le plus éloigné » (%1 m). Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent la taille, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Les numéros suivent la taille, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
 <message><source>something that is not a rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
@@ -1194,6 +1196,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
+<message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
@@ -1712,8 +1715,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>L'étiquette : 1 est la plus grande surface visible</translation></message>
 <message><source>visible length a [m]</source><translation>longueur visible a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Plus grande étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
-<message><source>visible width b [m]</source><translation>largeur visible b [m]</translation></message>
-<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Plus petite étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
+<message><source>size: visible width b [m]</source><translation>taille : largeur visible b [m]</translation></message>
+<message><source>Size of the rock: smallest visible span across the line of sight; hidden parts are not counted</source><translation>Taille du bloc : plus petite étendue visible en travers de la ligne de visée ; les parties cachées ne comptent pas</translation></message>
 <message><source>± of a and b [m]</source><translation>± de a et b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a et b : espacement des points et largeur du faisceau, deux fois</translation></message>
 <message><source>distance [m]</source><translation>distance [m]</translation></message>
@@ -1824,12 +1827,14 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Chaîne : %1 cellules, la plus forte à %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Pas d'arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
-<message><source>Edge: %1; stays one at %2.</source><translation>Arête : %1 ; le reste avec %2.</translation></message>
-<message><source>No edge: %1; would appear at %2.</source><translation>Pas d'arête : %1 ; apparaîtrait avec %2.</translation></message>
+<message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Arête : %1 ; cela reste une arête tant que %2 vaut %3 ou moins.</translation></message>
+<message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Pas d'arête : %1 ; cela devient une arête quand %2 vaut %3 ou moins.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1 : distance %2 m</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them</source><translation>▲ plus long que les %1 m entre les clics : les bords à ses extrémités en sont jusqu'à %2 cellules</translation></message>
+<message><source>its ends are up to %1 cells from the clicks</source><translation>ses extrémités sont à %1 cellules des clics au plus</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
 <message><source>at %1 m</source><translation>à %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>

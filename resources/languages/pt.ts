@@ -538,6 +538,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer: clique ou desenhe em outra parte da rocha.</translation></message>
 <message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
+<message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
 <message><source>mark as not a rock</source><translation>marca de não rocha</translation></message>
@@ -949,6 +950,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>along the line</source><translation>ao longo da linha</translation></message>
 <message><source>across the lines</source><translation>através das linhas</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de largura, %3 de profundidade, o próximo está embaixo</translation></message>
+<message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: pontos além dele</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
@@ -1023,8 +1025,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece uma parede, ou está além de “Rocha mais distante” (%1 m). Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem o tamanho, então outras rochas têm novos: %1 e mais %2.</translation></message>
-<message><source>Numbers follow size, so other rocks have new ones: %1.</source><translation>Os números seguem o tamanho, então outras rochas têm novos: %1.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1 e mais %2.</translation></message>
+<message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1.</translation></message>
 <message><source>at least %1</source><translation>pelo menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que não é uma rocha</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
@@ -1194,6 +1196,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
+<message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
@@ -1712,8 +1715,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>The label: 1 is the largest visible area</source><translation>O rótulo: 1 é a maior área visível</translation></message>
 <message><source>visible length a [m]</source><translation>comprimento visível a [m]</translation></message>
 <message><source>Largest visible span across the line of sight; hidden parts are not counted</source><translation>Maior extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
-<message><source>visible width b [m]</source><translation>largura visível b [m]</translation></message>
-<message><source>Smallest visible span across the line of sight; hidden parts are not counted</source><translation>Menor extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
+<message><source>size: visible width b [m]</source><translation>tamanho: largura visível b [m]</translation></message>
+<message><source>Size of the rock: smallest visible span across the line of sight; hidden parts are not counted</source><translation>Tamanho da rocha: menor extensão visível transversal à linha de visão; as partes ocultas não contam</translation></message>
 <message><source>± of a and b [m]</source><translation>± de a e b [m]</translation></message>
 <message><source>Of a and b: spacing of the points and width of the beam, twice</source><translation>De a e b: espaçamento dos pontos e largura do feixe, duas vezes</translation></message>
 <message><source>distance [m]</source><translation>distância [m]</translation></message>
@@ -1824,12 +1827,14 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadeia: %1 células, a mais forte em %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Não é borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
-<message><source>Edge: %1; stays one at %2.</source><translation>Borda: %1; continua a sê-lo com %2.</translation></message>
-<message><source>No edge: %1; would appear at %2.</source><translation>Não é borda: %1; apareceria com %2.</translation></message>
+<message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Borda: %1; continua a ser uma borda enquanto %2 for %3 ou menos.</translation></message>
+<message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Não é borda: %1; passa a ser uma borda quando %2 é %3 ou menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distância %2 m</translation></message>
 <message><source>, gray %1</source><translation>, cinza %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them</source><translation>▲ mais longo que os %1 m entre os cliques: as bordas nas suas pontas estão a até %2 células deles</translation></message>
+<message><source>its ends are up to %1 cells from the clicks</source><translation>suas pontas estão a até %1 células dos cliques</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>

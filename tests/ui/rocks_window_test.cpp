@@ -10,6 +10,8 @@
 #include "ui/panels/rocks/size_curve_view.h"
 #include "ui/panels/section/section_card.h"
 #include "ui/panels/section/section_plot.h"
+#include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/targets_panel.h"
 #include "ui/window/tool_bar.h"
 
 #include <QCheckBox>
@@ -17,7 +19,9 @@
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QInputDialog>
+#include <QLayout>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -259,13 +263,13 @@ private slots:
         QCOMPARE(views.gray().outline(), views.edges().outline());
         QVERIFY(views.cloud().outline());
 
-        // The row of another rock: its outline appears in the views. Sorted by a, the first row is the longest rock.
+        // The row of another rock: its outline appears in the views. Sorted by size b, the first row is the widest rock.
         QTableView* table = on.viewer.rockTable.table();
         QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(0, 0)).center());
         const std::vector<std::uint32_t> chosen = on.viewer.rockTable.selected();
         QCOMPARE(chosen.size(), std::size_t{1});
         for (const rocks::Rock& each : picture(on).study.rocks)
-            QVERIFY(each.longestCaliperM <= picture(on).rock(chosen[0])->longestCaliperM);
+            QVERIFY(each.shortestCaliperM <= picture(on).rock(chosen[0])->shortestCaliperM);
         QVERIFY(on.viewer.rocksPanel.card().text().startsWith(QString("Rock %1\n").arg(chosen[0])));
         QVERIFY(views.cloud().outline() && picture(on).labelAt(views.cloud().outline()->front()) == chosen[0]);
 
@@ -315,6 +319,10 @@ private slots:
                 values.push_back(table->model()->index(row, n).data(RockTableModel::kNumberRole).toDouble());
             return values;
         };
+        QVERIFY2(table->model()->headerData(2, Qt::Horizontal).toString().startsWith("size"), "the order at first");
+        QCOMPARE(table->horizontalHeader()->sortIndicatorSection(), 2);
+        const std::vector<double> largestFirst = column(2);
+        QVERIFY(std::is_sorted(largestFirst.rbegin(), largestFirst.rend()));
         for (int n = 0; n < table->model()->columnCount(); ++n) {
             QTest::mouseClick(table->horizontalHeader()->viewport(), Qt::LeftButton, Qt::NoModifier,
                               QPoint(table->horizontalHeader()->sectionViewportPosition(n) + 5, 5));
@@ -535,6 +543,45 @@ private slots:
         QFAIL("no rock of the scene can be split");
     }
 
+    // Two rocks of several pieces: after M there is one rock with all cells of both, and one outline, table row and number less.
+    void aMergeLeavesNoPartOutside() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const auto before = on.viewer.rocks.picture();
+        const rocks::Study& study = before->study;
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+        for (const rocks::RegionBorder& border : study.map.borders) {
+            if (border.a == 0 || border.b > study.map.rocks) continue;
+            // With one cell of each alone, pieces of them would remain.
+            const rocks::Edit cells{rocks::EditKind::Join, {before->rock(border.a)->cell, before->rock(border.b)->cell}};
+            const rocks::MergeTree tree = rocks::mergeTree(study.segmentation->count(), study.segmentation->borders,
+                                                           rocks::pairsOf(*study.segmentation, std::span(&cells, 1)));
+            if (rocks::rocksAt(*study.segmentation, tree, study.settings).rocks + 1 != study.map.rocks)
+                pairs.emplace_back(border.a, border.b);
+        }
+        QVERIFY(!pairs.empty());
+        pairs.resize(std::min(pairs.size(), std::size_t{3}));
+        for (const auto& [a, b] : pairs) {
+            const rocks::Rock one = *before->rock(a), other = *before->rock(b);
+            on.viewer.rocks.select({one.cell, other.cell});
+            QVERIFY(on.activate());
+            QTest::keyClick(&on.window, Qt::Key_M);
+            QVERIFY(settled(on));
+            QCOMPARE(picture(on).study.rocks.size() + 1, study.rocks.size());
+            QCOMPARE(on.viewer.rockTable.table()->model()->rowCount() + 1, static_cast<int>(study.rocks.size()));
+            const rocks::Rock* merged = picture(on).rockAt(one.cell);
+            QVERIFY(merged != nullptr && merged == picture(on).rockAt(other.cell));
+            QCOMPARE(merged->cells, one.cells + other.cells);
+            QCOMPARE(on.viewer.views.gray().outline().size(), outlineOf(picture(on).labels, merged->label).sides.size());
+            for (std::size_t k = 0; k < before->labels.size(); ++k) {
+                if (before->labels[k] == a || before->labels[k] == b) QCOMPARE(picture(on).labels[k], merged->label);
+            }
+            on.viewer.undo.undo();
+            QVERIFY(settled(on));
+            QVERIFY(picture(on).labels == before->labels);
+        }
+    }
+
     // A click of a tool is a step of undo only where a rock changed, and it sets no target. The numbers of other rocks that changed are
     // said.
     void aToolLeavesAStepOnlyWhereSomethingChanged() {
@@ -556,14 +603,24 @@ private slots:
         on.viewer.rocks.mergeSelected();
         QVERIFY(settled(on));
         QCOMPARE(on.viewer.undo.index(), 1);
-        // The same again changes nothing.
+        // The same again is refused: it is one rock.
         on.viewer.rocks.select({first, last});
         on.viewer.rocks.mergeSelected();
+        QVERIFY2(on.viewer.notice.text().startsWith("Nothing was merged: this is one rock"), qPrintable(on.viewer.notice.text()));
+        QCOMPARE(on.viewer.undo.count(), 1);
+        // A rock marked as one again has not changed: there is not another step.
+        on.viewer.rocks.select({second});
+        on.viewer.rocks.callSelected(true);
         QVERIFY(settled(on));
-        QTRY_COMPARE(on.viewer.undo.count(), 1);
+        QCOMPARE(on.viewer.undo.count(), 2);
+        on.viewer.rocks.callSelected(true);
         QVERIFY(settled(on));
-        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
+        QTRY_COMPARE(on.viewer.undo.count(), 2);
+        QVERIFY(settled(on));
+        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{2});
         QVERIFY2(on.viewer.notice.text().startsWith("No rock changed"), qPrintable(on.viewer.notice.text()));
+        on.viewer.undo.undo();
+        QVERIFY(settled(on));
         // Split takes them apart again, and no target is set.
         QTest::keyClick(&on.window, Qt::Key_S);
         QTest::mouseClick(&on.viewer.views.gray(), Qt::LeftButton, Qt::NoModifier, pixelOn(on, on.viewer.views.gray(), 1));
@@ -578,7 +635,7 @@ private slots:
         on.viewer.rocks.callSelected(false);
         QVERIFY(settled(on));
         QVERIFY2(on.viewer.notice.text().startsWith(
-                     "Numbers follow size, so other rocks have new ones: 2 is now 1, 3 is now 2, 4 is now 3 and "),
+                     "Numbers follow the visible area, so other rocks have new ones: 2 is now 1, 3 is now 2, 4 is now 3 and "),
                  qPrintable(on.viewer.notice.text()));
     }
 
@@ -643,6 +700,21 @@ private slots:
         QVERIFY(named(1, "Berta").startsWith("Name of target 1"));
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{2});
         QCOMPARE(on.viewer.targets.notebook().targets.front().name, std::string("Berta"));
+    }
+
+    // In a low window the card of a target is longer than its panel: the list is in sight without scrolling.
+    void theListOfTargetsIsInSightWithACard() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QTRY_VERIFY((on.window.resize(1280, 800), on.window.size() == QSize(1280, 800)));
+        QVERIFY(settled(on));
+        for (const std::uint32_t label : {1U, 2U, 3U}) click(on, label);
+        QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.notebook().targets.size() == 3; }));
+        const auto* list = on.viewer.targetsPanel.findChild<QListWidget*>("target-list");
+        const QWidget& card = on.viewer.targetsPanel.card();
+        QVERIFY(eventually([&] { return card.height() >= card.layout()->totalHeightForWidth(card.width()); })); // laid out
+        QVERIFY(eventually([&] { return list->isVisible() && list->visibleRegion().boundingRect() == list->rect(); }));
+        QVERIFY(list->visualItemRect(list->item(2)).bottom() <= list->viewport()->height());
     }
 
     void selectingSeveralRocksDoesNotMoveTheCloud() {

@@ -132,6 +132,7 @@ private slots:
         QVERIFY(on.settled());
         QCOMPARE(on.viewer.engine.settings().classes, edges::Settings{}.classes & ~edges::kClassConvex);
         QVERIFY(!legend.classSwitch(1)->isChecked());
+        QVERIFY2(legend.classSwitch(1)->toolTip().contains("the other numbers change too"), "a cell has one class");
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(on.settled());

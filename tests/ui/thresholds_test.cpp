@@ -230,6 +230,7 @@ private slots:
         if (QTest::currentTestFailed()) return;
         const WhyCard& card = *window_->viewer().explanation.card();
         QVERIFY2(card.verdict().startsWith("Edge: ") && !card.verdict().contains('\n'), qPrintable(card.verdict()));
+        QVERIFY2(card.verdict().contains("this remains an edge while Edge strength is "), qPrintable(card.verdict()));
         const auto* verdict = card.findChild<QLabel*>("why-verdict");
         const edges::EdgeProfile& profile = card.picture().profile();
         QVERIFY(verdict->isVisible() && card.picture().isVisible() && verdict->geometry().bottom() < card.picture().geometry().top());
@@ -240,6 +241,29 @@ private slots:
         const QImage drawn = const_cast<ProfileView&>(card.picture()).grab().toImage();
         const QColor accent = themeInUse().accent;
         QVERIFY(countPixels(drawn, [&](QRgb p) { return p == accent.rgb(); }) > 40);
+        // One point far behind is marked at the border, and the step remains as high, but for a second line of words.
+        const auto highOf = [&](const edges::EdgeProfile& shown) {
+            ProfileView view;
+            view.resize(420, 130);
+            view.show(shown);
+            const QImage image = view.grab().toImage();
+            int top = image.height(), bottom = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    if (image.pixel(x, y) != accent.rgb()) continue;
+                    top = std::min(top, y);
+                    bottom = std::max(bottom, y);
+                }
+            }
+            return bottom - top;
+        };
+        edges::EdgeProfile step; // of 0.2 m
+        for (int n = -12; n <= 12; ++n) step.points.push_back({0, n < 0 ? -1 : n > 0 ? 1 : 0, 0.02 * n, n > 0 ? 0.2 : 0.0});
+        step.sides = {edges::ProfileLine{-0.12, 0.0, -0.02, 0.0, 6}, edges::ProfileLine{0.02, 0.2, 0.12, 0.2, 6}};
+        const int high = highOf(step);
+        QVERIFY(high > 20);
+        step.points[15].awayM = 13.0;
+        QVERIFY2(highOf(step) > high * 3 / 4, qPrintable(QString("%1 of %2 px").arg(highOf(step)).arg(high)));
         // A cell that is not an edge has a verdict that says so.
         const auto none = std::ranges::find(detection.mask->cells, 0) - detection.mask->cells.begin();
         askWhy(static_cast<std::uint32_t>(none));

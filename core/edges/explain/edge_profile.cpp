@@ -12,6 +12,10 @@
 namespace edgescan::edges {
 namespace {
 
+constexpr std::size_t kMostStray = 2;  // of more points that are far from the others the profile shows a jump
+constexpr double kFarFromOthers = 2.0; // times what the others span
+constexpr double kThinM = 0.02;        // a plain surface, with its noise
+
 constexpr std::size_t kFitted = 6;
 
 std::optional<ProfileLine> lineThrough(const std::vector<ProfilePoint>& points) {
@@ -76,6 +80,26 @@ EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach)
         profile.sides[side < 0 ? 0 : 1] = lineThrough(those);
     }
     return profile;
+}
+
+DepthsShown depthsShown(const EdgeProfile& profile) {
+    const auto own = std::ranges::find(profile.points, 0, &ProfilePoint::side);
+    std::vector<double> depths;
+    for (auto point = profile.points.begin(); point != profile.points.end(); ++point) {
+        if (own == profile.points.end() || std::abs(point - own) <= static_cast<std::ptrdiff_t>(kFitted)) depths.push_back(point->awayM);
+    }
+    if (depths.empty()) return {};
+    std::ranges::sort(depths);
+    std::size_t first = 0, last = depths.size() - 1; // of those that are shown; the cell itself is at depth 0
+    const auto isFar = [&](double gap, double others) { return gap > kFarFromOthers * std::max(others, kThinM); };
+    for (std::size_t left = kMostStray; left > 0; --left) {
+        if (last < first + left + 1) continue;
+        const std::size_t end = last - left, start = first + left;
+        if (depths[end + 1] > 0.0 && isFar(depths[end + 1] - depths[end], depths[end] - depths[first])) last = end;
+        if (start < last && depths[start - 1] < 0.0 && isFar(depths[start] - depths[start - 1], depths[last] - depths[start]))
+            first = start;
+    }
+    return {depths[first], depths[last]};
 }
 
 } // namespace edgescan::edges

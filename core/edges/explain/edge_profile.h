@@ -31,4 +31,11 @@ struct EdgeProfile {
 /// sum of squared distances from the line. Empty if the cell has no range.
 [[nodiscard]] EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach = 12);
 
+/// The depths that a picture of the profile shows: of the cell and the 6 nearest points of each side, without one or two points of them
+/// that are far from all others. Of the profile without points: 0 and 0.
+struct DepthsShown {
+    double leastM = 0.0, mostM = 0.0;
+};
+[[nodiscard]] DepthsShown depthsShown(const EdgeProfile& profile);
+
 } // namespace edgescan::edges

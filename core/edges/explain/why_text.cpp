@@ -263,8 +263,9 @@ std::string WhyWords::verdict() const {
     if (!why_.appearsAt)
         return edge ? say("Edge: %1; no value of %2 makes it one.", {reason(), name})
                     : say("No edge: %1; no value of %2 makes it one.", {reason(), name});
-    const std::string limit = name + " <= " + formatValue(*findParameter(why_.parameter), *why_.appearsAt);
-    return edge ? say("Edge: %1; stays one at %2.", {reason(), limit}) : say("No edge: %1; would appear at %2.", {reason(), limit});
+    const std::string limit = formatValue(*findParameter(why_.parameter), *why_.appearsAt);
+    return edge ? say("Edge: %1; this remains an edge while %2 is %3 or less.", {reason(), name, limit})
+                : say("No edge: %1; this becomes an edge when %2 is %3 or less.", {reason(), name, limit});
 }
 
 std::string WhyWords::numbers() const {

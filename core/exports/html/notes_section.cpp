@@ -66,7 +66,7 @@ std::string targetRow(const edges::Detection& detection, const RangeNoise& noise
 std::string measureRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::StoredMeasure& measure) {
     std::string cells;
     for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
-    const auto measured = inspect::measureCells(*detection.scan, noise, measure.kind, measure.cells, measure.shares);
+    const auto measured = inspect::measureStored(*detection.scan, noise, measure);
     return "<tr><td>" + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
            (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
            (measured ? htmlText(inspect::measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";

@@ -115,24 +115,24 @@ constexpr int kRockCloudWidth = 800, kRockCloudHeight = 512; // px
 std::string twoDecimals(double m) { return fixedText(m, 2); }
 bool isDoubtful(const rocks::Rock& rock) { return rock.confidence < rocks::kSureConfidence; }
 
-// The longest first, as many as the table has rows.
+// The largest (visible width b) first, as many as the table has rows.
 std::vector<const rocks::Rock*> listedRocks(const rocks::Study& study) {
-    std::vector<const rocks::Rock*> longest;
-    for (const rocks::Rock& rock : study.rocks) longest.push_back(&rock);
-    std::ranges::stable_sort(longest, [](const rocks::Rock* a, const rocks::Rock* b) { return a->longestCaliperM > b->longestCaliperM; });
-    longest.resize(std::min(longest.size(), kMostRockRows));
-    return longest;
+    std::vector<const rocks::Rock*> largest;
+    for (const rocks::Rock& rock : study.rocks) largest.push_back(&rock);
+    std::ranges::stable_sort(largest, [](const rocks::Rock* a, const rocks::Rock* b) { return a->shortestCaliperM > b->shortestCaliperM; });
+    largest.resize(std::min(largest.size(), kMostRockRows));
+    return largest;
 }
 
 std::string tableOf(const rocks::Study& study) {
     const Scan& scan = *study.segmentation->inputs.scan;
-    const std::vector<const rocks::Rock*> longest = listedRocks(study);
+    const std::vector<const rocks::Rock*> largest = listedRocks(study);
     const rocks::RockRows rows(study, files::usualFrame(scan));
     std::string html = "<div class=\"wide\"><table id=\"rocks\">\n<thead><tr>", body;
     for (const rocks::RockColumn& column : rocks::rockColumns(rows.frame())) {
         if (column.title != nullptr) html += "<th class=\"number\">" + htmlText(column.title) + "</th>";
     }
-    for (const rocks::Rock* rock : longest) {
+    for (const rocks::Rock* rock : largest) {
         const rocks::RockRow row = rows.of(*rock);
         body += "<tr>";
         for (const rocks::RockColumn& column : rocks::rockColumns(rows.frame())) {
@@ -142,8 +142,8 @@ std::string tableOf(const rocks::Study& study) {
         body += "</tr>\n";
     }
     html += "</tr></thead><tbody>\n" + body + "</tbody></table></div>\n<p class=\"note\">";
-    if (study.rocks.size() > longest.size())
-        html += "The " + std::to_string(longest.size()) + " longest of " + std::to_string(study.rocks.size()) +
+    if (study.rocks.size() > largest.size())
+        html += "The " + std::to_string(largest.size()) + " largest (visible width b) of " + std::to_string(study.rocks.size()) +
                 " rocks; <code>rocks --csv</code> lists all. ";
     html += scan.placement ? "E, N, RL: mean of the visible points, in the mine grid" +
                                  (scan.placement->grid.empty() ? "" : " (" + htmlText(scan.placement->grid) + ")") + ". "

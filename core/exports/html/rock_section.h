@@ -10,7 +10,7 @@
 
 namespace edgescan::exports {
 
-/// Most rows of the table. If there are more rocks, the longest are listed and the page says so.
+/// Most rows of the table. If there are more rocks, the largest (visible width b) are listed and the page says so.
 inline constexpr std::size_t kMostRockRows = 25;
 
 /// Markup. `faces`: rockFaces() of the study.

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace edgescan::inspect {
 namespace {
@@ -122,6 +123,21 @@ std::optional<MeasuredCells> measureInSection(const Scan& scan, const RangeNoise
     return known;
 }
 
+constexpr int kFewCells = 3; // an end within so many cells of its click is where it was clicked
+
+/// Why a throat is not where it was clicked, or longer than the way between the clicks. Empty: it is there.
+std::string clicksPart(const MeasuredCells& measured, Translated translated) {
+    const auto say = [&](const char* pattern, std::initializer_list<std::string> values) {
+        return withValues(translated(pattern), values);
+    };
+    const std::string cells = std::to_string(measured.fromClicks);
+    const bool isLonger = measured.clicksM > 0.0 && measured.lengths.front().valueM > measured.clicksM;
+    if (isLonger && measured.fromClicks > 0)
+        return say("▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them",
+                   {fixedText(measured.clicksM, 3), cells});
+    return measured.fromClicks > kFewCells ? say("its ends are up to %1 cells from the clicks", {cells}) : "";
+}
+
 std::string millimetres(double metres) { return fixedText(std::ceil(metres * 1000.0 - 1e-9), 0) + " mm"; }
 
 } // namespace
@@ -218,6 +234,20 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
     return measured;
 }
 
+void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
+    if (measured.kind != MeasureKind::Throat || cells.size() != 2 || clicked.size() != 2) return;
+    if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return k >= scan.cells(); })) return;
+    const int beams = scan.beams();
+    for (std::size_t n = 0; n < 2; ++n) {
+        const int cell = static_cast<int>(cells[n]), click = static_cast<int>(clicked[n]);
+        measured.fromClicks =
+            std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});
+    }
+    if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; })) return;
+    const CartesianTables tables(scan);
+    measured.clicksM = (tables.point(clicked[0]) - tables.point(clicked[1])).norm();
+}
+
 std::string lengthText(const MeasuredLength& length) {
     if (length.isBelow) return "< " + millimetres(length.smallestM);
     return fixedText(length.valueM, 3) + " m ± " + fixedText(shownTolerance(length.toleranceM, 3), 3) + " m";
@@ -242,6 +272,7 @@ std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     std::vector<std::string> parts;
     if (measured.kind == MeasureKind::Throat) parts.push_back(say("narrowest way near the two clicks"));
     parts.push_back(say("at %1 m", {ranges}));
+    if (const std::string clicks = clicksPart(measured, translated); !clicks.empty()) parts.push_back(clicks);
     if (measured.angleIsBelow) parts.push_back(say("a side is below what is resolved there"));
     if (measured.leaps > 0) parts.push_back(say("jumps that are part of it: %1", {std::to_string(measured.leaps)}));
     if (measured.behindM > 0.0) parts.push_back(say("▲ an end is %1 m behind the surface next to it", {fixedText(measured.behindM, 2)}));

@@ -59,6 +59,8 @@ struct MeasuredCells {
     double inFrontM = 0.0;               ///< the same for an end in front of that surface; not for Throat, which is such a length
     bool upAssumed = false;              ///< only for Vertical: the scan has no placement, so up is the scanner's z axis
     std::vector<double> rangesM;         ///< of its cells
+    int fromClicks = 0;                  ///< only for Throat: number of cells from a click to its end, at most
+    double clicksM = 0.0;                ///< only for Throat: distance of the two clicked points; 0: not known
 };
 
 /// Covariance of the place of a picked point, m^2, frame of the scan. Along the beam: the noise of the range. Across the beam: the point is
@@ -77,6 +79,9 @@ struct SurfacePoint {
 /// has no neighbour with a direction; if the number of cells is wrong for the kind; or if a side of the angle has no length.
 [[nodiscard]] std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& noise, MeasureKind kind,
                                                         std::span<const std::uint32_t> cells, std::span<const double> shares = {});
+
+/// For Throat: where its ends are, seen from the clicks. `clicked`: of each of its cells; empty changes nothing.
+void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured);
 
 /// "0.512 m ± 0.034", "< 88 mm".
 [[nodiscard]] std::string lengthText(const MeasuredLength& length);

@@ -118,6 +118,12 @@ Result<Done> checkScan(JsonFields fields, const NotebookScan& scan, const std::s
 
 } // namespace
 
+std::optional<MeasuredCells> measureStored(const Scan& scan, const RangeNoise& noise, const StoredMeasure& measure) {
+    auto measured = measureCells(scan, noise, measure.kind, measure.cells, measure.shares);
+    if (measured) takeClicks(scan, measure.cells, measure.clicked, *measured);
+    return measured;
+}
+
 int nextNumber(const Notebook& notebook) {
     int most = 0;
     for (const PinnedTarget& target : notebook.targets) most = std::max(most, target.number);

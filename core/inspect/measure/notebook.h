@@ -40,6 +40,9 @@ struct StoredMeasure {
     bool operator==(const StoredMeasure&) const = default;
 };
 
+/// measureCells() and takeClicks().
+[[nodiscard]] std::optional<MeasuredCells> measureStored(const Scan& scan, const RangeNoise& noise, const StoredMeasure& measure);
+
 struct Notebook {
     std::vector<PinnedTarget> targets; ///< in the order in which they were pinned
     std::vector<StoredMeasure> measures;

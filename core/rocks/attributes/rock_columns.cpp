@@ -47,7 +47,7 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
         {"visible_long_m", "visible length a [m]", "Largest visible span across the line of sight; hidden parts are not counted",
          [](Row r) -> RockValue { return millimetres(r.rock->longestCaliperM); },
          [](Row r) { return fixed(r.rock->longestCaliperM, kHundredths); }, true},
-        {"visible_wide_m", "visible width b [m]", "Smallest visible span across the line of sight; hidden parts are not counted",
+        {"visible_wide_m", "size: visible width b [m]", "Size of the rock: smallest visible span across the line of sight; hidden parts are not counted",
          [](Row r) -> RockValue { return millimetres(r.rock->shortestCaliperM); },
          [](Row r) { return fixed(r.rock->shortestCaliperM, kHundredths); }, true},
         {"tolerance_m", "± of a and b [m]", "Of a and b: spacing of the points and width of the beam, twice",

@@ -13,6 +13,19 @@ std::uint32_t segmentAt(const Segmentation& segments, std::uint32_t k) {
     return k < segments.segment.size() ? segments.segment[k] : kNoSegment;
 }
 
+// By segment; UINT32_MAX: it has no cell.
+std::vector<std::uint32_t> firstCells(const Segmentation& segments) {
+    std::vector<std::uint32_t> first(segments.sums.size(), UINT32_MAX);
+    for (std::uint32_t k = 0; k < segments.segment.size(); ++k) first[segments.segment[k]] = std::min(first[segments.segment[k]], k);
+    return first;
+}
+
+void addFirstCells(const std::vector<std::uint32_t>& group, const std::vector<std::uint32_t>& firstCell, Edit& join) {
+    for (const std::uint32_t n : group) {
+        if (firstCell[n] != UINT32_MAX) join.cells.push_back(firstCell[n]);
+    }
+}
+
 } // namespace
 
 std::vector<CutLine> cutsOf(std::span<const Edit> edits) {
@@ -42,6 +55,10 @@ std::vector<SegmentPair> pairsOf(const Segmentation& segments, std::span<const E
 std::vector<RockCall> rockCallsOf(const Segmentation& segments, std::span<const Edit> edits) {
     std::vector<RockCall> called;
     for (const Edit& edit : edits) {
+        if (edit.kind == EditKind::Join) {
+            const std::uint32_t first = segmentAt(segments, edit.cells.front()), last = segmentAt(segments, edit.cells.back());
+            if (first != kNoSegment && last != kNoSegment && first != last) called.push_back({first, true, last});
+        }
         if (edit.kind != EditKind::Rock && edit.kind != EditKind::NotRock) continue;
         for (const std::uint32_t k : edit.cells) {
             if (segmentAt(segments, k) != kNoSegment) called.push_back({segmentAt(segments, k), edit.kind == EditKind::Rock});
@@ -50,13 +67,33 @@ std::vector<RockCall> rockCallsOf(const Segmentation& segments, std::span<const 
     return called;
 }
 
+std::optional<Edit> joinOf(const Segmentation& segments, const RegionMap& map, std::span<const std::uint32_t> cells) {
+    Edit join{EditKind::Join, {}};
+    std::vector<std::uint32_t> regions, others; // others: segments without one of the cells
+    for (const std::uint32_t k : cells) {
+        const std::uint32_t region = map.regionOfSegment[segmentAt(segments, k)];
+        if (region == 0 || std::ranges::find(regions, region) != regions.end()) continue;
+        regions.push_back(region);
+        join.cells.push_back(k);
+    }
+    if (regions.size() < 2) return std::nullopt;
+    for (std::uint32_t n = 1; n < map.regionOfSegment.size(); ++n) {
+        const auto region = std::ranges::find(regions, map.regionOfSegment[n]);
+        if (region != regions.end() && segmentAt(segments, join.cells[static_cast<std::size_t>(region - regions.begin())]) != n)
+            others.push_back(n);
+    }
+    const std::uint32_t last = join.cells.back(); // the first cell and the last are in two of the regions
+    join.cells.pop_back();
+    addFirstCells(others, firstCells(segments), join);
+    join.cells.push_back(last);
+    return join;
+}
+
 NestedPieces nestedPieces(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {
     NestedPieces line;
     const std::uint32_t segment = segmentAt(segments, k);
     if (segment == kNoSegment) return line;
-    std::vector<std::uint32_t> firstCell(segments.sums.size(), UINT32_MAX);
-    for (std::uint32_t n = 0; n < segments.segment.size(); ++n)
-        firstCell[segments.segment[n]] = std::min(firstCell[segments.segment[n]], n);
+    const std::vector<std::uint32_t> firstCell = firstCells(segments);
     std::vector<std::vector<std::uint32_t>> members(segments.sums.size());
     for (std::uint32_t n = 1; n < members.size(); ++n) members[n] = {n};
     const auto cellsOf = [&](const std::vector<std::uint32_t>& group) {
@@ -76,22 +113,25 @@ NestedPieces nestedPieces(const Segmentation& segments, const MergeTree& tree, d
         isLarger = true;
         line.region = line.pieces.size();
         add(until, {});
+        addFirstCells(members[own], firstCell, join);
     };
     for (const Merge& merge : tree.merges) {
         if (merge.height > level && !isLarger && (merge.remaining == own || merge.gone == own)) endRegion(merge.height);
         if (isLarger && line.pieces.size() > line.region + mostLarger) break;
+        bool grows = false;
         if (merge.remaining == own || merge.gone == own) {
             const std::vector<std::uint32_t>& other = members[merge.remaining == own ? merge.gone : merge.remaining];
             const auto seen = std::ranges::find_if(other, [&](std::uint32_t n) { return firstCell[n] != UINT32_MAX; });
             if (seen != other.end() && merge.height >= kLeastZ && !isLarger) add(merge.height, {EditKind::Part, {k, firstCell[*seen]}});
-            if (seen != other.end() && isLarger) join.cells.push_back(firstCell[*seen]);
+            grows = seen != other.end() && isLarger;
+            if (grows) addFirstCells(other, firstCell, join);
             own = merge.remaining;
             made = std::max(made, merge.height);
         }
         std::vector<std::uint32_t>& kept = members[merge.remaining];
         kept.insert(kept.end(), members[merge.gone].begin(), members[merge.gone].end());
         members[merge.gone].clear();
-        if (isLarger && merge.remaining == own && join.cells.size() > line.pieces.size() - line.region) add(merge.height, join);
+        if (grows) add(merge.height, join);
     }
     if (!isLarger) endRegion(made);
     return line;

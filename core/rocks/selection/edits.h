@@ -42,6 +42,10 @@ struct Edit {
 [[nodiscard]] std::vector<SegmentPair> pairsOf(const Segmentation& segments, std::span<const Edit> edits);
 [[nodiscard]] std::vector<RockCall> rockCallsOf(const Segmentation& segments, std::span<const Edit> edits);
 
+/// All pieces of the regions at these cells are one rock. It names a cell of each segment: at the same level nothing of the regions is
+/// outside the joined one. Empty for fewer than two regions.
+[[nodiscard]] std::optional<Edit> joinOf(const Segmentation& segments, const RegionMap& map, std::span<const std::uint32_t> cells);
+
 /// Smaller pieces are not useful as rocks.
 inline constexpr std::uint32_t kFewestSplit = 50;
 

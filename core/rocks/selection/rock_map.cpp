@@ -207,6 +207,8 @@ RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const Roc
     for (const RockCall& call : called) {
         Region& region = map.regions[map.regionOfSegment[call.segment]];
         if (region.sums.cells == 0) continue;
+        const bool isOne = map.regionOfSegment[call.joined] == map.regionOfSegment[call.segment];
+        if (call.joined != kNoSegment && (!isOne || region.kind != RegionKind::NotRock)) continue;
         region.kind = call.rock ? RegionKind::Rock : RegionKind::NotRock;
         region.byHand = true;
     }

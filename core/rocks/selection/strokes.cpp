@@ -33,10 +33,9 @@ std::optional<Edit> joinAlong(const Segmentation& segments, const RegionMap& map
         else if (end - begin > met->end - met->begin)
             *met = {region, begin, end};
     });
-    if (longest.size() < 2) return std::nullopt;
-    Edit join{EditKind::Join, {}};
-    for (const Run& run : longest) join.cells.push_back(cells[(run.begin + run.end) / 2]);
-    return join;
+    std::vector<std::uint32_t> middles;
+    for (const Run& run : longest) middles.push_back(cells[(run.begin + run.end) / 2]);
+    return joinOf(segments, map, middles);
 }
 
 std::optional<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke) {
@@ -74,12 +73,16 @@ std::optional<JoinedPart> joinedPartAt(const Segmentation& segments, const std::
     part.pieces.assign(all.pieces.begin(), all.pieces.begin() + static_cast<std::ptrdiff_t>(all.region) + 1);
     const std::vector<std::uint32_t>& own = part.pieces.back().segments;
     if (std::ranges::includes(own, region)) return std::nullopt;
+    const std::vector<std::uint32_t> group = groupsAt(before, segments.count(), level);
+    const auto groupAt = [&](std::uint32_t cell) { return cell < segments.segment.size() ? group[segments.segment[cell]] : 0; };
     for (Edit edit : edits) {
-        if (joins(edit, segments, region))
-            std::erase_if(edit.cells, [&](std::uint32_t cell) {
-                return cell < segments.segment.size() && std::ranges::binary_search(own, segments.segment[cell]);
-            });
-        if (edit.kind != EditKind::Join || edit.cells.size() >= 2) part.unjoined.push_back(std::move(edit));
+        const bool loses = joins(edit, segments, region) && std::erase_if(edit.cells, [&](std::uint32_t cell) {
+                                                                return cell < segments.segment.size() &&
+                                                                       std::ranges::binary_search(own, segments.segment[cell]);
+                                                            }) > 0;
+        // What remains of it may be the pieces of one region, as it was before.
+        const auto isOther = [&](std::uint32_t cell) { return groupAt(cell) != groupAt(edit.cells.front()); };
+        if (!loses || std::ranges::any_of(edit.cells, isOther)) part.unjoined.push_back(std::move(edit));
     }
     return part;
 }

@@ -10,7 +10,7 @@
 
 namespace edgescan::rocks {
 
-/// A line over borders: all regions that it crosses become one rock. Each region is given by a cell in the middle of its part of the line.
+/// A line over borders: all regions that it crosses become one rock. See joinOf().
 /// Empty if the line crosses fewer than two regions.
 [[nodiscard]] std::optional<Edit> joinAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke);
 

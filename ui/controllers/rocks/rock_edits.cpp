@@ -110,16 +110,18 @@ void Rocks::judgeEdit() {
 
 void Rocks::mergeSelected() {
     if (!picture_) return;
-    rocks::Edit join{rocks::EditKind::Join, {}};
+    std::vector<std::uint32_t> cells;
     for (const std::size_t cell : selected_) {
-        if (picture_->regionAt(cell) != nullptr) join.cells.push_back(static_cast<std::uint32_t>(cell));
+        if (picture_->regionAt(cell) != nullptr) cells.push_back(static_cast<std::uint32_t>(cell));
     }
-    if (join.cells.size() < 2) {
-        notice_.showHint(tr("Nothing was merged: select two rocks or more with Ctrl+click, or in the table."));
+    auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);
+    if (!join) {
+        notice_.showHint(cells.size() < 2 ? tr("Nothing was merged: select two rocks or more with Ctrl+click, or in the table.")
+                                          : tr("Nothing was merged: this is one rock already."));
         return;
     }
     select({selected_.back()});
-    push(stepName("merge of rocks"), std::move(join));
+    push(stepName("merge of rocks"), std::move(*join));
 }
 
 void Rocks::callSelected(bool rock) {

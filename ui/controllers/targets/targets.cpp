@@ -293,7 +293,7 @@ KnownTargets Targets::workOut(const Question& question) {
         if (target.cell < detection.scan->cells()) known.targets.emplace(target.cell, inspect::targetAt(detection, noise_, target.cell));
     }
     for (const inspect::StoredMeasure& measure : question.notebook.measures)
-        known.measures.emplace_back(measure, inspect::measureCells(*detection.scan, noise_, measure.kind, measure.cells, measure.shares));
+        known.measures.emplace_back(measure, inspect::measureStored(*detection.scan, noise_, measure));
     return known;
 }
 

@@ -21,6 +21,7 @@ namespace {
 constexpr int kFromRight = 12, kFromTop = 90; // px, of the window's frame
 constexpr int kFrame = 48;                    // px: above and below the card, at most
 constexpr int kRim = 12;                      // px
+constexpr double kMargin = 0.05;              // of the depths that are shown, on each side
 constexpr double kMostStretched = 20.0;       // limit of the exaggeration of depth against width
 
 QLabel* words() {
@@ -46,20 +47,31 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = themeInUse();
     painter.fillRect(rect(), theme.base);
     if (profile_.points.empty()) return;
-    const auto [left, right] = std::ranges::minmax(profile_.points, {}, &edges::ProfilePoint::acrossM);
-    const auto [near, far] = std::ranges::minmax(profile_.points, {}, &edges::ProfilePoint::awayM);
-    const double wide = std::max(1e-3, right.acrossM - left.acrossM), deep = std::max(1e-3, far.awayM - near.awayM);
+    const edges::DepthsShown depths = edges::depthsShown(profile_);
+    const double margin = kMargin * (depths.mostM - depths.leastM) + 1e-3;
+    const double nearM = depths.leastM - margin, farM = depths.mostM + margin;
+    const auto isShown = [&](const edges::ProfilePoint& point) { return point.awayM >= nearM && point.awayM <= farM; };
+    double leftM = 0.0, rightM = 0.0; // of the shown points; the cell itself is at 0
+    for (const edges::ProfilePoint& point : profile_.points) {
+        if (!isShown(point)) continue;
+        leftM = std::min(leftM, point.acrossM);
+        rightM = std::max(rightM, point.acrossM);
+    }
+    const bool all = std::ranges::all_of(profile_.points, isShown);
+    const double wide = std::max(1e-3, rightM - leftM), deep = farM - nearM;
     const QString way = profile_.along == edges::Along::Beams ? tr("along the line") : tr("across the lines");
-    const QString below = tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep));
+    QString below = tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep));
+    if (!all) below += tr("; ▲ ▼: points beyond it");
     const QRect wrapped =
         fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap, below); // two lines in some languages
     const QRectF room = QRectF(rect()).adjusted(kRim, kRim, -kRim, -kRim - wrapped.height());
     const double perAcross = room.width() / wide, perAway = std::min(room.height() / deep, kMostStretched * perAcross);
     // Near is at the bottom, on the side of the scanner.
     const double top = room.center().y() - perAway * deep / 2;
-    const auto at = [&, leftM = left.acrossM, farM = far.awayM](double across, double away) {
+    const auto at = [&](double across, double away) {
         return QPointF(room.left() + (across - leftM) * perAcross, top + (farM - away) * perAway);
     };
+    painter.setClipRect(room.adjusted(-kRim, -kRim, kRim, kRim));
     for (const auto& line : profile_.sides) {
         if (!line) continue;
         painter.setPen(QPen(theme.accent, 2.0));
@@ -69,8 +81,16 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(QPen(theme.text, 1.2));
         painter.setBrush(point.side == 0 ? QBrush(theme.text) : Qt::NoBrush);
         const double radius = point.side == 0 ? 4.5 : 2.5;
-        painter.drawEllipse(at(point.acrossM, point.awayM), radius, radius);
+        if (isShown(point)) {
+            painter.drawEllipse(at(point.acrossM, point.awayM), radius, radius);
+            continue;
+        }
+        const QPointF tip = at(std::clamp(point.acrossM, leftM, rightM), point.awayM > farM ? farM : nearM);
+        const double down = point.awayM > farM ? 2.0 * radius : -2.0 * radius; // it points to where the point is
+        painter.setBrush(theme.text);
+        painter.drawPolygon(QPolygonF(QVector<QPointF>{tip, tip + QPointF(-radius, down), tip + QPointF(radius, down)}));
     }
+    painter.setClipping(false);
     painter.setPen(theme.quietText);
     painter.drawText(QRect(kRim, height() - 2 - wrapped.height(), width() - 2 * kRim, wrapped.height()), Qt::TextWordWrap, below);
 }

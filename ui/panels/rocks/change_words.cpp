@@ -45,9 +45,11 @@ QString changeWords(const rocks::RegionChanges& changes, const RockPicture& pict
     }
     const std::size_t more = changes.renumbered.size() - static_cast<std::size_t>(pairs.size());
     if (more > 0)
-        sentences << QObject::tr("Numbers follow size, so other rocks have new ones: %1 and %2 more.").arg(pairs.join(", ")).arg(more);
+        sentences << QObject::tr("Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.")
+                         .arg(pairs.join(", "))
+                         .arg(more);
     else if (!pairs.isEmpty())
-        sentences << QObject::tr("Numbers follow size, so other rocks have new ones: %1.").arg(pairs.join(", "));
+        sentences << QObject::tr("Numbers follow the visible area, so other rocks have new ones: %1.").arg(pairs.join(", "));
     return sentences.join(' ');
 }
 

@@ -24,7 +24,7 @@ namespace {
 constexpr int kRowHeight = 24;
 constexpr int kWide = 560;     // px: from here on the size curve is at the side of the table
 constexpr int kHigh = 460;     // px: from here on it has room below the table
-constexpr int kSpanColumn = 1; // column of the length a, the initial order
+constexpr int kSizeColumn = 2; // column of the visible width b, the size of a rock: the initial order
 
 } // namespace
 
@@ -36,7 +36,7 @@ RockTable::RockTable(QWidget* parent)
     shown_->setSourceModel(model_);
     table_->setModel(shown_);
     table_->setSortingEnabled(true);
-    table_->sortByColumn(kSpanColumn, Qt::DescendingOrder);
+    table_->sortByColumn(kSizeColumn, Qt::DescendingOrder);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -56,13 +56,13 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     column->setContentsMargins(8, 4, 8, 4);
     column->setSpacing(4);
     column->addWidget(hint_);
-    column->addWidget(card_);
-    column->addWidget(targets_);
+    column->addWidget(targets_); // above the card, which is long: the list remains in sight in a low window
     auto* ofAll = new QHBoxLayout;
     ofAll->addStretch(1);
     ofAll->addWidget(copyAll_);
     ofAll->addWidget(letGoOfAll_);
     column->addLayout(ofAll);
+    column->addWidget(card_);
     column->addLayout(titleOfMeasures);
     column->addWidget(measures_);
     column->addWidget(note_);

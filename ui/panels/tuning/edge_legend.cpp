@@ -45,7 +45,9 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         const QString name = QObject::tr(edges::findParameter("classes")->choices[n].label);
         rows_[n] = addRow(*grid, name, nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
-        rows_[n].box->setToolTip(QObject::tr(edges::findParameter("classes")->help));
+        rows_[n].box->setToolTip(QObject::tr(edges::findParameter("classes")->help) + "\n" +
+                                 tr("Without one class the other numbers change too: a cell has one class, and a weak cell counts where it "
+                                    "continues a strong one of any class."));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
     }
     const Row byClass = addRow(*grid, tr("Colours by class"), "legend-by-class");

@@ -26,6 +26,22 @@ Scan walled(int split, double step) {
     return scan;
 }
 
+TEST(EdgeProfile, OneFarPointDoesNotFlattenThePicture) {
+    const auto profileOf = [](int far, double farM) { // a step of 0.2 m; behind the cell, so many points at `farM`
+        EdgeProfile profile;
+        for (int n = -12; n <= 12; ++n)
+            profile.points.push_back({0, n < 0 ? -1 : n > 0 ? 1 : 0, 0.02 * n, n > 6 - far && n <= 6 ? farM : n > 0 ? 0.2 : 0.0});
+        return profile;
+    };
+    for (const int far : {1, 2}) {
+        EXPECT_LT(depthsShown(profileOf(far, 13.0)).mostM, 0.25) << far;
+        EXPECT_GT(depthsShown(profileOf(far, -3.0)).leastM, -0.05) << far;
+    }
+    EXPECT_DOUBLE_EQ(depthsShown(profileOf(6, 13.0)).mostM, 13.0) << "a jump is shown";
+    EXPECT_DOUBLE_EQ(depthsShown(profileOf(0, 0.0)).mostM, 0.2);
+    EXPECT_DOUBLE_EQ(depthsShown({}).mostM, 0.0);
+}
+
 } // namespace
 
 TEST(EdgeProfile, AJumpHasALineOnEitherSideAsFarApartAsTheWalls) {

@@ -1,5 +1,6 @@
 // The path along the surface and the throat: compared with plain geometry, with a slow version, and with random trials.
 #include "core/inspect/measure/lengths.h"
+#include "core/inspect/measure/notebook.h"
 #include "core/inspect/measure/surface_path.h"
 #include "core/inspect/measure/throat.h"
 #include "core/sim/random.h"
@@ -168,6 +169,15 @@ TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
         EXPECT_NEAR(told, narrowest, 1e-9) << open;
         const auto length = measureCells(scan, kQuietNoise, MeasureKind::Throat, *found);
         EXPECT_NEAR(length->lengths.front().valueM, told, 1e-12);
+        // Where its ends are is said as seen from the clicks.
+        const auto basis = [&](std::uint32_t from, std::uint32_t to) {
+            return measureBasis(*measureStored(scan, kQuietNoise, {MeasureKind::Throat, {(*found)[0], (*found)[1]}, {from, to}}));
+        };
+        const std::string cells = std::to_string(std::abs(static_cast<int>((*found)[0] / 101) - 30));
+        EXPECT_NE(basis(a, b).find("its ends are up to " + cells + " cells from the clicks"), std::string::npos) << basis(a, b);
+        EXPECT_EQ(basis((*found)[0], (*found)[1]).find("click", 40), std::string::npos) << basis((*found)[0], (*found)[1]);
+        const auto one = cellOf(scan, 30, (left + right) / 2 - 3), other = cellOf(scan, 30, (left + right) / 2 + 3); // of the wall behind
+        EXPECT_EQ(basis(one, other).find("longer") != std::string::npos, !open) << basis(one, other);
         // A block along the slot blocks every path, and so does a whole wall.
         Scan blocked = scan;
         for (int i = 0; i < 61; ++i) {
