@@ -198,6 +198,7 @@
 <message><source>choose another topic, or give the joint that turns it</source><translation>elija otro topic o indique la articulación que lo gira</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>no se pudo colocar ninguna línea del topic %1</translation></message>
 <message><source>no message of the topic %1 is a line of ranges</source><translation>ningún mensaje del topic %1 es una línea de distancias</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2, the one with most lines, was opened.</source><translation>La grabación contiene %1 barridos; se abrió el barrido %2, el que tiene más líneas.</translation></message>
 <message><source>no transform turns the laser's frame %1 while it measures</source><translation>ninguna transformación gira el sistema %1 del láser mientras mide</translation></message>
 <message><source>no joint turned while the laser measured</source><translation>ninguna articulación giró mientras el láser medía</translation></message>
 <message><source>there is no joint called </source><translation>no hay ninguna articulación llamada </translation></message>

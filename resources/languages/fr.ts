@@ -198,6 +198,7 @@
 <message><source>choose another topic, or give the joint that turns it</source><translation>choisissez un autre topic, ou donnez l'articulation qui le tourne</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>aucune ligne du topic %1 n'a pu être placée</translation></message>
 <message><source>no message of the topic %1 is a line of ranges</source><translation>aucun message du topic %1 n'est une ligne de distances</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2, the one with most lines, was opened.</source><translation>L'enregistrement contient %1 balayages ; le balayage %2, celui qui a le plus de lignes, a été ouvert.</translation></message>
 <message><source>no transform turns the laser's frame %1 while it measures</source><translation>aucune transformation ne tourne le repère %1 du laser pendant la mesure</translation></message>
 <message><source>no joint turned while the laser measured</source><translation>aucune articulation n'a tourné pendant la mesure du laser</translation></message>
 <message><source>there is no joint called </source><translation>il n'y a pas d'articulation nommée </translation></message>

@@ -198,6 +198,7 @@
 <message><source>choose another topic, or give the joint that turns it</source><translation>escolha outro tópico ou indique a junta que o gira</translation></message>
 <message><source>no line of the topic %1 could be placed</source><translation>não foi possível posicionar nenhuma linha do tópico %1</translation></message>
 <message><source>no message of the topic %1 is a line of ranges</source><translation>nenhuma mensagem do tópico %1 é uma linha de distâncias</translation></message>
+<message><source>The recording holds %1 sweeps; sweep %2, the one with most lines, was opened.</source><translation>A gravação contém %1 varreduras; foi aberta a varredura %2, a que tem mais linhas.</translation></message>
 <message><source>no transform turns the laser's frame %1 while it measures</source><translation>nenhuma transformação gira o referencial %1 do laser enquanto mede</translation></message>
 <message><source>no joint turned while the laser measured</source><translation>nenhuma junta girou enquanto o laser media</translation></message>
 <message><source>there is no joint called </source><translation>não há nenhuma junta chamada </translation></message>

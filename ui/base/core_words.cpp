@@ -223,6 +223,7 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "choose another topic, or give the joint that turns it"),
     QT_TRANSLATE_NOOP("QObject", "no line of the topic %1 could be placed"),
     QT_TRANSLATE_NOOP("QObject", "no message of the topic %1 is a line of ranges"),
+    QT_TRANSLATE_NOOP("QObject", "The recording holds %1 sweeps; sweep %2, the one with most lines, was opened."),
     QT_TRANSLATE_NOOP("QObject", "no transform turns the laser's frame %1 while it measures"),
     QT_TRANSLATE_NOOP("QObject", "no joint turned while the laser measured"),
     QT_TRANSLATE_NOOP("QObject", "there is no joint called "),

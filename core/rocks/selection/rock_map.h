@@ -58,8 +58,8 @@ struct RegionMap {
 struct RockCall {
     std::uint32_t segment = 0;
     bool rock = false;
-    std::uint32_t joined =
-        0; ///< not 0: a join says so, as long as this segment is in the same region, of what the scan does not show as a rock
+    /// Not 0: the call of a join. It counts while this segment is in the same region and the scan alone shows no rock there.
+    std::uint32_t joined = 0;
 };
 
 /// Step 5 at one level and step 7. Of several decisions about a region the last one is valid.

@@ -24,6 +24,8 @@ constexpr int kBetweenTools = 8;     // px
 constexpr double kSideShare = 0.225; // of the width
 constexpr int kNarrowestSide = 236, kWidestSide = 400;
 
+int wideOf(const QWidget* each) { return std::max(each->minimumSizeHint().width(), each->minimumWidth()) + kBetweenTools; }
+
 } // namespace
 
 CabHead::CabHead(QWidget* badge, QWidget* parent)
@@ -83,19 +85,26 @@ QSize CabHead::minimumSizeHint() const {
     return {menu_->sizeHint().width() + leave_->sizeHint().width() + kLeastName, layout()->totalMinimumSize().height()};
 }
 
-/// Open, connect and the clock are there while they have room: both commands are also in the menu. The way out is always there, and the
-/// badge says what the picture is: neither goes.
+/// What is always there: the way out, and the badge, which says what the picture is.
+int CabHead::taken() const {
+    int wide = kLeastName;
+    for (const QWidget* each : std::initializer_list<const QWidget*>{menu_, leave_, cancel_, warnings_, badge_}) {
+        if (!each->isHidden()) wide += each == badge_ ? badge_->sizeHint().width() + kBetweenTools : wideOf(each);
+    }
+    return wide;
+}
+
+/// Open, connect and the clock are there while they have room: both commands are also in the menu.
 void CabHead::fit() {
     const QMargins around = layout()->contentsMargins();
-    const auto wide = [](const QWidget* each) { return std::max(each->minimumSizeHint().width(), each->minimumWidth()) + kBetweenTools; };
-    int left = width() - around.left() - around.right() - kLeastName;
-    for (const QWidget* each : std::initializer_list<const QWidget*>{menu_, leave_, cancel_, warnings_, badge_}) {
-        if (!each->isHidden()) left -= each == badge_ ? badge_->sizeHint().width() + kBetweenTools : wide(each);
-    }
+    taken_ = taken();
+    const int wide = width();
+    int left = wide - around.left() - around.right() - taken_;
     for (QWidget* each : std::initializer_list<QWidget*>{open_, connect_, clock_}) {
-        const bool fits = wide(each) <= left;
+        const bool fits = wideOf(each) <= left;
         each->setVisible(fits);
-        left -= fits ? wide(each) : std::max(0, left); // in this order
+        if (width() != wide) return;                     // the window was resized by it, and all this was done for the new width
+        left -= fits ? wideOf(each) : std::max(0, left); // in this order
     }
     const auto shorten = [](QLabel* label, const QString& text) {
         label->setText(label->fontMetrics().elidedText(text, Qt::ElideRight, std::max(40, label->width())));
@@ -109,6 +118,13 @@ void CabHead::fit() {
 void CabHead::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     fit();
+}
+
+/// The badge has other words, or the warnings appeared.
+bool CabHead::event(QEvent* event) {
+    const bool used = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest && taken() != taken_) fit();
+    return used;
 }
 
 CabFrame::CabFrame(QWidget* middle, QWidget* badge, QWidget* parent)

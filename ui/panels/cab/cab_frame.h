@@ -33,10 +33,12 @@ public:
     [[nodiscard]] HoldButton* leave() const { return leave_; }
 
 protected:
+    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     void showClock();
+    [[nodiscard]] int taken() const;
     void fit();
 
     QToolButton* menu_;
@@ -50,6 +52,7 @@ private:
     HoldButton* leave_;
     QWidget* badge_;
     QString scan_, scanFacts_, work_;
+    int taken_ = 0; // px, when the rest was fitted
 };
 
 /// GUI thread only.
