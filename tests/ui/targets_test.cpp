@@ -462,6 +462,24 @@ private slots:
         QCOMPARE(static_cast<int>(gray.marks().measures.size()), 2);
     }
 
+    // Below the long card of a target, on the smallest desk.
+    void whatWasJustMeasuredIsInSightInThePanel() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        on.window.resize(1280, 800);
+        ImageView& gray = on.viewer.views.gray();
+        click(gray, 60, 80);
+        QVERIFY(known(on));
+        const QListWidget& list = *on.viewer.targetsPanel.measures();
+        QTest::keyClick(&on.window, Qt::Key_U);
+        click(gray, 20, 30);
+        click(gray, 90, 120);
+        QVERIFY(known(on));
+        QCOMPARE(list.count(), 1);
+        QTRY_VERIFY(list.visibleRegion().boundingRect().contains(list.viewport()->geometry().topLeft() +
+                                                                 list.visualItemRect(list.item(0)).center()));
+    }
+
     // Each of the other kinds by its key and clicks; the shown value equals the core's value for these cells.
     void everyKindIsMeasuredByClicks() {
         WindowFixture on;

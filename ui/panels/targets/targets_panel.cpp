@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -117,7 +118,10 @@ void TargetsPanel::showTargets(const std::vector<TargetLine>& lines) {
     letGoOfAll_->setVisible(!lines.empty());
 }
 
-void TargetsPanel::showAsked(const QString& words) { hint_->setText(words.isEmpty() ? tr("Click a cell in any view to pin it.") : words); }
+void TargetsPanel::showAsked(const QString& words) {
+    measuring_ = !words.isEmpty();
+    hint_->setText(measuring_ ? words : tr("Click a cell in any view to pin it."));
+}
 
 void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
     const bool more = lines.size() > shownMeasures_.size();
@@ -125,6 +129,14 @@ void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
     if (more) measures_->setCurrentRow(measures_->count() - 1);
     for (QWidget* each : {static_cast<QWidget*>(measuresTitle_), static_cast<QWidget*>(measures_), static_cast<QWidget*>(removeMeasure_)})
         each->setVisible(!lines.empty());
+    if (more && measuring_) QMetaObject::invokeMethod(this, &TargetsPanel::showNewest, Qt::QueuedConnection); // after the layout
+}
+
+/// What was just measured, though the card above it is long.
+void TargetsPanel::showNewest() {
+    for (QWidget* each = parentWidget(); each != nullptr; each = each->parentWidget()) {
+        if (auto* area = qobject_cast<QScrollArea*>(each)) return area->ensureWidgetVisible(measures_);
+    }
 }
 
 void TargetsPanel::showNote(const QString& note) {

@@ -54,6 +54,7 @@ signals:
 
 private:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showNewest();
     void fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines);
 
     QLabel* hint_;
@@ -66,6 +67,7 @@ private:
     QPushButton* removeMeasure_;
     QLabel* note_;
     std::vector<TargetLine> shownTargets_, shownMeasures_;
+    bool measuring_ = false; // a tool waits for a click
 };
 
 } // namespace edgescan::ui
