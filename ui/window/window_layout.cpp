@@ -16,6 +16,7 @@
 #include "ui/window/docks.h"
 #include "ui/window/pane_places.h"
 
+#include <QAction>
 #include <QGuiApplication>
 #include <QLayout>
 #include <QScreen>
