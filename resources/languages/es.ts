@@ -538,7 +538,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer: haga clic o dibuje en otra parte de la roca.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>No se fusionó nada: seleccione dos rocas o más con Ctrl+clic, o en la tabla.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
@@ -549,7 +548,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
 <message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Dividir: haga clic en la parte; la rueda la hace menor o mayor</translation></message>
-<message><source>Join: drag a line across the rocks</source><translation>Unir: trace una línea a través de las rocas</translation></message>
+<message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace una línea sobre las rocas, o haga clic en la que pertenece a la roca seleccionada</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace una línea donde termina la roca</translation></message>
 <message><source>Region: drag a line around it</source><translation>Región: trace una línea alrededor</translation></message>
 <message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
@@ -560,9 +559,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Las rocas aún se están calculando: divida de nuevo cuando estén aquí.</translation></message>
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
@@ -575,6 +574,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aquí</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Pared, no es una roca</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar las rocas…</translation></message>
+<message><source>This is the smallest rock.</source><translation>Es la roca más pequeña.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Archivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
@@ -620,11 +620,13 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
 <message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
-<message><source>click the rim on one side</source><translation>haga clic en el borde de un lado</translation></message>
-<message><source>click the rim on the other side</source><translation>haga clic en el borde del otro lado</translation></message>
+<message><source>click one side of the throat</source><translation>haga clic en un lado de la garganta</translation></message>
+<message><source>click the other side of the throat</source><translation>haga clic en el otro lado de la garganta</translation></message>
+<message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
-<message><source>No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of an opening.</source><translation>No se vio un paso libre entre estos dos bordes, separados %1 m en profundidad: haga clic en celdas de los bordes cercanos de una abertura.</translation></message>
+<message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>No se vio un paso libre entre estos dos lados, que distan %1 m en profundidad: haga clic en el borde cercano de la garganta en cada lado.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
+<message><source>Throat width: the narrowest way is being searched …</source><translation>Ancho de la garganta: se busca el paso más estrecho …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ El barrido continúa. Se ocultan las celdas que están allí ahora. Las líneas nuevas se muestran a cualquier distancia.</translation></message>
@@ -741,7 +743,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
 <message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
 <message><source>cells</source><translation>celdas</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
+<message><source>Other points have the colours of rocks</source><translation>Los demás puntos tienen los colores de las rocas</translation></message>
 <message><source>Previous changed region</source><translation>Región cambiada anterior</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -807,9 +809,13 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>El archivo contiene metros desde E %1, N %2, RL %3: un programa que no los suma muestra números pequeños.</translation></message>
 <message><source>The file holds Easting, Northing and RL in metres.</source><translation>El archivo contiene las coordenadas este y norte y el RL en metros.</translation></message>
 <message><source>Choose local metres for %1: numbers of 4 bytes would round them to steps of %2 mm.</source><translation>Elija metros locales para %1: los números de 4 bytes los redondearían a pasos de %2 mm.</translation></message>
+<message><source>Numbers count from the scanner, along its own axes.</source><translation>Los números cuentan desde el escáner, a lo largo de sus propios ejes.</translation></message>
+<message><source>Small numbers: metres east, north and up from an origin near the scan. To get mine coordinates, add the origin, which is in the header or in the record of the file.</source><translation>Números pequeños: metros al este, al norte y hacia arriba desde un origen cercano al escaneo. Para tener coordenadas de mina, sume el origen, que está en el encabezado o en el registro del archivo.</translation></message>
+<message><source>Each point has its whole Easting, Northing and RL, as on the plans of the mine.</source><translation>Cada punto tiene su Este, Norte y RL completos, como en los planos de la mina.</translation></message>
+<message><source>The same small numbers as local metres, because %1 programs round whole coordinates. EdgeScan adds the origin when it opens the file; other programs do not.</source><translation>Los mismos números pequeños que los metros locales, porque los programas de %1 redondean las coordenadas completas. EdgeScan suma el origen al abrir el archivo; otros programas no.</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordenadas de la mina: E, N, RL</translation></message>
-<message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locales; el origen en coordenadas mina está en el encabezado</translation></message>
+<message><source>Local metres from an origin in the mine grid</source><translation>Metros locales desde un origen en coordenadas de la mina</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema del escáner, tal como se midió</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Sin coordenadas mina: %1. Escaneo &gt; Pose y montaje acepta una pose y una calibración.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
@@ -1021,7 +1027,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>from the joint %1</source><translation>según la articulación %1</translation></message>
 <message><source>Topics that are not used: %1</source><translation>Tópicos que no se usan: %1</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Una parte de la roca %1 (%2 celdas) no se muestra como roca: </translation></message>
-<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that slider to see it.</source><translation>es menor que «Roca más pequeña» (%1 celdas). Baje ese control para verla.</translation></message>
+<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>es menor que «Roca más pequeña» (%1 celdas). Baje ese número para verla.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fuera de la región de interés. Borre la región para verla.</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece una pared, o está más allá de «Roca más lejana» (%1 m). Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
@@ -1200,6 +1206,7 @@ RL %3 m</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
@@ -1310,9 +1317,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Images</source><translation>Imágenes</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
+<message><source>Default</source><translation>Inicial</translation></message>
+<message><source>Classes</source><translation>Clases</translation></message>
 <message><source>Take the last click back</source><translation>Retirar el último clic</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagen de distancias – tocar para cambiar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
+<message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
@@ -1433,14 +1443,16 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar los ajustes pre&amp;determinados</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rocas</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;des sobre las rocas</translation></message>
-<message><source>&amp;Finer</source><translation>Más &amp;fino</translation></message>
-<message><source>&amp;Coarser</source><translation>Más &amp;grueso</translation></message>
+<message><source>&amp;Largest Rock</source><translation>Roca más gr&amp;ande</translation></message>
+<message><source>Next Sm&amp;aller Rock</source><translation>&amp;Siguiente roca menor</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionar las rocas seleccionadas</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir en el próximo clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;No es roca, o sí lo es</translation></message>
+<message><source>&amp;Finer</source><translation>Más &amp;fino</translation></message>
+<message><source>&amp;Coarser</source><translation>Más &amp;grueso</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;des sobre las rocas</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
@@ -1545,7 +1557,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Menor pliegue de la superficie que es un borde.</translation></message>
 <message><source>Minimum length</source><translation>Longitud mínima</translation></message>
 <message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>Las cadenas más cortas de celdas de borde se descartan. En un vacío, cada clase forma sus propias cadenas: un borde en dos clases son dos cadenas.</translation></message>
-<message><source>Classes</source><translation>Clases</translation></message>
 <message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Qué bordes cuentan: saltos de profundidad, pliegues convexos (crestas), pliegues cóncavos (contactos entre rocas), el lado cercano de un vacío con algo más lejos detrás y el borde de un vacío abierto; y, lo que no es un borde, donde terminan los datos.</translation></message>
 <message><source>Hysteresis low</source><translation>Histéresis, umbral bajo</translation></message>
 <message><source>% of high</source><translation>% del alto</translation></message>
@@ -1828,15 +1839,18 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadena: %1 celdas, la más fuerte en %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borde: %1; ningún valor de “%2” la hace borde.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>No es borde: %1; ningún valor de “%2” la hace borde.</translation></message>
+<message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Borde: %1; sigue siendo borde con cada %2, hasta el mayor valor: %3.</translation></message>
 <message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Borde: %1; sigue siendo un borde mientras %2 sea %3 o menos.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>No es borde: %1; pasa a ser un borde cuando %2 es %3 o menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distancia %2 m</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
-<message><source>▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them</source><translation>▲ más largo que los %1 m entre los clics: los bordes en sus extremos están hasta a %2 celdas de ellos</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 celdas de ellos</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>sus extremos están como máximo a %1 celdas de los clics</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
+<message><source>farther along, the throat narrows to %1 m</source><translation>más allá, la garganta se estrecha hasta %1 m</translation></message>
+<message><source>no narrower way next to it</source><translation>sin paso más estrecho a su lado</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluidos: %1</translation></message>

@@ -538,7 +538,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler : cliquez ou dessinez sur une autre partie du bloc.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Rien n'a été fusionné : sélectionnez deux blocs ou plus avec Ctrl+clic, ou dans le tableau.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
@@ -549,7 +548,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
 <message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Scinder : cliquez sur la partie ; la molette la réduit ou l'agrandit</translation></message>
-<message><source>Join: drag a line across the rocks</source><translation>Joindre : tracez une ligne à travers les blocs</translation></message>
+<message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Joindre : tracez une ligne à travers les blocs, ou cliquez celui qui va avec le bloc sélectionné</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Couper : tracez une ligne là où le bloc finit</translation></message>
 <message><source>Region: drag a line around it</source><translation>Région : tracez une ligne autour</translation></message>
 <message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
@@ -560,9 +559,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Les blocs sont encore en cours de calcul : scindez à nouveau quand ils seront là.</translation></message>
 <message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
@@ -575,6 +574,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Split Here</source><translation>&amp;Diviser ici</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Paroi, pas un bloc</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
+<message><source>This is the smallest rock.</source><translation>C'est le plus petit bloc.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Fichiers JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
@@ -620,11 +620,13 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
 <message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
-<message><source>click the rim on one side</source><translation>cliquez le bord d'un côté</translation></message>
-<message><source>click the rim on the other side</source><translation>cliquez le bord de l'autre côté</translation></message>
+<message><source>click one side of the throat</source><translation>cliquez un côté du goulot</translation></message>
+<message><source>click the other side of the throat</source><translation>cliquez l'autre côté du goulot</translation></message>
+<message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
-<message><source>No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of an opening.</source><translation>Aucun passage libre n'a été vu entre ces deux bords, distants de %1 m en profondeur : cliquez des cellules sur les bords proches d'une ouverture.</translation></message>
+<message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Aucun passage libre n'a été vu entre ces deux côtés, éloignés de %1 m en profondeur : cliquez le bord proche du goulot de chaque côté.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
+<message><source>Throat width: the narrowest way is being searched …</source><translation>Largeur de l'étranglement : le passage le plus étroit est recherché …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ Le balayage continue. Les cellules qui s'y trouvent maintenant sont masquées. Les nouvelles lignes sont montrées à toute distance.</translation></message>
@@ -741,7 +743,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
 <message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
 <message><source>cells</source><translation>cellules</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
+<message><source>Other points have the colours of rocks</source><translation>Les autres points ont les couleurs des blocs</translation></message>
 <message><source>Previous changed region</source><translation>Région modifiée précédente</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
@@ -807,9 +809,13 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>Le fichier contient des mètres depuis E %1, N %2, RL %3 : un programme qui ne les ajoute pas affiche de petits nombres.</translation></message>
 <message><source>The file holds Easting, Northing and RL in metres.</source><translation>Le fichier contient les coordonnées est et nord et le RL en mètres.</translation></message>
 <message><source>Choose local metres for %1: numbers of 4 bytes would round them to steps of %2 mm.</source><translation>Choisissez les mètres locaux pour %1 : des nombres de 4 octets les arrondiraient à des pas de %2 mm.</translation></message>
+<message><source>Numbers count from the scanner, along its own axes.</source><translation>Les nombres partent du scanner, le long de ses propres axes.</translation></message>
+<message><source>Small numbers: metres east, north and up from an origin near the scan. To get mine coordinates, add the origin, which is in the header or in the record of the file.</source><translation>Petits nombres : mètres vers l'est, le nord et le haut depuis une origine proche du scan. Pour des coordonnées de mine, ajoutez l'origine, qui est dans l'en-tête ou dans l'enregistrement du fichier.</translation></message>
+<message><source>Each point has its whole Easting, Northing and RL, as on the plans of the mine.</source><translation>Chaque point a ses Est, Nord et RL entiers, comme sur les plans de la mine.</translation></message>
+<message><source>The same small numbers as local metres, because %1 programs round whole coordinates. EdgeScan adds the origin when it opens the file; other programs do not.</source><translation>Les mêmes petits nombres que les mètres locaux, car les programmes de %1 arrondissent les coordonnées entières. EdgeScan ajoute l'origine à l'ouverture du fichier ; les autres programmes non.</translation></message>
 <message><source>Coordinates</source><translation>Coordonnées</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordonnées de la mine : E, N, RL</translation></message>
-<message><source>Local metres; the origin in the mine grid is in the header</source><translation>Mètres locaux ; l'origine en coordonnées de la mine figure dans l'en-tête</translation></message>
+<message><source>Local metres from an origin in the mine grid</source><translation>Mètres locaux depuis une origine en coordonnées de la mine</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Repère du scanner, tel que mesuré</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Pas de coordonnées de la mine : %1. Scan &gt; Pose et montage accepte une pose et un étalonnage.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
@@ -1021,7 +1027,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>from the joint %1</source><translation>d'après l'articulation %1</translation></message>
 <message><source>Topics that are not used: %1</source><translation>Topics qui ne sont pas utilisés : %1</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Une partie du bloc %1 (%2 cellules) n'est pas montrée comme bloc : </translation></message>
-<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that slider to see it.</source><translation>elle est plus petite que « Plus petit bloc » (%1 cellules). Baissez ce curseur pour la voir.</translation></message>
+<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>elle est plus petite que « Plus petit bloc » (%1 cellules). Baissez ce nombre pour la voir.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>elle est hors de la zone d'intérêt. Effacez la zone pour la voir.</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>elle ressemble à une paroi, ou elle est au-delà de « Bloc le plus éloigné » (%1 m). Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
@@ -1200,6 +1206,7 @@ RL %3 m</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
@@ -1310,9 +1317,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
+<message><source>Default</source><translation>Défaut</translation></message>
+<message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Take the last click back</source><translation>Reprendre le dernier clic</translation></message>
 <message><source>Range image – tap to swap</source><translation>Image de distances – toucher pour échanger</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
+<message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
@@ -1433,14 +1443,16 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Rétablir les réglages par &amp;défaut</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>A&amp;rêtes sur les blocs</translation></message>
-<message><source>&amp;Finer</source><translation>Plus &amp;fin</translation></message>
-<message><source>&amp;Coarser</source><translation>Plus &amp;grossier</translation></message>
+<message><source>&amp;Largest Rock</source><translation>&amp;Bloc le plus grand</translation></message>
+<message><source>Next Sm&amp;aller Rock</source><translation>Bloc suivant, p&amp;lus petit</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionner les blocs sélectionnés</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
+<message><source>&amp;Finer</source><translation>Plus &amp;fin</translation></message>
+<message><source>&amp;Coarser</source><translation>Plus &amp;grossier</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>A&amp;rêtes sur les blocs</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
@@ -1545,7 +1557,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Plus petit pli de la surface qui est une arête.</translation></message>
 <message><source>Minimum length</source><translation>Longueur minimale</translation></message>
 <message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>Les chaînes plus courtes de cellules d'arête sont écartées. Au bord d'un vide, chaque classe forme ses propres chaînes : un bord en deux classes est deux chaînes.</translation></message>
-<message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Quelles arêtes comptent : sauts de profondeur, plis convexes (crêtes), plis concaves (contacts entre blocs), le côté proche d'un vide derrière lequel il y a quelque chose de plus loin, et le bord d'un vide ouvert ; et, ce qui n'est pas une arête, là où finissent les données.</translation></message>
 <message><source>Hysteresis low</source><translation>Hystérésis, seuil bas</translation></message>
 <message><source>% of high</source><translation>% du haut</translation></message>
@@ -1828,15 +1839,18 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Chaîne : %1 cellules, la plus forte à %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Pas d'arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
+<message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Arête : %1 ; elle reste une arête pour chaque %2, jusqu'à la plus grande valeur : %3.</translation></message>
 <message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Arête : %1 ; cela reste une arête tant que %2 vaut %3 ou moins.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Pas d'arête : %1 ; cela devient une arête quand %2 vaut %3 ou moins.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1 : distance %2 m</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
-<message><source>▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them</source><translation>▲ plus long que les %1 m entre les clics : les bords à ses extrémités en sont jusqu'à %2 cellules</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 cellules</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>ses extrémités sont à %1 cellules des clics au plus</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
+<message><source>farther along, the throat narrows to %1 m</source><translation>plus loin, le goulot se resserre à %1 m</translation></message>
+<message><source>no narrower way next to it</source><translation>pas de passage plus étroit à côté</translation></message>
 <message><source>at %1 m</source><translation>à %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>sauts compris : %1</translation></message>

@@ -538,7 +538,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer: clique ou desenhe em outra parte da rocha.</translation></message>
-<message><source>Nothing was merged: select two rocks or more with Ctrl+click, or in the table.</source><translation>Nada foi mesclado: selecione duas rochas ou mais com Ctrl+clique, ou na tabela.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
@@ -549,7 +548,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
 <message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Dividir: clique na parte; a roda a torna menor ou maior</translation></message>
-<message><source>Join: drag a line across the rocks</source><translation>Unir: trace uma linha através das rochas</translation></message>
+<message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace uma linha sobre as rochas, ou clique na que pertence à rocha selecionada</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace uma linha onde a rocha termina</translation></message>
 <message><source>Region: drag a line around it</source><translation>Região: trace uma linha em volta</translation></message>
 <message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
@@ -560,9 +559,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>As rochas ainda estão sendo calculadas: divida de novo quando estiverem aqui.</translation></message>
 <message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
-<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
+<message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
@@ -575,6 +574,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aqui</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Parede, não é uma rocha</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar as rochas…</translation></message>
+<message><source>This is the smallest rock.</source><translation>É a menor rocha.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Arquivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
@@ -620,11 +620,13 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
 <message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
-<message><source>click the rim on one side</source><translation>clique na borda de um lado</translation></message>
-<message><source>click the rim on the other side</source><translation>clique na borda do outro lado</translation></message>
+<message><source>click one side of the throat</source><translation>clique num lado da garganta</translation></message>
+<message><source>click the other side of the throat</source><translation>clique no outro lado da garganta</translation></message>
+<message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
-<message><source>No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of an opening.</source><translation>Não se viu passagem livre entre estas duas bordas, separadas %1 m em profundidade: clique em células das bordas próximas de uma abertura.</translation></message>
+<message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Não se viu passagem livre entre estes dois lados, que distam %1 m em profundidade: clique na borda próxima da garganta em cada lado.</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
+<message><source>Throat width: the narrowest way is being searched …</source><translation>Largura da garganta: procurando a passagem mais estreita …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ A varredura continua. Ocultam-se as células que estão ali agora. As linhas novas são mostradas a qualquer distância.</translation></message>
@@ -741,7 +743,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
 <message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
 <message><source>cells</source><translation>células</translation></message>
-<message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
+<message><source>Other points have the colours of rocks</source><translation>Os outros pontos têm as cores das rochas</translation></message>
 <message><source>Previous changed region</source><translation>Região alterada anterior</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
@@ -807,9 +809,13 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>O arquivo contém metros a partir de E %1, N %2, RL %3: um programa que não os soma mostra números pequenos.</translation></message>
 <message><source>The file holds Easting, Northing and RL in metres.</source><translation>O arquivo contém as coordenadas leste e norte e o RL em metros.</translation></message>
 <message><source>Choose local metres for %1: numbers of 4 bytes would round them to steps of %2 mm.</source><translation>Escolha metros locais para %1: números de 4 bytes os arredondariam em passos de %2 mm.</translation></message>
+<message><source>Numbers count from the scanner, along its own axes.</source><translation>Os números contam a partir do scanner, ao longo dos seus próprios eixos.</translation></message>
+<message><source>Small numbers: metres east, north and up from an origin near the scan. To get mine coordinates, add the origin, which is in the header or in the record of the file.</source><translation>Números pequenos: metros para leste, norte e cima a partir de uma origem perto da varredura. Para ter coordenadas da mina, some a origem, que está no cabeçalho ou no registro do arquivo.</translation></message>
+<message><source>Each point has its whole Easting, Northing and RL, as on the plans of the mine.</source><translation>Cada ponto tem seu Leste, Norte e RL inteiros, como nas plantas da mina.</translation></message>
+<message><source>The same small numbers as local metres, because %1 programs round whole coordinates. EdgeScan adds the origin when it opens the file; other programs do not.</source><translation>Os mesmos números pequenos dos metros locais, porque os programas de %1 arredondam as coordenadas inteiras. O EdgeScan soma a origem ao abrir o arquivo; outros programas não.</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordenadas da mina: E, N, RL</translation></message>
-<message><source>Local metres; the origin in the mine grid is in the header</source><translation>Metros locais; a origem em coordenadas da mina está no cabeçalho</translation></message>
+<message><source>Local metres from an origin in the mine grid</source><translation>Metros locais a partir de uma origem em coordenadas da mina</translation></message>
 <message><source>Scanner frame, as measured</source><translation>Sistema do scanner, como medido</translation></message>
 <message><source>No mine grid: %1. Scan &gt; Pose and Mounting takes a pose and a calibration.</source><translation>Sem coordenadas da mina: %1. Varredura &gt; Pose e montagem aceita uma pose e uma calibração.</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
@@ -1021,7 +1027,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>from the joint %1</source><translation>segundo a junta %1</translation></message>
 <message><source>Topics that are not used: %1</source><translation>Tópicos que não são usados: %1</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Uma parte da rocha %1 (%2 células) não é mostrada como rocha: </translation></message>
-<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that slider to see it.</source><translation>é menor que “Menor rocha” (%1 células). Baixe esse controle para vê-la.</translation></message>
+<message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>é menor que “Menor rocha” (%1 células). Diminua esse número para vê-la.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fora da região de interesse. Apague a região para vê-la.</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece uma parede, ou está além de “Rocha mais distante” (%1 m). Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
@@ -1200,6 +1206,7 @@ RL %3 m</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
+<message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
@@ -1310,9 +1317,12 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Images</source><translation>Imagens</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
+<message><source>Default</source><translation>Padrão</translation></message>
+<message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Take the last click back</source><translation>Retirar o último clique</translation></message>
 <message><source>Range image – tap to swap</source><translation>Imagem de distâncias – tocar para trocar</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
+<message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
@@ -1433,14 +1443,16 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar os ajustes pa&amp;drão</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rochas</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;das sobre as rochas</translation></message>
-<message><source>&amp;Finer</source><translation>Mais &amp;fino</translation></message>
-<message><source>&amp;Coarser</source><translation>Mais &amp;grosso</translation></message>
+<message><source>&amp;Largest Rock</source><translation>M&amp;aior rocha</translation></message>
+<message><source>Next Sm&amp;aller Rock</source><translation>&amp;Próxima rocha menor</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>M&amp;esclar as rochas selecionadas</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir no próximo clique</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Não é rocha, ou é sim</translation></message>
+<message><source>&amp;Finer</source><translation>Mais &amp;fino</translation></message>
+<message><source>&amp;Coarser</source><translation>Mais &amp;grosso</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;das sobre as rochas</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
@@ -1545,7 +1557,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Smallest fold of the surface that is an edge.</source><translation>Menor dobra da superfície que é uma borda.</translation></message>
 <message><source>Minimum length</source><translation>Comprimento mínimo</translation></message>
 <message><source>Shorter chains of edge cells are dropped. At a void each class is chained by itself: a rim in two classes is two chains.</source><translation>As cadeias mais curtas de células de borda são descartadas. Num vazio, cada classe forma as suas próprias cadeias: uma borda em duas classes são duas cadeias.</translation></message>
-<message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Which edges count: jumps in depth, convex folds (ridges), concave folds (contacts between rocks), the near side of a void with something farther behind it, and the rim of an open void; and where the data end, which is not an edge.</source><translation>Quais bordas contam: saltos de profundidade, dobras convexas (cristas), dobras côncavas (contatos entre rochas), o lado próximo de um vazio com algo mais longe atrás e a beira de um vazio aberto; e, o que não é borda, onde os dados terminam.</translation></message>
 <message><source>Hysteresis low</source><translation>Histerese, limiar baixo</translation></message>
 <message><source>% of high</source><translation>% do alto</translation></message>
@@ -1828,15 +1839,18 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Chain: %1 cells, strongest at %2 (%3).</source><translation>Cadeia: %1 células, a mais forte em %2 (%3).</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Não é borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
+<message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Borda: %1; continua sendo borda com cada %2, até o maior valor: %3.</translation></message>
 <message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Borda: %1; continua a ser uma borda enquanto %2 for %3 ou menos.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Não é borda: %1; passa a ser uma borda quando %2 é %3 ou menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distância %2 m</translation></message>
 <message><source>, gray %1</source><translation>, cinza %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
-<message><source>▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them</source><translation>▲ mais longo que os %1 m entre os cliques: as bordas nas suas pontas estão a até %2 células deles</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 células deles</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>suas pontas estão a até %1 células dos cliques</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
+<message><source>farther along, the throat narrows to %1 m</source><translation>mais adiante, a garganta estreita-se até %1 m</translation></message>
+<message><source>no narrower way next to it</source><translation>sem passagem mais estreita ao lado</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluídos: %1</translation></message>

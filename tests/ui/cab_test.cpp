@@ -245,6 +245,30 @@ private slots:
         }
     }
 
+    // The tool bar, which has the prompts, is hidden: the views show what a tool waits for, and Pin is on only while a touch pins.
+    void thePromptOfAToolIsInTheViews() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        const ImageView& gray = on.viewer.views.gray();
+        on.viewer.measures.start(inspect::MeasureKind::Throat);
+        QVERIFY2(gray.note().contains("Throat Width"), qPrintable(gray.note()));
+        on.viewer.measures.stop();
+        QCOMPARE(gray.note(), QString());
+        on.viewer.rocks.setShown(true);
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr; }));
+        const auto* pin = tool(on.window, "cab-pin");
+        QVERIFY(pin->isChecked());
+        on.viewer.rocks.useTool(RockTool::Join);
+        QVERIFY2(gray.note().contains("Join"), qPrintable(gray.note()));
+        QVERIFY(!pin->isChecked());
+        QTest::mouseClick(tool(on.window, "cab-pin"), Qt::LeftButton);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None && pin->isChecked() && gray.note().isEmpty());
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        on.window.cab().set(false);
+        QCOMPARE(gray.note(), QString()); // the tool bar has it
+    }
+
     // The start page is below the head, whichever comes first: Open, Connect and the way out stay free, and the page has the rest.
     void theStartPageLeavesTheHeadFree() {
         for (const bool cabFirst : {false, true}) {
@@ -503,6 +527,59 @@ private slots:
         QTRY_VERIFY(side.findChild<QLabel*>("cab-hint")->isVisible());
     }
 
+    void theLargestRockIsThreeTouchesAway() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {1280, 800});
+        press(on.window, "cab-rocks");
+        QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
+        press(on.window, "cab-rocks");
+        QVERIFY2(on.viewer.rocks.shown() && tool(on.window, "cab-rocks")->isChecked(), "the second touch hides nothing");
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu != nullptr);
+        QAction* largest = on.window.findChild<QAction*>("rocks-largest");
+        QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(largest).center());
+        NumbersSide& side = on.window.cab().frame().side();
+        const auto& rocks = on.viewer.rocks.picture()->study.rocks;
+        const rocks::Rock& rock = std::ranges::max(rocks, {}, &rocks::Rock::shortestCaliperM);
+        QTRY_COMPARE(side.sizeShown(), QString("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
+        QCOMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
+        QVERIFY(on.viewer.targets.notebook().empty());
+        // A touch elsewhere is about the place that was touched.
+        CloudView& cloud = on.viewer.views.cloud();
+        on.viewer.views.resetView();
+        std::optional<QPoint> other;
+        for (int n = 0; n < 1600 && !other; ++n) {
+            const QPoint at(cloud.width() * (n % 40) / 40, cloud.height() * (n / 40 + 20) / 80);
+            const auto cell = cloud.cellAt(at);
+            if (cell && on.viewer.rocks.picture()->labelAt(*cell) != rock.label) other = at;
+        }
+        QVERIFY(other);
+        QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, *other);
+        QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        QTRY_COMPARE(side.findChild<QLabel*>("cab-target")->text().left(8), QString("Target 1"));
+        on.viewer.rocks.lookAtLargest();
+        QTRY_COMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
+        QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
+        QTRY_COMPARE(side.findChild<QLabel*>("cab-target")->text().left(8), QString("Target 1"));
+    }
+
+    void aNoteLeavesTheCornerPictureFree() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        for (const QSize size : {QSize(1024, 768), QSize(1280, 800), QSize(1920, 1080)}) {
+            resizeTo(on.window, size);
+            on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "A note that is as long as most of those that are shown in a cab.");
+            const auto placeOf = [](const QWidget& of) { return QRect(of.mapToGlobal(QPoint(0, 0)), of.size()); };
+            QTRY_VERIFY2(!placeOf(on.viewer.notice).intersects(placeOf(on.window.cab().corner())),
+                         qPrintable(QString::number(size.width())));
+            QVERIFY(on.viewer.notice.height() < on.viewer.views.cloud().height() / 3);
+            on.viewer.notice.hide();
+        }
+    }
+
     void aStepperRepeatsWhileItIsHeldAndIsOneStepOfUndo() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
@@ -529,6 +606,14 @@ private slots:
         QTest::mouseClick(method->more(), Qt::LeftButton);
         if (on.viewer.engine.settings().method == before.method) QTest::mouseClick(method->less(), Qt::LeftButton);
         QTRY_VERIFY(method->value() != was);
+        // The usual settings and the colours of classes are one touch away.
+        press(on.window, "cab-default");
+        QTRY_COMPARE(on.viewer.engine.settings(), before);
+        QVERIFY(on.settled());
+        press(on.window, "cab-classes");
+        QVERIFY(tool(on.window, "cab-classes")->isChecked() && on.viewer.legend.byClass()->isChecked());
+        press(on.window, "cab-classes");
+        QVERIFY(!tool(on.window, "cab-classes")->isChecked() && !on.viewer.legend.byClass()->isChecked());
     }
 
     void oneFingerTurnsTwoMoveAndZoom() {

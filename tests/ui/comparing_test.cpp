@@ -226,13 +226,26 @@ private slots:
         QCOMPARE(on.viewer.comparing.comparison()->change.edges.lost, expected->edges.lost);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Lost)), expected->edges.lost);
         QVERIFY(on.viewer.comparing.pictureA()->asked != other);
-        // Rocks over the cloud hide the change there; the legend says so.
-        const auto* covered = legend.findChild<QLabel*>("change-covered");
-        QVERIFY(covered->isHidden());
+        // Rocks colour what did not change; changed points and edges stay in sight, and the legend says so.
+        const auto* overRocks = legend.findChild<QLabel*>("change-over-rocks");
+        const CloudView& cloud = on.viewer.views.cloud();
+        QVERIFY(overRocks->isHidden());
         QTest::keyClick(&on.window, Qt::Key_K);
-        QTRY_VERIFY(covered->isVisible());
+        QTRY_VERIFY(overRocks->isVisible());
+        const auto& changes = on.viewer.comparing.comparison()->change.ranges;
+        std::size_t changed = 0, ofRocks = 0;
+        for (std::size_t k = 0; k < changes.cells.size(); ++k) {
+            const bool stays = changes.cells[k] == inspect::RangeChange::Nearer || changes.cells[k] == inspect::RangeChange::Farther;
+            const bool same = (*cloud.faces())[k] == (*on.viewer.comparing.comparison()->points)[k];
+            changed += stays && same ? 1 : 0;
+            ofRocks += !stays && !same ? 1 : 0;
+        }
+        QCOMPARE(changed, changes.nearer + changes.farther);
+        QVERIFY(ofRocks > 1000);
+        QVERIFY(on.viewer.views.scene().edgesOverPoints);
         QTest::keyClick(&on.window, Qt::Key_K);
-        QTRY_VERIFY(covered->isHidden());
+        QTRY_VERIFY(overRocks->isHidden());
+        QVERIFY(cloud.faces() == on.viewer.comparing.comparison()->points);
     }
 
     void anEarlierFileIsReadBesideAndWhatDoesNotFitIsRefused() {

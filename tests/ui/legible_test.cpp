@@ -90,14 +90,16 @@ private slots:
             const auto* overlay = cloud.findChild<CloudOverlay*>();
             QVERIFY(overlay != nullptr);
             on.viewer.views.setNote("Held: sweep 1. Press Follow to go on with the scanner.");
-            on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "Sweep 1 has ended.\nIts mounting is assumed.");
+            on.viewer.notice.showNotice(NoticeBar::Kind::Warning,
+                                        "Sweep 1 has ended.\nIts mounting is assumed.\nA third line.\nA fourth one.");
             const auto covered = [&] {
                 const QRect bar(on.viewer.notice.mapTo(&on.window, QPoint()), on.viewer.notice.size());
                 return bar.bottom() + 1 - cloud.mapTo(&on.window, QPoint()).y();
             };
             QTRY_VERIFY(covered() > 0 && overlay->marks().topTaken == covered());
+            const int folded = covered();
             on.viewer.notice.unfold(true);
-            QTRY_VERIFY(covered() > 40 && overlay->marks().topTaken == covered());
+            QTRY_VERIFY(covered() > folded && overlay->marks().topTaken == covered());
             on.viewer.notice.hide();
             QTRY_COMPARE(overlay->marks().topTaken, 0);
             on.window.cab().set(false); // the theme is that of the program

@@ -132,6 +132,23 @@ private slots:
         QCOMPARE(notice.earlier(), std::size_t{0});
     }
 
+    // A file was written, and something else happened right after it.
+    void theNoteOfAFileIsAmongTheEarlierOnes() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        NoticeBar& notice = on.viewer.notice;
+        notice.hide();
+        notice.showSaved(QString::fromStdString(bell_));
+        const QString saved = notice.text();
+        notice.showNotice(NoticeBar::Kind::Warning, "the scan is old");
+        QCOMPARE(notice.earlier(), std::size_t{1});
+        QTest::mouseClick(notice.findChild<QToolButton*>("notice-earlier"), Qt::LeftButton);
+        QCOMPARE(notice.text(), saved);
+        notice.showNotice(NoticeBar::Kind::Done, "the next file");
+        QCOMPARE(notice.text(), QString("the next file"));
+        QCOMPARE(notice.earlier(), std::size_t{1}); // the warning, and not the file before
+    }
+
     void noMenuOfTheWindowIsLong() {
         WindowFixture on;
         QVERIFY(on.show());

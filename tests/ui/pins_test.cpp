@@ -15,6 +15,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
+#include <QWindow>
 
 #include <algorithm>
 
@@ -77,6 +78,25 @@ private slots:
         }
     }
 
+    // In a view without room for all tags that of the target on the card is over the others.
+    void theTagOfTheActiveTargetIsOverTheOthers() {
+        QImage picture(150, 40, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        ScreenMarks marks;
+        for (int n = 0; n < 5; ++n) marks.targets.push_back({{QPointF(30.0 + 4 * n, 25)}, QString("%1 · 19.11 m").arg(n + 1), n == 4});
+        marks.measures = {{{}, {}, "1.402 m", QPointF(60, 20)}};
+        marks.measures[0].lines = {QLineF(50, 20, 70, 20)};
+        const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+        QCOMPARE(tags.size(), std::size_t{6});
+        bool covered = false;
+        for (std::size_t n = 1; n < tags.size(); ++n) covered = covered || tags[n].intersects(tags[0]);
+        QVERIFY2(covered, "the test can fail: there is no room for all");
+        for (const double share : {0.1, 0.5, 0.9}) { // its upper margin has no letters
+            const QPoint at(static_cast<int>(tags[0].left() + share * tags[0].width()), static_cast<int>(tags[0].top()) + 2);
+            QVERIFY2(qGray(picture.pixel(at)) > 180, qPrintable(QString("%1 %2").arg(share).arg(qGray(picture.pixel(at)))));
+        }
+    }
+
     void initTestCase() {
         Scan scan = test::boxesScan(120, 160, 3, 0.02);
         bare_ = (folder_ / "boxes.json").string();
@@ -118,6 +138,23 @@ private slots:
                 QCOMPARE(row[11].toInt(), probe.beam);
             }
         }
+    }
+
+    // Between the name of a row and its number.
+    void aClickOnTheLegendPinsNothingBelowIt() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bare_) && on.activate());
+        QTRY_VERIFY(on.viewer.legend.isVisible() && on.viewer.views.cloud().atRest());
+        const QPoint corner = on.viewer.legend.pos();
+        for (int x = 2; x < on.viewer.legend.width() - 2; x += 12) {
+            for (int y = 2; y < 8; y += 3) { // its margin, above all rows
+                QTest::mouseClick(on.viewer.legend.window()->windowHandle(), Qt::LeftButton, Qt::NoModifier,
+                                  on.viewer.views.cloud().mapTo(&on.window, corner + QPoint(x, y)));
+            }
+        }
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{0});
+        QVERIFY(!on.viewer.views.pinned());
     }
 
     // Each pin in turn is moved under the scale, a legend, the cube: its tag is drawn where nothing covers it.
@@ -164,6 +201,25 @@ private slots:
             }
         }
         QVERIFY2(nearest > 0, "the test can fail: tags come near the plates");
+    }
+
+    // Another target than the one on the card is moved under the scale, which moves off it; among too many it is see-through.
+    void theScaleCoversNoRing() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bare_) && on.activate());
+        CloudView& cloud = on.viewer.views.cloud();
+        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 2)));
+        const std::uint32_t other = on.viewer.targets.notebook().targets.front().cell;
+        QVERIFY(on.viewer.views.pinned() != std::optional<std::size_t>(other));
+        const auto* scale = cloud.findChild<ScalePlate*>();
+        QTRY_VERIFY(cloud.atRest() && scale->isVisible() && cloud.pixelOf(other));
+        const QRect before = scale->geometry();
+        const QPointF way = QPointF(before.center()) - *cloud.pixelOf(other);
+        cloud.setCamera(panned(cloud.camera(), cloud.geometryOfCloud()->point(other).cast<double>(), way.x(), way.y(), cloud.height()));
+        QTRY_VERIFY(cloud.atRest() && cloud.pixelOf(other) && before.contains(cloud.pixelOf(other)->toPoint()));
+        QTRY_VERIFY2(!scale->geometry().contains(cloud.pixelOf(other)->toPoint()) || scale->isSeeThrough(), "the ring is covered");
+        QVERIFY(scale->isVisible());
     }
 
     // Pins of the last time are there, but no target is chosen: the cab's side says so, and its arrows go to them.

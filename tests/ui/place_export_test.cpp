@@ -164,6 +164,21 @@ private slots:
         dialog.offerFormats(formats, ".pcd");
         dialog.findChild<QCheckBox*>("doubles")->setChecked(true);
         QCOMPARE(dialog.numbersText(), QString("The file holds Easting, Northing and RL in metres."));
+        // The chosen one says what its numbers are and where the origin is: a PCD file of the mine grid has an origin, too.
+        const auto hint = [&] { return dialog.findChild<QLabel*>("frame-hint")->text(); };
+        const QString whole = "Each point has its whole Easting, Northing and RL, as on the plans of the mine.";
+        QCOMPARE(hint(), whole);
+        dialog.findChild<QCheckBox*>("doubles")->setChecked(false);
+        QVERIFY2(hint().contains("EdgeScan adds the origin when it opens the file"), qPrintable(hint()));
+        choice(dialog, "local").click();
+        QVERIFY2(hint().contains("header"), qPrintable(hint()));
+        choice(dialog, "scanner").click();
+        QVERIFY2(hint().contains("from the scanner"), qPrintable(hint()));
+        choice(dialog, "mine").click();
+        auto* format = dialog.findChild<QComboBox*>("format");
+        format->setCurrentIndex(format->findData(".csv"));
+        emit format->activated(format->currentIndex());
+        QCOMPARE(hint(), whole);
         choice(dialog, "gray").click();
         QCOMPARE(dialog.numbersText(), QString());
     }

@@ -660,6 +660,8 @@ private slots:
             QVERIFY(settled(on));
             QVERIFY2(on.viewer.notice.text().contains(QString("is smaller than “Smallest rock” (%1 cells)").arg(part + 1)),
                      qPrintable(on.viewer.notice.text()));
+            on.viewer.undo.undo();
+            QVERIFY2(on.viewer.notice.isHidden(), "it is about a part that is whole again");
             return;
         }
         QFAIL("no rock of the scene has a small part");
@@ -786,6 +788,51 @@ private slots:
         QTRY_VERIFY2(on.viewer.notice.text().contains(QString(": %1 rocks,").arg(cut.size())), qPrintable(on.viewer.notice.text()));
     }
 
+    void theLargestRockIsOneCommandAwayAndSoAreTheNext() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        QAction* largest = on.window.findChild<QAction*>("rocks-largest");
+        largest->trigger(); // rocks are off: they are computed first
+        QVERIFY(settled(on));
+        QTRY_VERIFY(!on.viewer.rocks.selected().empty());
+        std::vector<double> widths;
+        for (const rocks::Rock& rock : picture(on).study.rocks) widths.push_back(rock.shortestCaliperM);
+        std::ranges::sort(widths, std::greater());
+        const auto selectedWidth = [&] { return picture(on).rockAt(on.viewer.rocks.selected().back())->shortestCaliperM; };
+        for (std::size_t n = 0; n < 5; ++n) {
+            QCOMPARE(selectedWidth(), widths[n]);
+            on.viewer.rocks.lookAtNextSmaller();
+        }
+        largest->trigger();
+        QCOMPARE(selectedWidth(), widths.front());
+        QVERIFY(on.viewer.targets.notebook().empty());
+        QTRY_VERIFY(on.viewer.views.cloud().pixelOf(static_cast<std::uint32_t>(on.viewer.rocks.selected().back())).has_value());
+    }
+
+    void withOneRockSelectedMergeWaitsForAClickOnTheOther() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        const auto [a, b] = neighbours(on);
+        const std::size_t cellA = picture(on).rock(a)->cell, cellB = picture(on).rock(b)->cell;
+        on.viewer.rocks.select({cellA});
+        on.viewer.rocks.mergeSelected();
+        QVERIFY(on.viewer.rocks.tool() == RockTool::Join);
+        click(on, b);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None);
+        QVERIFY(settled(on));
+        QVERIFY(picture(on).regionAt(cellA) == picture(on).regionAt(cellB));
+        QVERIFY(on.viewer.targets.notebook().empty());
+        // A click on the selected rock itself joins nothing, and says so until the next step.
+        on.viewer.rocks.mergeSelected();
+        QVERIFY(on.viewer.rocks.tool() == RockTool::Join);
+        click(on, picture(on).labelAt(cellA));
+        QVERIFY(on.viewer.notice.text().startsWith("Nothing was joined"));
+        on.viewer.undo.undo();
+        QVERIFY(on.viewer.notice.isHidden());
+        QVERIFY(settled(on));
+        QVERIFY(picture(on).regionAt(cellA) != picture(on).regionAt(cellB));
+    }
+
     void aLineJoinsWhatItCrossesAndAnotherCuts() {
         WindowFixture on;
         QVERIFY(showRocks(on));
@@ -815,6 +862,23 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(settled(on));
         QVERIFY(picture(on).labels == before);
+
+        // The same in the cloud, which does not turn.
+        CloudView& cloud = on.viewer.views.cloud();
+        const auto first = cloud.pixelOf(static_cast<std::uint32_t>(cellA)), last = cloud.pixelOf(static_cast<std::uint32_t>(cellB));
+        QVERIFY(first && last);
+        const CameraPose camera = cloud.camera();
+        QTest::keyClick(&on.window, Qt::Key_J);
+        QTest::mousePress(&cloud, Qt::LeftButton, Qt::NoModifier, first->toPoint());
+        for (int n = 1; n <= 10; ++n) QTest::mouseMove(&cloud, (*first + (*last - *first) * n / 10).toPoint());
+        QVERIFY(!view.trail().cells.empty());
+        QTest::mouseRelease(&cloud, Qt::LeftButton, Qt::NoModifier, last->toPoint());
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None && cloud.camera() == camera);
+        QVERIFY(settled(on));
+        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
+        QVERIFY(picture(on).regionAt(cellA) == picture(on).regionAt(cellB));
+        QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(settled(on));
 
         // A line through the largest rock, from side to side.
         const rocks::Rock rock = *picture(on).rock(1);

@@ -54,7 +54,7 @@ class SceneTest : public QObject {
 private:
     std::shared_ptr<const Picture> picture_, a_;
     std::shared_ptr<const OverlayEdges> changes_, bands_;
-    Colours changed_, rocks_, fewer_;
+    Colours changed_, staying_, rocks_, fewer_;
     std::shared_ptr<const QImage> faces_;
 
     [[nodiscard]] Overlays overlaysOf(const Case& on) const {
@@ -65,7 +65,7 @@ private:
             overlay.name = OverlayName::Comparison;
             overlay.scan = picture_->detection->scan;
             overlay.edges = changes_;
-            overlay.points = OverlayPoints{changed_, beams, 0, true};
+            overlay.points = OverlayPoints{changed_, beams, 0, true, staying_};
             overlays[1] = overlay;
         }
         if (on.sure != Sure::Off) {
@@ -125,8 +125,14 @@ private:
         QCOMPARE(scene.facesFaded, !on.flip() && on.rocks == RocksAre::OfFewerLines);
         QCOMPARE(scene.caption, QString(on.rocks == RocksAre::Off ? "" : "rocks"));
         const bool changes = !on.flip() && on.changes() && on.rocks == RocksAre::Off;
-        QCOMPARE(scene.edgesOverPoints, changes);
-        if (on.rocks == RocksAre::OfFewerLines && !on.flip()) {
+        const bool both = !on.flip() && on.changes() && on.rocks >= RocksAre::Known;
+        QCOMPARE(scene.edgesOverPoints, changes || both);
+        QCOMPARE(scene.pointsOver != nullptr, both);
+        if (both) {
+            const auto& rocks = on.rocks == RocksAre::Known ? *rocks_ : *fewer_;
+            for (std::size_t k = 0; k < scene.points->size(); ++k)
+                QCOMPARE((*scene.points)[k], (*staying_)[k] != 0 ? (*staying_)[k] : k < rocks.size() ? rocks[k] : kOthers);
+        } else if (on.rocks == RocksAre::OfFewerLines && !on.flip()) {
             QVERIFY(scene.points != nullptr && scene.points->size() == rocks_->size());
             QVERIFY(std::equal(fewer_->begin(), fewer_->end(), scene.points->begin()));
             QCOMPARE(scene.points->back(), kOthers);
@@ -160,6 +166,9 @@ private slots:
         bands_ = edgesOn(*picture_, kBandColours, true);
         const std::size_t cells = picture_->detection->scan->cells();
         changed_ = std::make_shared<const std::vector<std::uint32_t>>(cells, 0xff010203U);
+        auto staying = std::make_shared<std::vector<std::uint32_t>>(cells, 0U);
+        for (std::size_t k = 0; k < cells; k += 3) (*staying)[k] = 0xff010203U;
+        staying_ = std::move(staying);
         rocks_ = std::make_shared<const std::vector<std::uint32_t>>(cells, 0xff040506U);
         fewer_ = std::make_shared<const std::vector<std::uint32_t>>(cells / 2, 0xff070809U);
         faces_ = imageLike(*picture_->edges);

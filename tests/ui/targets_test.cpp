@@ -205,14 +205,21 @@ private slots:
         // A click on the wall in the middle of the void is far behind: its range is said. Two clicks on one wall have no free way.
         click(gray, 30, 30);
         QVERIFY2(words.last().front().toString().endsWith("the last click is at 18.00 m"), qPrintable(words.last().front().toString()));
+        QVERIFY2(words.last().front().toString().contains("click the other side of the throat"), // "rim" is the class void rim
+                 qPrintable(words.last().front().toString()));
         const auto* asked = on.window.findChild<QLabel*>("tool-words"); // cut in a narrow window, not gone
         QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280 && asked->isVisible() && asked->width() > 100));
         QVERIFY(on.viewer.measures.removeLastPick());
         click(gray, 5, 5);
         click(gray, 5, 7);
-        QVERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("No free way"), qPrintable(on.viewer.notice.text()));
+        QTRY_VERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("No free way"), qPrintable(on.viewer.notice.text()));
+        const std::size_t before = on.viewer.targets.notebook().measures.size();
         click(gray, 30, 19);
         click(gray, 30, 41);
+        QVERIFY2(words.last().front().toString().contains("searched"), qPrintable(words.last().front().toString()));
+        click(gray, 10, 10); // while it is searched, a click is not the first of the next one
+        QTRY_COMPARE(on.viewer.targets.notebook().measures.size(), before + 1);
+        QVERIFY(on.viewer.measures.picked().empty());
         QVERIFY(!on.viewer.notice.isVisible()); // the second try is good
         const auto& throat = on.viewer.targets.notebook().measures.back();
         for (const std::uint32_t k : throat.cells) QCOMPARE(scan.rangeMm[k], 5000.0F);

@@ -10,8 +10,10 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QLabel>
 #include <QStatusBar>
+#include <QTableWidget>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -60,6 +62,34 @@ private slots:
         QVERIFY(bool(files::saveScan(scan, scan_)));
     }
     void cleanupTestCase() { useColours(themes().front()); }
+
+    // As in spreadsheets: the largest first is an arrow downwards, whose upper side is the wide one.
+    void theArrowOfTheLargestFirstPointsDown() {
+        const auto headWith = [](Qt::SortOrder order) {
+            QTableWidget table(1, 1);
+            table.setHorizontalHeaderItem(0, new QTableWidgetItem(QString()));
+            table.horizontalHeader()->setSortIndicatorShown(true);
+            table.horizontalHeader()->setSortIndicator(0, order);
+            table.resize(300, 200);
+            return table.horizontalHeader()->grab().toImage();
+        };
+        const QImage largestFirst = headWith(Qt::DescendingOrder), smallestFirst = headWith(Qt::AscendingOrder);
+        QCOMPARE(largestFirst.size(), smallestFirst.size());
+        // The centre of the dark pixels that only one of the two has: that of a triangle is nearer to its wide side.
+        double down = 0.0, up = 0.0;
+        int ofDown = 0, ofUp = 0;
+        for (int y = 0; y < largestFirst.height(); ++y) {
+            for (int x = 0; x < largestFirst.width(); ++x) {
+                const double by = luminance(largestFirst.pixelColor(x, y)) - luminance(smallestFirst.pixelColor(x, y));
+                if (std::abs(by) < 0.02) continue;
+                const bool isOfDown = (by > 0.0) == (luminance(themeInUse().text) > luminance(themeInUse().button));
+                (isOfDown ? down : up) += y;
+                ++(isOfDown ? ofDown : ofUp);
+            }
+        }
+        QVERIFY2(ofDown > 3 && ofUp > 3, qPrintable(QString("%1 %2").arg(ofDown).arg(ofUp)));
+        QVERIFY2(down / ofDown < up / ofUp, qPrintable(QString("%1 %2").arg(down / ofDown).arg(up / ofUp)));
+    }
 
     void everyPairInUseCanBeToldApart() {
         for (const Theme& theme : themes()) {

@@ -35,22 +35,34 @@ public:
     ~Tags() { painter_.restore(); }
 
     /// `aside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`. The tag does not cover the `line`.
-    void draw(const QPointF& at, double aside, double above, const QString& text, bool active, const QLineF& line = {}) {
+    void place(const QPointF& at, double aside, double above, const QString& text, bool active, const QLineF& line = {}) {
         if (text.isEmpty()) return;
         const std::size_t others = taken_.size();
         takeLine(at, line, painter_.fontMetrics().horizontalAdvance(text));
         const QRectF box = freePlace(at, aside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
         taken_.resize(others);
         taken_.push_back(box);
-        drawn_.push_back(box);
-        painter_.setPen(active ? Qt::black : QColor(232, 232, 232));
-        painter_.setBrush(active ? QColor(255, 255, 255, 240) : QColor(27, 29, 31, 225));
-        painter_.drawRoundedRect(box, 3, 3);
-        painter_.drawText(box, Qt::AlignCenter, text);
+        placed_.push_back({box, text, active});
     }
-    [[nodiscard]] const std::vector<QRectF>& drawn() const { return drawn_; }
+    /// The tag that was placed first is over the others, where they have no room next to each other. Returns their places, as placed.
+    std::vector<QRectF> draw() {
+        for (auto tag = placed_.rbegin(); tag != placed_.rend(); ++tag) {
+            painter_.setPen(tag->active ? Qt::black : QColor(232, 232, 232));
+            painter_.setBrush(tag->active ? QColor(255, 255, 255, 240) : QColor(27, 29, 31, 225));
+            painter_.drawRoundedRect(tag->box, 3, 3);
+            painter_.drawText(tag->box, Qt::AlignCenter, tag->text);
+        }
+        std::vector<QRectF> boxes;
+        for (const Placed& tag : placed_) boxes.push_back(tag.box);
+        return boxes;
+    }
 
 private:
+    struct Placed {
+        QRectF box;
+        QString text;
+        bool active;
+    };
     /// Takes the part of a line that a tag of this width at `at` could cover, as small squares.
     void takeLine(const QPointF& at, const QLineF& line, double width) {
         constexpr double kStep = 10.0; // px
@@ -92,7 +104,8 @@ private:
     static constexpr double kBetweenTags = 2.0; // px
     QPainter& painter_;
     QRectF place_;
-    std::vector<QRectF> taken_, drawn_;
+    std::vector<QRectF> taken_;
+    std::vector<Placed> placed_;
 };
 
 void drawTarget(QPainter& painter, const ScreenMarks::Target& target) {
@@ -186,13 +199,13 @@ std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const
         Tags tags(painter, place, taken);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
             if (seen(target->place.at)) // a tag without its mark would name another place
-                tags.draw(target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
+                tags.place(target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
         }
         for (const ScreenMarks::Measure& measure : marks.measures) {
             if (!measure.lines.empty() && seen(measure.labelAt))
-                tags.draw(measure.labelAt, kTagOffset, kTagOffset, measure.label, false, measure.lines.front());
+                tags.place(measure.labelAt, kTagOffset, kTagOffset, measure.label, false, measure.lines.front());
         }
-        drawn = tags.drawn();
+        drawn = tags.draw();
     }
     painter.restore();
     return drawn;

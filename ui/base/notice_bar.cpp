@@ -84,7 +84,8 @@ void NoticeBar::paintKind() {
 void NoticeBar::showNotice(Kind kind, const QString& text) {
     // What was done is shown as it is: it may be a command for a terminal.
     const Note note{kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}};
-    keepShown();
+    // Of a written file the note stays too, until the next confirmation.
+    if (kind_ != Kind::Done || kind != Kind::Done) keepShown();
     std::erase_if(earlier_, [&](const Note& before) { return note.text.startsWith(before.text); });
     put(note);
     show();
@@ -102,9 +103,9 @@ void NoticeBar::endPassing() {
     earlier_.empty() ? hide() : showEarlier();
 }
 
-/// Confirmations and hints are not stored for "earlier", nor notices that the next notice repeats.
+/// Hints are not stored for "earlier", nor confirmations without a button.
 void NoticeBar::keepShown() {
-    if (isHidden() || kind_ == Kind::Done || isHint_ || text_->text().isEmpty()) return;
+    if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || isHint_ || text_->text().isEmpty()) return;
     earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_});
     if (earlier_.size() > kMostEarlier) earlier_.pop_front();
 }

@@ -3,6 +3,7 @@
 
 #include "ui/base/themes.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -21,6 +22,8 @@ constexpr int kGap = 4, kSide = 8; // px
 } // namespace
 
 ViewPlate::ViewPlate(QWidget* parent) : QFrame(parent) { setPalette(viewPalette()); }
+
+void ViewPlate::mousePressEvent(QMouseEvent* event) { event->accept(); }
 
 void ViewPlate::setContent(QWidget& content, QLayout* foot) {
     area_ = new QScrollArea(this);

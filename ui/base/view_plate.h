@@ -21,6 +21,8 @@ protected:
     /// To be called after each change of the content.
     void fitContent();
     void paintEvent(QPaintEvent* event) override;
+    /// A click between its rows is not one on the view below it.
+    void mousePressEvent(QMouseEvent* event) override;
 
 private:
     QScrollArea* area_ = nullptr;

@@ -107,7 +107,7 @@ void Comparing::setByDistance(bool on) { legend_.setByDistance(on); }
 
 void Comparing::keep() {
     if (engine_.picture() == nullptr) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no picture to keep yet: open a scan first."));
+        notice_.showHint(tr("There is no picture to keep yet: open a scan first."));
         return;
     }
     push(stepName("Keep as A"), engine_.picture(), fromShown());
@@ -155,7 +155,7 @@ void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<inspect::
 
 void Comparing::compareWith(const QString& path) {
     if (engine_.picture() == nullptr) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to compare with it yet: open the later scan first."));
+        notice_.showHint(tr("There is nothing to compare with it yet: open the later scan first."));
         return;
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
@@ -180,7 +180,7 @@ void Comparing::read(const inspect::EarlierScan& from, bool asStep) {
     readingWork_ = engine_.works().start(tr("Reading %1 as A").arg(name), [this] {
         reader_.giveUp();
         readingWork_.reset();
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+        notice_.showHint(tr("Cancelled; what was on the screen stays."));
     });
     const auto show = [this](const Asker& asker, const char* stage, double fraction) {
         return asker.show([this, stage, fraction] {
@@ -303,7 +303,7 @@ void Comparing::show() {
     overlay.scan = comparison_->asked.now->detection->scan;
     overlay.edges = std::make_shared<const OverlayEdges>(
         OverlayEdges{comparison_->edges, changeColours(), comparison_->map, comparison_->overlay, false, tr("gained, lost and kept")});
-    overlay.points = OverlayPoints{comparison_->points, overlay.scan->beams(), 0, true};
+    overlay.points = OverlayPoints{comparison_->points, overlay.scan->beams(), 0, true, comparison_->changed};
     views_.put(std::move(overlay));
 }
 
@@ -331,7 +331,7 @@ const Picture* Comparing::drawnA() const { return views_.flipped() ? pictureA_.g
 
 void Comparing::goToRegion(int by) {
     if (!comparison_ || comparison_->change.regions.empty()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("No surface came nearer or went farther: keep a scan as A and open another one."));
+        notice_.showHint(tr("No surface came nearer or went farther: keep a scan as A and open another one."));
         return;
     }
     const auto& regions = comparison_->change.regions;

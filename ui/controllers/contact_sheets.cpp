@@ -44,7 +44,7 @@ ContactSheets::ContactSheets(Engine& engine, Tuning& tuning, NoticeBar& notice, 
 
 void ContactSheets::show() {
     const auto picture = engine_.picture();
-    if (picture == nullptr) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
+    if (picture == nullptr) return notice_.showHint(tr("Open a scan first."));
     if (card_ == nullptr) {
         card_ = new ContactCard(notice_.window());
         connect(card_, &ContactCard::givenUp, this, [this] { sheet_.giveUp(); });

@@ -157,9 +157,7 @@ void Explanation::forgetTrail() { views_.setTrail({}); }
 
 void Explanation::explainMarked() {
     const auto cell = views_.marked();
-    if (!cell)
-        return notice_.showNotice(NoticeBar::Kind::Warning,
-                                  tr("Point at a cell or click one first. Why then shows what decides whether it is an edge."));
+    if (!cell) return notice_.showHint(tr("Point at a cell or click one first. Why then shows what decides whether it is an edge."));
     explain(inspect::exactly(*cell), views_.hovered() ? Subject::Pointer : Subject::Pin);
 }
 

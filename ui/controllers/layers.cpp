@@ -198,8 +198,7 @@ void Layers::add(const QStringList& paths) {
     const Scan* shown = shownScan();
     const auto first = shown != nullptr ? files_.scanShown(*shown) : std::nullopt;
     if (!first || engine_.picture()->source.growth.growing)
-        return notice_.showNotice(NoticeBar::Kind::Warning,
-                                  tr("Layers are scans of files: open the first one, or record the sweep and open its recording."));
+        return notice_.showHint(tr("Layers are scans of files: open the first one, or record the sweep and open its recording."));
     if (paths.isEmpty()) return;
     std::vector<inspect::Layer> after = part();
     if (after.empty()) after.push_back({*first, true, inspect::LayerPlace{}});
@@ -215,8 +214,7 @@ void Layers::add(const QStringList& paths) {
         after.push_back(std::move(layer));
     }
     if (after.size() > inspect::kMostLayers)
-        return notice_.showNotice(NoticeBar::Kind::Warning,
-                                  tr("A cloud has at most %1 layers: remove some first.").arg(inspect::kMostLayers));
+        return notice_.showHint(tr("A cloud has at most %1 layers: remove some first.").arg(inspect::kMostLayers));
     change(stepName("Add a Layer"), std::move(after));
 }
 

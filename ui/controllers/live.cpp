@@ -75,7 +75,7 @@ void Live::followPicture() {
 void Live::connectPanel() {
     connect(&panel_, &LivePanel::connectRequested, this, [this] {
         if (panel_.host().isEmpty()) {
-            notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no host to connect to: type the scanner's name or address."));
+            notice_.showHint(tr("There is no host to connect to: type the scanner's name or address."));
             return panel_.askAddress();
         }
         if (panel_.host().contains("://") && !panel_.bridge()) {

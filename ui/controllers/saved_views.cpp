@@ -46,7 +46,7 @@ void SavedViews::recall(int number) {
         linked_.cloud().setParallel(pose->parallel); // also for the switch in the menu
         return linked_.cloud().setCamera(*pose);
     }
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("There is no view %1 yet: Ctrl+%1 stores the present one.").arg(number));
+    notice_.showHint(tr("There is no view %1 yet: Ctrl+%1 stores the present one.").arg(number));
 }
 
 QString SavedViews::text() const {

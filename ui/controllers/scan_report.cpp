@@ -42,7 +42,7 @@ ScanReport::ScanReport(Engine& engine, const Files& files, const Rocks& rocks, c
 
 void ScanReport::ask() {
     if (!engine_.picture()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to report yet: open a scan first."));
+        notice_.showHint(tr("There is nothing to report yet: open a scan first."));
         return;
     }
     ReportWords words;

@@ -78,8 +78,7 @@ std::shared_ptr<const rocks::Study> Sections::study() const {
 void Sections::throughMeasurement() {
     const auto& measures = targets_.notebook().measures;
     if (!engine_.picture() || measures.empty()) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("A section goes through the two ends of the last measurement: measure a distance between two cells first."));
+        notice_.showHint(tr("A section goes through the two ends of the last measurement: measure a distance between two cells first."));
         return;
     }
     const auto [from, to] = inspect::linksOf(measures.back().kind).front();
@@ -91,7 +90,7 @@ void Sections::throughRock() {
     const std::shared_ptr<const rocks::Study> rocks = study();
     const std::uint32_t label = rocks && !rocks_.selected().empty() ? rocks_.picture()->labelAt(rocks_.selected().back()) : 0;
     if (label == 0) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Select a rock first: press K and click on its face."));
+        notice_.showHint(tr("Select a rock first: press K and click on its face."));
         return;
     }
     std::vector<std::uint32_t> cells;
@@ -117,7 +116,7 @@ void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector
 void Sections::take(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
     if (!engine_.picture() || question.picture->source.stream != engine_.picture()->source.stream) return;
     if (section->lines.empty()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("The plane of the section meets no surface: choose two other cells."));
+        notice_.showHint(tr("The plane of the section meets no surface: choose two other cells."));
         return;
     }
     if (card_ == nullptr) {
@@ -146,7 +145,7 @@ void Sections::showLength(const inspect::SectionVertex& from, const inspect::Sec
 
 void Sections::askExport() {
     if (rocks_.shown() && !study()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("The rocks are still being computed: export the section again in a moment."));
+        notice_.showHint(tr("The rocks are still being computed: export the section again in a moment."));
         return;
     }
     const Scan& scan = *picture_->detection->scan;

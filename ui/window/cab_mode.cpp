@@ -21,6 +21,7 @@
 #include "ui/window/docks.h"
 #include "ui/window/main_window.h"
 #include "ui/window/theme.h"
+#include "ui/window/tool_bar.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -97,11 +98,18 @@ void CabMode::connectSide() {
     connect(&side, &NumbersSide::stepped, &window_.viewer().panel,
             [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
-    connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) { window_.viewer().targets.goTo(by); });
+    connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) {
+        window_.viewer().targets.goTo(by);
+        if (const inspect::PinnedTarget* target = window_.viewer().targets.active()) window_.viewer().rocks.select({target->cell});
+    });
 }
+
+/// The tool bar, which has the prompts, is hidden here.
+void CabMode::showAsked() { window_.viewer().views.setAsked(on_ ? window_.viewer().tools.shown() : QString()); }
 
 /// Updates all numbers and pictures of this mode.
 void CabMode::follow() {
+    connect(&window_.viewer().tools, &ToolBar::wordsChanged, this, &CabMode::showAsked);
     connect(&window_, &MainWindow::pictureShown, this, [this] {
         showScan();
         showSettings();
@@ -114,6 +122,7 @@ void CabMode::follow() {
         showCorner();
     });
     connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showNumbers);
+    connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().rocks, &Rocks::shownChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().warnings, &WarningButton::warningsRaised, this, &CabMode::showScan);
     connect(&window_.viewer().warnings, &WarningButton::warningsAcknowledged, this, &CabMode::showScan);
@@ -140,6 +149,7 @@ void CabMode::set(bool on) {
     window_.viewer().viewCube.setForGloves(on);
     for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
     window_.viewer().views.cloud().setForGloves(on);
+    showAsked();
     LivePanel& live = window_.viewer().live.panel();
     live.setVisible(window_.viewer().live.scanner().connected() || (!on && !live.strip().shown().badge.empty()));
     if (on) {

@@ -12,6 +12,10 @@ class QAbstractButton;
 class QMenu;
 class QToolButton;
 
+namespace edgescan::rocks {
+struct Rock;
+}
+
 namespace edgescan::ui {
 
 class CabFrame;
@@ -33,7 +37,6 @@ public:
     [[nodiscard]] CabFrame& frame() { return *frame_; }
     [[nodiscard]] CornerPicture& corner() { return *corner_; }
     [[nodiscard]] Keypad& keypad() { return *keypad_; }
-    /// True: the large pane is an image and the cloud is in the corner.
 
 signals:
     void changed(bool on);
@@ -50,12 +53,14 @@ private:
     void follow();
     void showScan();
     void showWork();
+    void showAsked();
     void showNumbers();
     void showSettings();
     void showCorner();
     void swap();
     void lockDocks(bool on);
     [[nodiscard]] TargetNumbers numbers() const;
+    [[nodiscard]] TargetNumbers ofRock(const rocks::Rock& rock) const;
     [[nodiscard]] std::optional<QPoint> markedPlace() const;
 
     MainWindow& window_;
@@ -70,7 +75,7 @@ private:
     QTimer cancelSoon_;
     Corner shown_ = Corner::Range;
     bool on_ = false;
-    bool swapped_ = false;
+    bool swapped_ = false; // the large pane is an image, and the cloud is in the corner
 };
 
 } // namespace edgescan::ui

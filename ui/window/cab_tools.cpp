@@ -9,12 +9,14 @@
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/tool_column.h"
 #include "ui/panels/targets/target_words.h"
+#include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/main_window.h"
 
+#include <QCheckBox>
 #include <QMenu>
 #include <QToolButton>
 
@@ -26,6 +28,16 @@ namespace {
 constexpr int kMostRemovals = 6; // measurements in the menu, the newest first
 
 void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
+
+QString metres(double m, int decimals) { return QString::number(m, 'f', decimals); }
+
+QString sizeOf(const rocks::Rock& rock) {
+    return CabMode::tr("%1 × %2 m").arg(metres(rock.longestCaliperM, 2), metres(rock.shortestCaliperM, 2));
+}
+
+QString sizeRemarkOf(const rocks::Rock& rock) {
+    return CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2)) + " · " + QObject::tr(rocks::kRockCaveat);
+}
 
 // A menu of the menu bar, in every language: the entries are those of the menu, not a second list.
 QMenu* menuWith(const MainWindow& window, const QString& action) {
@@ -42,6 +54,7 @@ void CabMode::addTools() {
     pin->setCheckable(true);
     connect(pin, &QToolButton::clicked, this, [this] {
         window_.viewer().measures.stop();
+        window_.viewer().rocks.useTool(RockTool::None);
         window_.viewer().views.setTool(Tool::Pin);
     });
     QToolButton* measure = column.add("cab-measure", "measure", tr("Measure"));
@@ -49,7 +62,7 @@ void CabMode::addTools() {
     auto* kinds = new QMenu(measure);
     addMeasures(*kinds);
     const auto followTool = [this, pin, measure] {
-        pin->setChecked(window_.viewer().views.tool() == Tool::Pin);
+        pin->setChecked(window_.viewer().views.tool() == Tool::Pin && window_.viewer().rocks.tool() == RockTool::None);
         measure->setChecked(window_.viewer().measures.kind().has_value());
     };
     connect(measure, &QToolButton::clicked, this, [kinds, measure, followTool] {
@@ -58,10 +71,16 @@ void CabMode::addTools() {
     });
     connect(&views, &LinkedViews::toolChanged, this, followTool);
     connect(&window_.viewer().measures, &Measures::kindChanged, this, followTool);
+    connect(&window_.viewer().rocks, &Rocks::toolChanged, this, followTool);
     followTool();
     QToolButton* rocks = column.add("cab-rocks", "rocks", tr("Rocks"));
     rocks->setCheckable(true);
-    connect(rocks, &QToolButton::clicked, &window_.viewer().rocks, &Rocks::setShown);
+    connect(rocks, &QToolButton::clicked, this, [this, rocks] { // the first touch shows them, the next one offers what is done with them
+        Rocks& shown = window_.viewer().rocks;
+        rocks->setChecked(true);
+        if (!shown.shown()) return shown.setShown(true);
+        if (QMenu* menu = menuWith(window_, "rocks-largest")) openNextTo(*menu, *rocks);
+    });
     connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, &QToolButton::setChecked);
     QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
     connect(compare, &QToolButton::clicked, this, [this, compare] {
@@ -96,6 +115,13 @@ void CabMode::addTools() {
     QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
     tune->setCheckable(true);
     connect(tune, &QToolButton::clicked, &frame_->side(), &NumbersSide::setTuning);
+    QToolButton* usual = gloveButton("cab-default", "undo", tr("Default"));
+    connect(usual, &QToolButton::clicked, this, [this] { window_.viewer().tuning.usePreset(edges::builtInPresets().front()); });
+    QToolButton* classes = gloveButton("cab-classes", "layers", QObject::tr("Classes"));
+    classes->setCheckable(true);
+    connect(classes, &QToolButton::clicked, &window_.viewer().legend, &EdgeLegend::byClassRequested);
+    connect(window_.viewer().legend.byClass(), &QCheckBox::toggled, classes, &QToolButton::setChecked);
+    for (QToolButton* each : {usual, classes}) frame_->side().addSettingsButton(each);
     QToolButton* report = gloveButton("cab-report", "report", tr("Report"));
     connect(report, &QToolButton::clicked, this, [this] { window_.viewer().report.ask(); });
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
@@ -103,7 +129,8 @@ void CabMode::addTools() {
     for (QToolButton* each : {tune, report, out}) frame_->side().addButton(each);
     const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
     for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
-    for (QWidget* each : std::initializer_list<QWidget*>{tune, report, out, frame_->side().mainStepper()}) ofScan_.push_back(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{tune, usual, classes, report, out, frame_->side().mainStepper()})
+        ofScan_.push_back(each);
 }
 
 /// A menu, not one tap: a glove must not remove what it did not mean.
@@ -174,12 +201,28 @@ void CabMode::showSettings() {
     frame_->side().showSettings(shown);
 }
 
-TargetNumbers CabMode::numbers() const {
+TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
     TargetNumbers values;
+    const auto others = static_cast<int>(window_.viewer().rocks.selected().size()) - 1;
+    values.title = tr("Rock %1").arg(rock.label);
+    values.place = others > 0 ? tr("and %1 more selected").arg(others) : QString();
+    values.distance = tr("%1 m").arg(rock.distanceM, 0, 'f', 2);
+    values.rock = tr("Rock %1, visible").arg(rock.label);
+    values.size = sizeOf(rock);
+    values.sizeRemark = sizeRemarkOf(rock);
+    return values;
+}
+
+TargetNumbers CabMode::numbers() const {
     const Targets& targets = window_.viewer().targets;
     const auto& all = targets.notebook().targets;
-    values.targets = static_cast<int>(all.size());
     const inspect::PinnedTarget* target = targets.active();
+    const Rocks& rocks = window_.viewer().rocks;
+    const rocks::Rock* chosen = rocks.picture() && !rocks.selected().empty() ? rocks.picture()->rockAt(rocks.selected().back()) : nullptr;
+    const bool isTargets = chosen == nullptr || (target != nullptr && rocks.picture()->labelAt(target->cell) == chosen->label);
+    TargetNumbers values = isTargets ? TargetNumbers{} : ofRock(*chosen);
+    values.targets = static_cast<int>(all.size());
+    if (!isTargets) return values;
     if (target == nullptr) return values;
     values.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
     values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
@@ -191,12 +234,10 @@ TargetNumbers CabMode::numbers() const {
     values.tolerance = toleranceText(cell);
     values.rock = tr("Rock, visible");
     values.size = QStringLiteral("–");
-    const auto metres = [](double m, int decimals) { return QString::number(m, 'f', decimals); };
     if (around.rock != nullptr) {
         values.rock = tr("Rock %1, visible").arg(around.rock->label);
-        values.size = tr("%1 × %2 m").arg(metres(around.rock->longestCaliperM, 2), metres(around.rock->shortestCaliperM, 2));
-        values.sizeRemark =
-            tr("± %1 m").arg(metres(shownTolerance(around.rock->toleranceM, 2), 2)) + " · " + QObject::tr(rocks::kRockCaveat);
+        values.size = sizeOf(*around.rock);
+        values.sizeRemark = sizeRemarkOf(*around.rock);
     } else {
         values.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
     }

@@ -48,8 +48,8 @@ Command compareMenu(Comparing& comparing) {
 void addChangeLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
     over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().changeLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
-    QObject::connect(&w.viewer().views.cloud(), &CloudView::edgesCovered, &w.viewer().changeLegend, &ChangeLegend::showCovered);
     const auto follow = [&w] {
+        w.viewer().changeLegend.showOverRocks(w.viewer().views.scene().pointsOver != nullptr);
         w.viewer().legend.setVisible(w.viewer().views.scene().picture != nullptr && w.viewer().views.scene().instead == nullptr);
     };
     QObject::connect(&w.viewer().views, &LinkedViews::picturesChanged, &w, follow);

@@ -10,6 +10,7 @@
 #include <QLayout>
 
 #include <algorithm>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -44,6 +45,16 @@ bool isAtRight(const CloudView& cloud) {
         if (plate != nullptr) return (over.itemAt(n)->alignment() & Qt::AlignRight) != 0;
     }
     return false;
+}
+
+/// Of the targets in view.
+std::vector<QRect> ringsIn(const CloudView& cloud) {
+    std::vector<QRect> rings;
+    for (const TargetMark& target : cloud.marks().targets) {
+        const auto at = cloud.pixelOf(static_cast<std::uint32_t>(target.cell));
+        if (at) rings.emplace_back(at->toPoint() - QPoint(kRing, kRing), QSize(2 * kRing, 2 * kRing));
+    }
+    return rings;
 }
 
 } // namespace
@@ -84,7 +95,7 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
         }
         if (isAtRight(cloud) != wasRight) fitLegends(roomAt(!wasRight));
         over->activate(); // the scale avoids the legends where they are now
-        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label);
+        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label, ringsIn(cloud));
     };
     QObject::connect(&views, &LinkedViews::pinChanged, &cloud, look);
     QObject::connect(&cloud, &CloudView::frameDrawn, &cloud, look);

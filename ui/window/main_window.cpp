@@ -357,7 +357,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     }
     if (viewer_.engine.opening()) { // a save or a comparison has its button
         viewer_.engine.cancel();
-        viewer_.notice.showNotice(NoticeBar::Kind::Warning, tr("Cancelled; what was on the screen stays."));
+        viewer_.notice.showHint(tr("Cancelled; what was on the screen stays."));
     } else if (endTour(*this)) {
         return;
     } else if (viewer_.notice.isVisible())

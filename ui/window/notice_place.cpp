@@ -3,6 +3,7 @@
 
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
+#include "ui/panels/cab/corner_picture.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/views/image/image_view.h"
@@ -11,12 +12,12 @@
 #include <QLayout>
 
 #include <algorithm>
-#include <utility>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr int kTextMargin = 8; // px
+constexpr int kTextMargin = 8;   // px
+constexpr int kLeastWidth = 300; // px of a note
 
 class NoticePlace : public QObject {
 public:
@@ -32,13 +33,14 @@ public:
         if (watched == &notice_ ? type == QEvent::LayoutRequest || type == QEvent::Show : isPlaced) place();
         if (watched == &notice_ && type == QEvent::Hide) keepTextsFree();
         if (watched == cloud_ && (type == QEvent::ShowToParent || type == QEvent::HideToParent)) place();
-        if (watched == cube_ && (type == QEvent::Show || type == QEvent::Hide)) place();
+        const bool isOver = watched != &notice_ && watched != &views_ && watched != cloud_;
+        if (isOver && (type == QEvent::Show || type == QEvent::Hide)) place();
         return false;
     }
 
 private:
-    /// Below the titles of the panes, and next to the view cube on its wider side: title, buttons and cube stay free. As high as its text
-    /// needs at this width, and no higher than the views.
+    /// Below the titles of the panes, and next to the view cube and the picture in the corner: title, buttons, cube and picture stay free.
+    /// As high as its text needs at this width, and no higher than the views.
     void place() {
         int top = 0;
         const bool isCovered = cloud_ != nullptr && cloud_->isHidden(); // by the start page, which is below the notice
@@ -47,13 +49,8 @@ private:
             if (!isCovered && pane->isVisible() && at.y() == 0) top = std::max(top, pane->content()->mapTo(&views_, QPoint(0, 0)).y());
         }
         QRect place = rectAt(0, views_.width(), top);
-        auto* cube = views_.findChild<ViewCube*>();
-        if (cube != nullptr && std::exchange(cube_, cube) != cube) cube->installEventFilter(this);
-        if (cube != nullptr && cube->isVisible()) {
-            const QRect taken(cube->mapTo(&views_, QPoint(0, 0)), cube->size());
-            const int after = taken.right() + 1;
-            if (place.intersects(taken))
-                place = taken.left() >= views_.width() - after ? rectAt(0, taken.left(), top) : rectAt(after, views_.width(), top);
+        for (QWidget* each : views_.findChildren<QWidget*>()) {
+            if (qobject_cast<ViewCube*>(each) != nullptr || qobject_cast<CornerPicture*>(each) != nullptr) place = nextTo(*each, place);
         }
         notice_.setGeometry(place.translated(views_.pos()));
         notice_.raise();
@@ -70,6 +67,16 @@ private:
         for (auto* view : views_.findChildren<CloudView*>()) view->setTopTaken(takenOf(*view));
         for (auto* view : views_.findChildren<ImageView*>()) view->setTopTaken(takenOf(*view));
     }
+    /// On the wider side of `over`, which is over a view; the whole place if that side is too narrow for a note.
+    [[nodiscard]] QRect nextTo(QWidget& over, const QRect& place) {
+        over.installEventFilter(this); // it may show, hide or move later; a second installation changes nothing
+        const QRect taken(over.mapTo(&views_, QPoint(0, 0)), over.size());
+        if (!over.isVisible() || !place.intersects(taken)) return place;
+        const bool isRight = taken.left() - place.left() >= place.right() - taken.right();
+        const QRect free =
+            isRight ? rectAt(place.left(), taken.left(), place.top()) : rectAt(taken.right() + 1, place.right() + 1, place.top());
+        return free.width() < kLeastWidth ? place : free;
+    }
     [[nodiscard]] QRect rectAt(int left, int right, int top) const {
         const int width = right - left;
         return {left, top, width, std::min(notice_.layout()->heightForWidth(width), views_.height() - top)};
@@ -78,7 +85,6 @@ private:
     NoticeBar& notice_;
     QWidget& views_;
     const CloudView* cloud_;
-    ViewCube* cube_ = nullptr; // watched
 };
 
 } // namespace

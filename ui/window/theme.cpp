@@ -41,6 +41,7 @@ public:
     // Fusion's own frames are shades of the background, and invisible on some backgrounds.
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override {
         if (element == PE_FrameFocusRect) return drawFrame(*painter, option->rect, {option->palette.color(QPalette::Link), 2.0}, 2.0);
+        if (element == PE_IndicatorHeaderArrow) return drawSortArrow(option, painter, widget);
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         const bool box = element == PE_IndicatorCheckBox;
         const bool round = element == PE_IndicatorRadioButton;
@@ -98,6 +99,15 @@ public:
     }
 
 private:
+    /// Up for the smallest first, down for the largest first, as in spreadsheets. Fusion draws the opposite.
+    void drawSortArrow(const QStyleOption* option, QPainter* painter, const QWidget* widget) const {
+        const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option);
+        if (header == nullptr) return QProxyStyle::drawPrimitive(PE_IndicatorHeaderArrow, option, painter, widget);
+        QStyleOptionHeader turned = *header;
+        if (header->sortIndicator == QStyleOptionHeader::SortUp) turned.sortIndicator = QStyleOptionHeader::SortDown;
+        if (header->sortIndicator == QStyleOptionHeader::SortDown) turned.sortIndicator = QStyleOptionHeader::SortUp;
+        QProxyStyle::drawPrimitive(PE_IndicatorHeaderArrow, &turned, painter, widget);
+    }
     static QPen penFor(const QStyleOption& option) {
         if (option.state.testFlag(State_HasFocus)) return {option.palette.color(QPalette::Link), 2.0};
         const QColor border = option.palette.color(QPalette::Mid);

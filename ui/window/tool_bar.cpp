@@ -155,6 +155,7 @@ void ToolBar::showSelected(const QString& words) {
 void ToolBar::showWords() {
     words_->setText(shown());
     words_->setToolTip(shown());
+    emit wordsChanged(shown());
 }
 
 QString ToolBar::shown() const {

@@ -41,6 +41,10 @@ public:
     /// Off: the buttons of a scan are disabled, with their commands.
     void setScanOpen(bool on);
 
+signals:
+    /// What shown() returns.
+    void wordsChanged(const QString& words);
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
 

@@ -263,7 +263,10 @@ std::string WhyWords::verdict() const {
     if (!why_.appearsAt)
         return edge ? say("Edge: %1; no value of %2 makes it one.", {reason(), name})
                     : say("No edge: %1; no value of %2 makes it one.", {reason(), name});
-    const std::string limit = formatValue(*findParameter(why_.parameter), *why_.appearsAt);
+    const Parameter& parameter = *findParameter(why_.parameter);
+    const std::string limit = formatValue(parameter, *why_.appearsAt);
+    if (edge && *why_.appearsAt >= parameter.maximum)
+        return say("Edge: %1; this remains an edge at each %2, up to the largest: %3.", {reason(), name, limit});
     return edge ? say("Edge: %1; this remains an edge while %2 is %3 or less.", {reason(), name, limit})
                 : say("No edge: %1; this becomes an edge when %2 is %3 or less.", {reason(), name, limit});
 }

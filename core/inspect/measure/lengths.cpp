@@ -6,6 +6,7 @@
 #include "core/base/tolerance_text.h"
 #include "core/inspect/measure/jumps_along.h"
 #include "core/inspect/measure/surface_path.h"
+#include "core/inspect/measure/throat.h"
 #include "core/rocks/attributes/attributes.h"
 #include "core/rocks/segmentation/cuts.h"
 #include "core/scan/grid/missing_cells.h"
@@ -133,9 +134,17 @@ std::string clicksPart(const MeasuredCells& measured, Translated translated) {
     const std::string cells = std::to_string(measured.fromClicks);
     const bool isLonger = measured.clicksM > 0.0 && measured.lengths.front().valueM > measured.clicksM;
     if (isLonger && measured.fromClicks > 0)
-        return say("▲ longer than the %1 m between the clicks: the rims at its ends are up to %2 cells from them",
+        return say("▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them",
                    {fixedText(measured.clicksM, 3), cells});
     return measured.fromClicks > kFewCells ? say("its ends are up to %1 cells from the clicks", {cells}) : "";
+}
+
+/// Of the narrowest way from the ends of a throat; 0: that is the throat itself.
+double narrowerM(const Scan& scan, std::span<const std::uint32_t> ends) {
+    const CartesianTables tables(scan);
+    const auto lengthM = [&](std::span<const std::uint32_t> of) { return (tables.point(of[0]) - tables.point(of[1])).norm(); };
+    const auto around = narrowestBetween(scan, tables, ends[0], ends[1]);
+    return around && lengthM(*around) < lengthM(ends) ? lengthM(*around) : 0.0;
 }
 
 std::string millimetres(double metres) { return fixedText(std::ceil(metres * 1000.0 - 1e-9), 0) + " mm"; }
@@ -235,7 +244,9 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
 }
 
 void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
-    if (measured.kind != MeasureKind::Throat || cells.size() != 2 || clicked.size() != 2) return;
+    if (measured.kind != MeasureKind::Throat || cells.size() != 2) return;
+    measured.narrowerM = narrowerM(scan, cells);
+    if (clicked.size() != 2) return;
     if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return k >= scan.cells(); })) return;
     const int beams = scan.beams();
     for (std::size_t n = 0; n < 2; ++n) {
@@ -270,7 +281,11 @@ std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     std::string ranges;
     for (std::size_t n = 0; n < measured.rangesM.size(); ++n) ranges += (n == 0 ? "" : ", ") + fixedText(measured.rangesM[n], 2);
     std::vector<std::string> parts;
-    if (measured.kind == MeasureKind::Throat) parts.push_back(say("narrowest way near the two clicks"));
+    if (measured.kind == MeasureKind::Throat) {
+        parts.push_back(say("narrowest way near the two clicks"));
+        parts.push_back(measured.narrowerM > 0.0 ? say("farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)})
+                                                 : say("no narrower way next to it"));
+    }
     parts.push_back(say("at %1 m", {ranges}));
     if (const std::string clicks = clicksPart(measured, translated); !clicks.empty()) parts.push_back(clicks);
     if (measured.angleIsBelow) parts.push_back(say("a side is below what is resolved there"));

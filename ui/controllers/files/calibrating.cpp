@@ -85,11 +85,9 @@ Calibrating::Calibrating(Engine& engine, Files& files, NoticeBar& notice, Prefer
 }
 
 void Calibrating::show() {
-    if (!engine_.picture()) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
+    if (!engine_.picture()) return notice_.showHint(tr("Open a scan first."));
     if (files_.path().isEmpty())
-        return notice_.showNotice(
-            NoticeBar::Kind::Warning,
-            tr("The picture does not come from a file, so a calibration cannot name it: open a scan or a recording."));
+        return notice_.showHint(tr("The picture does not come from a file, so a calibration cannot name it: open a scan or a recording."));
     if (card_ == nullptr) {
         card_ = new CalibrationCard(notice_.window());
         connect(card_, &CalibrationCard::addRequested, this, &Calibrating::askAdd);

@@ -73,7 +73,7 @@ void Exports::askSelected() {
 
 void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QString& extension) {
     if (!engine_.picture()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: open a scan first."));
+        notice_.showHint(tr("There is nothing to export yet: open a scan first."));
         return;
     }
     const std::shared_ptr<const edges::Detection> detection = engine_.picture()->detection;
@@ -81,7 +81,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QStr
     std::vector<ExportDialog::Format> formats;
     for (const files::Format& each : files::formats()) {
         if (each.write == nullptr) continue;
-        for (const char* extension : each.writes) formats.push_back({filterOf(each, {extension}), extension, each.drawsEdges});
+        for (const char* end : each.writes) formats.push_back({filterOf(each, {end}), end, each.drawsEdges});
     }
     dialog.offerFormats(formats, extension.isEmpty() ? preferences_.text("export/extension", ".pcd") : extension);
     if (dialog.exec() != QDialog::Accepted) return;

@@ -124,8 +124,7 @@ void Files::setOptions(const ReadingOptions& options) {
 void Files::straighten(bool wanted) {
     if (path_.isEmpty()) {
         emit straightened(false);
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("There is no file on the screen whose beams could be straightened: open one first."));
+        notice_.showHint(tr("There is no file on the screen whose beams could be straightened: open one first."));
         return;
     }
     ReadingOptions options = options_;
@@ -150,9 +149,7 @@ bool Files::readAs(const QString& path, const ReadingOptions& options) {
 }
 
 void Files::askReading() {
-    if (path_.isEmpty())
-        return notice_.showNotice(NoticeBar::Kind::Warning,
-                                  tr("There is no file on the screen that could be read in another way: open one first."));
+    if (path_.isEmpty()) return notice_.showHint(tr("There is no file on the screen that could be read in another way: open one first."));
     ReadingDialog dialog(options_, notice_.window());
     if (dialog.exec() == QDialog::Accepted) readAgain(dialog.options(), stepName("How the Scan Is Read"));
 }

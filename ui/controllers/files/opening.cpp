@@ -73,8 +73,7 @@ void Opening::take(const std::shared_ptr<const Scan>& scan, const std::vector<fi
 
 void Opening::show() {
     if (files_.path().isEmpty())
-        return notice_.showNotice(NoticeBar::Kind::Warning,
-                                  tr("There is no file on the screen that could be read in another way: open one first."));
+        return notice_.showHint(tr("There is no file on the screen that could be read in another way: open one first."));
     cardWanted_ = !points_.has_value();
     if (points_) fillCard();
 }

@@ -86,12 +86,11 @@ void Placing::make() {
 
 void Placing::show() {
     const auto& picture = engine_.picture();
-    if (!picture) return notice_.showNotice(NoticeBar::Kind::Warning, tr("Open a scan first."));
+    if (!picture) return notice_.showHint(tr("Open a scan first."));
     if (scan_) return dialog_->raise();
     const Scan& scan = *picture->detection->scan;
     if (scan.path.empty() || picture->source.growth.sweep >= 0 || (files_.path().isEmpty() && !files_.demo()))
-        return notice_.showNotice(NoticeBar::Kind::Warning,
-                                  tr("The picture does not come from a file, so its pose cannot be stored: open a scan or a recording."));
+        return notice_.showHint(tr("The picture does not come from a file, so its pose cannot be stored: open a scan or a recording."));
     make();
     source_ = picture->source;
     previewed_ = false;

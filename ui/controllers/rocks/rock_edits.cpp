@@ -105,7 +105,8 @@ void Rocks::judgeEdit() {
         return notice_.showHint(tr("No rock changed, so nothing is to be undone: click or draw on another part of the rock."));
     }
     const QString words = changeWords(changes, *picture_);
-    if (!words.isEmpty()) notice_.showNotice(changes.lost.empty() ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, words);
+    if (!changes.lost.empty()) return notice_.showHint(words); // until the next step, which may be its undo
+    if (!words.isEmpty()) notice_.showNotice(NoticeBar::Kind::Done, words);
 }
 
 void Rocks::mergeSelected() {
@@ -114,12 +115,9 @@ void Rocks::mergeSelected() {
     for (const std::size_t cell : selected_) {
         if (picture_->regionAt(cell) != nullptr) cells.push_back(static_cast<std::uint32_t>(cell));
     }
+    if (cells.size() < 2) return useTool(RockTool::Join);
     auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);
-    if (!join) {
-        notice_.showHint(cells.size() < 2 ? tr("Nothing was merged: select two rocks or more with Ctrl+click, or in the table.")
-                                          : tr("Nothing was merged: this is one rock already."));
-        return;
-    }
+    if (!join) return notice_.showHint(tr("Nothing was merged: this is one rock already."));
     select({selected_.back()});
     push(stepName("merge of rocks"), std::move(*join));
 }

@@ -49,7 +49,7 @@ const RockFile* rockFileOf(const QString& path) {
 
 void Rocks::askExport() {
     if (!picture_) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("There is nothing to export yet: show the rocks of a scan first."));
+        notice_.showHint(tr("There is nothing to export yet: show the rocks of a scan first."));
         return;
     }
     SaveQuestion question;

@@ -9,6 +9,7 @@
 #include "ui/views/image/image_view.h"
 
 #include <algorithm>
+#include <array>
 
 namespace edgescan::ui {
 namespace {
@@ -27,7 +28,7 @@ QString promptOf(RockTool tool) {
     case RockTool::Split:
         return Rocks::tr("Split: click the part; the wheel makes it smaller or larger");
     case RockTool::Join:
-        return Rocks::tr("Join: drag a line across the rocks");
+        return Rocks::tr("Join: drag a line across the rocks, or click the one that belongs to the selected rock");
     case RockTool::Cut:
         return Rocks::tr("Cut: drag a line where the rock ends");
     case RockTool::Region:
@@ -121,15 +122,23 @@ void Rocks::takeStroke(const std::vector<QPoint>& cells) {
     for (const QPoint& cell : cells) stroke.push_back(static_cast<std::uint32_t>(picture_->labels.index(cell.y(), cell.x())));
     if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that grew meanwhile
     const rocks::Study& study = picture_->study;
-    if (tool == RockTool::Join) {
-        if (auto join = rocks::joinAlong(*study.segmentation, study.map, stroke)) return push(stepName("merge of rocks"), std::move(*join));
-        notice_.showHint(tr("Nothing was joined: draw the line from one rock over the crack into the next."));
-    }
+    if (tool == RockTool::Join) takeJoin(stroke);
     if (tool == RockTool::Cut) {
         auto cut = stroke.size() < 2 ? std::nullopt : rocks::cutAlong(*study.segmentation, study.map, stroke);
         if (cut) return push(stepName("cut of a rock"), std::move(*cut));
         notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other."));
     }
+}
+
+void Rocks::takeJoin(const rocks::CutLine& stroke) {
+    const rocks::Study& study = picture_->study;
+    auto join = rocks::joinAlong(*study.segmentation, study.map, stroke);
+    if (!join && !stroke.empty() && !selected_.empty()) {
+        const std::array<std::uint32_t, 2> cells{static_cast<std::uint32_t>(selected_.back()), stroke.back()};
+        join = rocks::joinOf(*study.segmentation, study.map, cells);
+    }
+    if (join) return push(stepName("merge of rocks"), std::move(*join));
+    notice_.showHint(tr("Nothing was joined: draw the line from one rock over the crack into the next."));
 }
 
 void Rocks::takeRegion(const std::vector<QPoint>& cells) {

@@ -104,6 +104,7 @@ void Rocks::forget() {
     familyPicture_ = nullptr;
     judgedFrom_ = nullptr;
     selected_.clear();
+    largestWanted_ = false;
     point(std::nullopt, nullptr);
     show();
 }
@@ -168,6 +169,7 @@ void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
     show();
     judgeEdit();
     emit rocksShown();
+    if (std::exchange(largestWanted_, false)) lookAtLargest();
 }
 
 QString Rocks::remark() const {
@@ -239,6 +241,7 @@ void Rocks::showSelection() {
     std::sort(outline.cells.begin(), outline.cells.end());
     views_.cloud().setOutline(outline.cells.empty() ? nullptr
                                                     : std::make_shared<const std::vector<std::uint32_t>>(std::move(outline.cells)));
+    emit selectionChanged();
 }
 
 void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
@@ -310,11 +313,34 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
 
 void Rocks::jumpTo(std::uint32_t label) {
     if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
+    views_.pinByClick(inspect::exactly(picture_->rock(label)->cell));
+    lookAt(label);
+}
+
+void Rocks::lookAt(std::uint32_t label) {
     const std::size_t cell = picture_->rock(label)->cell;
     select({cell});
-    views_.pinByClick(inspect::exactly(cell));
     views_.gray().viewPort()->centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5));
     views_.cloud().flyTo(static_cast<qint64>(cell));
+}
+
+void Rocks::lookAtLargest() {
+    setShown(true);
+    largestWanted_ = picture_ == nullptr;
+    if (picture_ && !picture_->study.rocks.empty())
+        lookAt(std::ranges::max(picture_->study.rocks, {}, &rocks::Rock::shortestCaliperM).label);
+}
+
+void Rocks::lookAtNextSmaller() {
+    const rocks::Rock* now = picture_ && !selected_.empty() ? picture_->rockAt(selected_.back()) : nullptr;
+    if (now == nullptr) return lookAtLargest();
+    const auto order = [](const rocks::Rock& rock) { return std::make_pair(-rock.shortestCaliperM, rock.label); };
+    const rocks::Rock* next = nullptr;
+    for (const rocks::Rock& each : picture_->study.rocks) {
+        if (order(each) > order(*now) && (next == nullptr || order(each) < order(*next))) next = &each;
+    }
+    if (next == nullptr) return notice_.showHint(tr("This is the smallest rock."));
+    lookAt(next->label);
 }
 
 } // namespace edgescan::ui

@@ -38,7 +38,7 @@ class RockTable;
 enum class RockTool : std::uint8_t {
     None,
     Split,  ///< a click splits off the outlined segment; the wheel chooses a smaller or a larger one
-    Join,   ///< a line joins the rocks that it crosses
+    Join,   ///< a line joins the rocks that it crosses; a click joins a rock to the selected one
     Cut,    ///< a line cuts the rocks that it crosses
     Region, ///< a line encloses the region of interest
 };
@@ -86,7 +86,13 @@ public:
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
     [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::MeantCell& click) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }
+    /// Selects the rock and turns the views to it.
+    void lookAt(std::uint32_t label);
+    /// The same, and pins it.
     void jumpTo(std::uint32_t label);
+    /// Looks at the rock with the largest visible width b, or at the next smaller one than the selected. Shows rocks first if they are off.
+    void lookAtLargest();
+    void lookAtNextSmaller();
 
     /// The operator's edits stay with the scan when settings change; each is one undo step.
     [[nodiscard]] const std::vector<rocks::Edit>& edits() const { return edits_; }
@@ -94,6 +100,7 @@ public:
     void setOperatorEdits(const OperatorEdits& byHand);
     /// The sidecar file with the edits; empty without edits or if it cannot be stored.
     [[nodiscard]] std::string editsFile() const { return operatorEdits() == OperatorEdits{} ? std::string() : sidecar_.path(); }
+    /// With fewer than two selected rocks it sets the tool Join.
     void mergeSelected();
     /// Sets the tool for the next click or drag; afterwards no tool is set.
     void useTool(RockTool tool);
@@ -115,6 +122,7 @@ signals:
     /// Views, table and card now show picture().
     void rocksShown();
     void toolChanged(edgescan::ui::RockTool tool);
+    void selectionChanged();
 
 private:
     void connectViews();
@@ -135,6 +143,7 @@ private:
     void judgeEdit();
     void takePreset(const rocks::Preset& preset);
     void takeStroke(const std::vector<QPoint>& cells);
+    void takeJoin(const rocks::CutLine& stroke);
     void takeRegion(const std::vector<QPoint>& cells);
     void choosePieceAt(std::size_t cell);
     void showPiece(const QObject* from);
@@ -158,10 +167,11 @@ private:
     std::vector<rocks::Edit> edits_;
     std::optional<rocks::Preset> restored_; // waits until the sidecar was read
     std::uint64_t stream_ = 0;              // the stream of the edits and the selection
-    std::uint64_t sidecarStream_ = 0;       // the stream of beside_
+    std::uint64_t sidecarStream_ = 0;       // the stream of sidecar_
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;
+    bool largestWanted_ = false; // as soon as the rocks are known
     std::optional<std::size_t> pinned_;
     // For the split tool: the cell under the mouse, and the outlined segment around it.
     std::shared_ptr<const RockPicture> familyPicture_;

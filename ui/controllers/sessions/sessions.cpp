@@ -169,8 +169,7 @@ void Sessions::take(const QString& trouble) {
 void Sessions::saveAs(const QString& path) {
     const auto state = taken();
     if (!state) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("There is nothing to save yet: open a scan first. To store a live sweep, record it."));
+        notice_.showHint(tr("There is nothing to save yet: open a scan first. To store a live sweep, record it."));
         return;
     }
     file_ = QFileInfo(path).absoluteFilePath();

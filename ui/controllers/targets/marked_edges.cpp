@@ -40,7 +40,7 @@ void MarkedEdges::followPicture() {
 
 void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
     if (!cell) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("Point at a cell or click one first; then say whether an edge is there."));
+        notice_.showHint(tr("Point at a cell or click one first; then say whether an edge is there."));
         return;
     }
     const auto k = static_cast<std::uint32_t>(*cell);
@@ -50,8 +50,7 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
     std::erase(others, k);
     if (std::erase(these, k) == 0) these.push_back(k);
     if (after.wanted.size() > edges::kMostMarks || after.unwanted.size() > edges::kMostMarks) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("This cell was not marked: there are %1 marks, clear some first.").arg(edges::kMostMarks));
+        notice_.showHint(tr("This cell was not marked: there are %1 marks, clear some first.").arg(edges::kMostMarks));
         return;
     }
     change(isEdge ? stepName("Mark as an Edge") : stepName("Mark as Not an Edge"), after);
@@ -89,12 +88,11 @@ void MarkedEdges::show() {
 
 void MarkedEdges::propose() {
     if (marks_.empty() || engine_.picture() == nullptr) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge."));
+        notice_.showHint(tr("Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge."));
         return;
     }
     if (engine_.picture()->source.growth.growing) {
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("The sweep is still growing: wait for its end, or hold it."));
+        notice_.showHint(tr("The sweep is still growing: wait for its end, or hold it."));
         return;
     }
     if (card_ == nullptr) makeCard();

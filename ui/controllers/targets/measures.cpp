@@ -21,7 +21,7 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
                                    Measures::tr("click the end of the other side")};
     static const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
                                    Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
-    static const QStringList throat{Measures::tr("click the rim on one side"), Measures::tr("click the rim on the other side")};
+    static const QStringList throat{Measures::tr("click one side of the throat"), Measures::tr("click the other side of the throat")};
     const QStringList& all = kind == inspect::MeasureKind::Throat     ? throat
                              : kind == inspect::MeasureKind::Angle    ? angle
                              : kind == inspect::MeasureKind::Spans    ? spans
@@ -32,7 +32,18 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
 
 } // namespace
 
-Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice) : views_(views), targets_(targets), notice_(notice) {
+Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
+    : views_(views), targets_(targets), notice_(notice),
+      throats_(
+          Urgency::Now,
+          [](const ThroatAsked& asked) {
+              const Scan& scan = *asked.of->detection->scan;
+              return inspect::narrowestBetween(scan, CartesianTables(scan), asked.cells[0], asked.cells[1]);
+          },
+          [this](const ThroatAsked& asked, const auto& ends) { takeThroat(asked, *ends); },
+          [this](const QString& what) {
+              notice_.showNotice(NoticeBar::Kind::Error, tr("the throat could not be measured (%1); close other programs.").arg(what));
+          }) {
     connect(&views_, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
         if (kind_ && views_.tool() == Tool::Measure) pick(click);
     });
@@ -76,6 +87,7 @@ bool Measures::removeLastPick() {
 }
 
 void Measures::pick(const inspect::MeantCell& click) {
+    if (throats_.behind()) return; // the prompt says so
     if (!views_.shown() || views_.shown()->detection->scan->state[click.cell] != CellState::Valid) {
         notice_.showHint(tr("Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.")
                              .arg(inspect::kSnapReach));
@@ -93,21 +105,26 @@ void Measures::keepPicked() {
         cells.push_back(click.cell);
         clicked.push_back(click.clicked);
     }
-    const Scan& scan = *views_.shown()->detection->scan;
-    if (kind_ == inspect::MeasureKind::Throat) {
-        const auto ends = inspect::narrowestBetween(scan, CartesianTables(scan), cells[0], cells[1]);
-        if (!ends) {
-            notice_.showHint(
-                tr("No free way was seen between these two rims, which are %1 m apart in depth: click cells on the near borders of "
-                   "an opening.")
-                    .arg(std::abs(scan.rangeMm[cells[0]] - scan.rangeMm[cells[1]]) / 1000.0, 0, 'f', 2));
-            return;
-        }
-        cells.assign(ends->begin(), ends->end());
-    }
+    if (kind_ != inspect::MeasureKind::Throat) return keep(*kind_, std::move(cells), std::move(clicked));
+    throats_.ask({views_.shown(), std::move(cells), std::move(clicked)});
+}
+
+void Measures::takeThroat(const ThroatAsked& asked, const Throat& ends) {
+    if (kind_) show();
+    const Scan& scan = *asked.of->detection->scan;
+    const Picture* now = views_.shown().get(); // of another scan the cells have no meaning; a sweep may have grown
+    if (now == nullptr || now->source.stream != asked.of->source.stream || now->source.growth.sweep != asked.of->source.growth.sweep)
+        return;
+    if (ends) return keep(inspect::MeasureKind::Throat, {ends->begin(), ends->end()}, asked.clicked);
+    notice_.showHint(tr("No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat "
+                        "on each side.")
+                         .arg(std::abs(scan.rangeMm[asked.cells[0]] - scan.rangeMm[asked.cells[1]]) / 1000.0, 0, 'f', 2));
+}
+
+void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked) {
     if (clicked == cells) clicked.clear();
-    const auto measured = inspect::measureCells(scan, {}, *kind_, cells);
-    targets_.keepMeasure({*kind_, std::move(cells), std::move(clicked)});
+    const auto measured = inspect::measureCells(*views_.shown()->detection->scan, {}, kind, cells);
+    targets_.keepMeasure({kind, std::move(cells), std::move(clicked)});
     if (measured && measured->behindM > 0.0)
         notice_.showHint(tr("An end of this measurement is %1 m behind the surface under its line: check where its "
                             "ends are, and click again on the near side if that was meant.")
@@ -124,8 +141,8 @@ void Measures::show() {
         if (link.first < picked_.size() && link.second < picked_.size()) draft.links.push_back(link);
     }
     targets_.showDraft(draft);
-    QString words = wordsFor(*kind_, picked_.size());
-    if (!picked_.empty() && views_.shown()) // a rim that is far behind the opening that was meant shows by its range
+    QString words = throats_.behind() ? tr("Throat width: the narrowest way is being searched …") : wordsFor(*kind_, picked_.size());
+    if (!picked_.empty() && views_.shown()) // a side that is far behind the throat that was meant shows by its range
         words += tr(" · the last click is at %1 m").arg(views_.shown()->detection->scan->rangeMm[picked_.back().cell] / 1000.0, 0, 'f', 2);
     emit asked(words);
 }

@@ -3,9 +3,13 @@
 
 #include "core/inspect/measure/near_side.h"
 #include "core/inspect/measure/notebook.h"
+#include "ui/engine/worker_bridge/derived.h"
+#include "ui/engine/worker_bridge/picture.h"
 
 #include <QObject>
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -39,8 +43,15 @@ signals:
     void asked(const QString& words);
 
 private:
+    using Throat = std::optional<std::array<std::uint32_t, 2>>; // cells of the narrowest way; empty: no free way
+    struct ThroatAsked {
+        std::shared_ptr<const Picture> of;
+        std::vector<std::uint32_t> cells, clicked;
+    };
     void pick(const inspect::MeantCell& click);
     void keepPicked();
+    void takeThroat(const ThroatAsked& asked, const Throat& ends);
+    void keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked);
     void show();
 
     LinkedViews& views_;
@@ -48,6 +59,7 @@ private:
     NoticeBar& notice_;
     std::optional<inspect::MeasureKind> kind_;
     std::vector<inspect::MeantCell> picked_;
+    Derived<ThroatAsked, Throat> throats_; // last
 };
 
 } // namespace edgescan::ui

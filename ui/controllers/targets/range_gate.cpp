@@ -38,7 +38,7 @@ std::optional<double> Selection::rangeAt(std::optional<std::size_t> cell) {
         const Scan& scan = *engine_.picture()->detection->scan;
         if (scan.state[*cell] == CellState::Valid) return static_cast<double>(scan.rangeMm[*cell]) / 1000.0;
     }
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("No range is known there: click a cell, or point at one that has a range, first."));
+    notice_.showHint(tr("No range is known there: click a cell, or point at one that has a range, first."));
     return std::nullopt;
 }
 

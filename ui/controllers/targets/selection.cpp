@@ -116,7 +116,7 @@ void Selection::selectChainAt(std::size_t cell) {
     if (!views_.shown()) return;
     inspect::CellSet chain = inspect::chainAt(*views_.shown()->detection->mask, static_cast<std::uint32_t>(cell));
     if (chain.empty())
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("This cell is not an edge, so it is on no chain of edges: choose one that is."));
+        notice_.showHint(tr("This cell is not an edge, so it is on no chain of edges: choose one that is."));
     else
         select(std::move(chain));
 }

@@ -1,6 +1,7 @@
 // One selection of cells for both images, the cloud and exports; and the hidden cells of the scan.
 #pragma once
 
+#include "core/inspect/measure/near_side.h"
 #include "core/inspect/session_file/viewer_state.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/views/cloud/point_pick.h"

@@ -142,8 +142,7 @@ void Targets::pin(std::size_t cell) {
     const auto& click = views_.pinningClick();
     const auto clicked = click && click->moved() ? std::optional(click->clicked) : std::nullopt;
     if (notebook_.targets.size() >= inspect::kMostTargets) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("This cell was not pinned: there are %1 targets, remove some first.").arg(inspect::kMostTargets));
+        notice_.showHint(tr("This cell was not pinned: there are %1 targets, remove some first.").arg(inspect::kMostTargets));
         return;
     }
     inspect::Notebook after = notebook_;
@@ -217,8 +216,7 @@ void Targets::lock(int number, bool on) {
 
 void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
     if (notebook_.measures.size() >= inspect::kMostMeasures) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("This was not stored: there are %1 measurements, remove some first.").arg(inspect::kMostMeasures));
+        notice_.showHint(tr("This was not stored: there are %1 measurements, remove some first.").arg(inspect::kMostMeasures));
         return;
     }
     inspect::Notebook after = notebook_;

@@ -134,7 +134,7 @@ void Targets::show() {
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
         QString basis = now != nullptr ? shownText(inspect::measureBasis(*now, inLanguage)) : QString();
-        if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are rims near the clicks anyway
+        if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are near the clicks anyway
             basis += (basis.isEmpty() ? "" : "; ") + movedText(measure);
         if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
             basis += (basis.isEmpty() ? "" : "; ") + tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);

@@ -23,7 +23,9 @@ void CellDrag::want(Wanted what) {
     down_ = false;
     turned_ = 0.0;
     cells_.clear();
-    for (ImageView* view : {&views_.gray(), &views_.edges()}) {
+    views_.cloud().setDrawn({});
+    for (QWidget* view :
+         {static_cast<QWidget*>(&views_.gray()), static_cast<QWidget*>(&views_.edges()), static_cast<QWidget*>(&views_.cloud())}) {
         if (what == Wanted::Drag)
             view->setCursor(Qt::CrossCursor);
         else
@@ -38,11 +40,16 @@ bool CellDrag::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if (wanted_ == Wanted::Wheel) return takeWheel(*event);
-    auto* view = qobject_cast<ImageView*>(watched);
-    return view != nullptr && takeMouse(*view, *event);
+    return takeMouse(*qobject_cast<QWidget*>(watched), *event);
 }
 
-bool CellDrag::takeMouse(ImageView& view, QEvent& event) {
+std::optional<QPoint> CellDrag::cellUnder(const QWidget& view, QPointF at) const {
+    if (const auto* image = qobject_cast<const ImageView*>(&view)) return image->cellAt(at);
+    const auto cell = views_.cloud().cellAt(at);
+    return cell ? std::optional(views_.placeOf(*cell)) : std::nullopt;
+}
+
+bool CellDrag::takeMouse(QWidget& view, QEvent& event) {
     const QEvent::Type type = event.type();
     if (type != QEvent::MouseButtonPress && type != QEvent::MouseMove && type != QEvent::MouseButtonRelease) return false;
     const auto& mouse = static_cast<QMouseEvent&>(event);
@@ -50,15 +57,18 @@ bool CellDrag::takeMouse(ImageView& view, QEvent& event) {
         if (mouse.button() != Qt::LeftButton) return false;
         down_ = true;
         cells_.clear();
+        drawn_.clear();
     }
     if (!down_) return false;
-    const auto cell = view.cellAt(place(mouse));
+    const auto cell = cellUnder(view, place(mouse));
+    if (&view == &views_.cloud()) views_.cloud().setDrawn(drawn_ << place(mouse));
     if (cell && (cells_.empty() || cells_.back() != *cell)) {
         cells_.push_back(*cell);
         emit drawn(cells_);
     }
     if (type == QEvent::MouseButtonRelease && mouse.button() == Qt::LeftButton) {
         down_ = false;
+        views_.cloud().setDrawn({});
         emit finished(std::exchange(cells_, {}));
     }
     return true;

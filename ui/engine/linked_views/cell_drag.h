@@ -1,14 +1,15 @@
-// The mouse for tools that request it: a left drag over an image as a row of cells, the wheel over any view as steps, and Esc.
+// The mouse for tools that request it: a left drag over a view as a row of cells, the wheel over any view as steps, and Esc.
 #pragma once
 
 #include <QObject>
 #include <QPoint>
+#include <QPolygonF>
 
+#include <optional>
 #include <vector>
 
 namespace edgescan::ui {
 
-class ImageView;
 class LinkedViews;
 
 /// GUI thread only. The views must outlive it. Cells: x = beam, y = line.
@@ -31,13 +32,15 @@ signals:
     void givenUp();
 
 private:
-    bool takeMouse(ImageView& view, QEvent& event);
+    bool takeMouse(QWidget& view, QEvent& event);
+    [[nodiscard]] std::optional<QPoint> cellUnder(const QWidget& view, QPointF at) const;
     bool takeWheel(QEvent& event);
 
     LinkedViews& views_;
     Wanted wanted_ = Wanted::Nothing;
     bool down_ = false;
     std::vector<QPoint> cells_;
+    QPolygonF drawn_;     // in the cloud, its pixels
     double turned_ = 0.0; // fraction of a notch
 };
 

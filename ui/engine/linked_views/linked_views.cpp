@@ -165,7 +165,7 @@ void LinkedViews::showNewScan() {
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
     noteFit();
     for (ImageView* view : images_) {
-        view->setNote(QString());
+        view->setNote(asked_);
         view->setBox(std::nullopt);
     }
     emit newScanShown();
@@ -262,8 +262,19 @@ void LinkedViews::setTrail(const EdgeTrail& trail) {
 }
 
 void LinkedViews::setNote(const QString& note) {
-    for (ImageView* view : images_) view->setNote(note);
-    cloud_.setNote(note);
+    note_ = note;
+    showNote();
+}
+
+void LinkedViews::setAsked(const QString& words) {
+    asked_ = words;
+    showNote();
+}
+
+void LinkedViews::showNote() {
+    const QString both = asked_.isEmpty() || note_.isEmpty() ? asked_ + note_ : asked_ + " · " + note_;
+    for (ImageView* view : images_) view->setNote(both);
+    cloud_.setNote(both);
 }
 
 void LinkedViews::setStale(const QString& why) {

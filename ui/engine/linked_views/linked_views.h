@@ -81,6 +81,8 @@ public:
     [[nodiscard]] QPoint placeOf(std::size_t cell) const;
 
     void setNote(const QString& note);
+    /// What a tool waits for, before the note; empty: no tool.
+    void setAsked(const QString& words);
     void setStale(const QString& why);
     /// The caption of a scene is shown once: in the cloud, or in `image` while only that one is on the screen (null: the cloud).
     void setCaptionIn(const ImageView* image);
@@ -136,6 +138,7 @@ signals:
     void boxed(const QString& words);
 
 private:
+    void showNote();
     void linkImages();
     void linkCloud();
     [[nodiscard]] bool waitsForTheWhole(QWidget& view) const;
@@ -167,6 +170,7 @@ private:
     std::optional<std::size_t> pinned_;
     Tool tool_ = Tool::Pin;
     bool pinsOnClick_ = true;
+    QString note_, asked_;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved the camera, and a growing cloud may be fitted again
     int fittedLines_ = 0;
     bool windowKept_ = false;

@@ -1,6 +1,7 @@
 // The scene of a picture.
 #include "ui/engine/linked_views/scene.h"
 
+#include <algorithm>
 #include <ranges>
 
 namespace edgescan::ui {
@@ -30,14 +31,14 @@ std::shared_ptr<const QImage> overGrayOf(const SceneState& state, const Picture&
 }
 
 /// Lines may have come or gone since the overlay was made: the cells of both are the same ones.
-void colourPoints(Scene& scene, const OverlayPoints& points, const Scene* last) {
+void fitPoints(Scene& scene, const OverlayPoints& points, const Scene* last) {
     const CloudGeometry& cloud = *scene.picture->cloud;
     if (!points.colours || points.beams != cloud.beams) return;
     scene.edgesOverPoints = points.belowEdges;
     scene.pointsFrom = points.colours;
     if (points.colours->size() == cloud.cells()) {
         scene.points = points.colours;
-    } else if (last != nullptr && last->pointsFrom == points.colours) {
+    } else if (last != nullptr && last->pointsFrom == points.colours && last->pointsOver == nullptr) {
         scene.points = last->points;
     } else {
         auto fitted = std::make_shared<std::vector<std::uint32_t>>(*points.colours);
@@ -46,20 +47,38 @@ void colourPoints(Scene& scene, const OverlayPoints& points, const Scene* last) 
     }
 }
 
+/// `below`: of a less important overlay, some of whose colours stay; null: there is no other.
+void colourPoints(Scene& scene, const OverlayPoints& points, const OverlayPoints* below, const Scene* last) {
+    fitPoints(scene, points, last);
+    if (!scene.points || below == nullptr || below->beams != points.beams || !below->staying) return;
+    scene.edgesOverPoints = scene.edgesOverPoints || below->belowEdges;
+    scene.pointsOver = below->staying;
+    if (last != nullptr && last->pointsFrom == scene.pointsFrom && last->pointsOver == scene.pointsOver &&
+        last->points->size() == scene.points->size()) {
+        scene.points = last->points;
+        return;
+    }
+    auto both = std::make_shared<std::vector<std::uint32_t>>(*scene.points);
+    for (std::size_t k = 0; k < std::min(both->size(), below->staying->size()); ++k) {
+        if ((*below->staying)[k] != 0) (*both)[k] = (*below->staying)[k];
+    }
+    scene.points = std::move(both);
+}
+
 } // namespace
 
 Scene sceneOf(const SceneState& state, const std::shared_ptr<const Picture>& picture, const Overlays& overlays, const Scene& last) {
     Scene scene;
     scene.state = state;
     scene.picture = state.flippedTo ? state.flippedTo : picture;
-    const OverlayPoints* points = nullptr;
+    const OverlayPoints *points = nullptr, *below = nullptr;
     for (const auto& overlay : overlays | std::views::reverse) {
         if (!overlay) continue;
         if (overlay->legend && !scene.legend && !scene.instead) scene.legend = overlay->name;
         if (!picture || (overlay->scan && overlay->scan != picture->detection->scan)) continue;
         const bool onGrid = overlay->edges && overlay->edges->map->size() == picture->edges->size();
         if (!scene.instead && onGrid) scene.instead = overlay->edges;
-        if (points == nullptr && overlay->points) points = &*overlay->points;
+        if (overlay->points) (points == nullptr ? points : below) = &*overlay->points;
         if (scene.caption.isEmpty()) scene.caption = overlay->caption;
         if (scene.faces || !overlay->faces || scene.flipped()) continue;
         scene.faces = overlay->faces;
@@ -74,7 +93,7 @@ Scene sceneOf(const SceneState& state, const std::shared_ptr<const Picture>& pic
     scene.cells = instead != nullptr ? instead->cells : scene.picture->edgeCells;
     scene.colours = instead != nullptr ? instead->colours : state.colours;
     scene.byClass = instead != nullptr || state.byClass;
-    if (points != nullptr && !scene.flipped()) colourPoints(scene, *points, same);
+    if (points != nullptr && !scene.flipped()) colourPoints(scene, *points, below, same);
     return scene;
 }
 

@@ -43,6 +43,8 @@ struct OverlayPoints {
     int beams = 0;                                             ///< of their grid
     std::uint32_t others = 0;                                  ///< of cells that the colours do not reach
     bool belowEdges = false;                                   ///< edges are drawn over them even if they are not wanted over faces
+    std::shared_ptr<const std::vector<std::uint32_t>>
+        staying{}; ///< colours that stay over a more important overlay's, 0 elsewhere; or null
 };
 
 /// Never changed once it is given to the views.
@@ -75,6 +77,7 @@ struct Scene {
     EdgeColours colours = kUsualColours;
     bool byClass = false;
     std::shared_ptr<const std::vector<std::uint32_t>> points, pointsFrom; ///< null: as they are; from: as the overlay has them
+    std::shared_ptr<const std::vector<std::uint32_t>> pointsOver;         ///< some of another overlay are over these; null: no others
     bool edgesOverPoints = false;
     // In all:
     QString caption;

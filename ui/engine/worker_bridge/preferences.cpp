@@ -2,15 +2,23 @@
 #include "ui/engine/worker_bridge/preferences.h"
 
 #include "core/base/bounded_json.h"
+#include "core/base/descriptor.h"
+#include "core/base/file_lock.h"
 #include "core/base/json_text.h"
 #include "core/edges/settings/parameters.h"
 #include "ui/base/shown_text.h"
 
 #include <QDir>
+#include <QEvent>
+#include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
 
 #include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+
+#include <chrono>
 
 namespace edgescan::ui {
 namespace {
@@ -18,11 +26,48 @@ namespace {
 constexpr int kRecentFiles = 10;
 constexpr int kVersion = 1; // of the file; a file of another version is ignored
 
+/// The lock of the folder of a settings file, until the result is destroyed. On a file system without locks, and where another program
+/// holds the lock all the time, the file is used nevertheless.
+Descriptor lockedFolderOf(const QString& file) {
+    const QString path = QFileInfo(file).absolutePath();
+    QDir().mkpath(path);
+    Descriptor folder(::open(QFile::encodeName(path).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.isOpen()) static_cast<void>(lockFile(folder.number(), std::chrono::seconds(2)));
+    return folder;
+}
+
+/// Reads and writes while this program has locked the folder. QSettings alone reads without a lock, and may remember the size and the time
+/// of a file that another program wrote after that: then it does not read that file again before it writes, and the other's settings are
+/// lost.
+class SettingsFile : public QSettings {
+public:
+    [[nodiscard]] static std::unique_ptr<QSettings> opened(const QString& path) {
+        const Descriptor folder = lockedFolderOf(path);
+        return std::unique_ptr<QSettings>(new SettingsFile(path));
+    }
+    ~SettingsFile() override {
+        const Descriptor folder = lockedFolderOf(fileName());
+        sync();
+    }
+    SettingsFile(const SettingsFile&) = delete;
+    SettingsFile& operator=(const SettingsFile&) = delete;
+
+protected:
+    bool event(QEvent* event) override {
+        if (event->type() != QEvent::UpdateRequest) return QSettings::event(event);
+        const Descriptor folder = lockedFolderOf(fileName());
+        return QSettings::event(event);
+    }
+
+private:
+    explicit SettingsFile(const QString& path) : QSettings(path, QSettings::IniFormat) {}
+};
+
 } // namespace
 
 Preferences::Preferences(const QString& iniPath) {
     if (iniPath.isEmpty()) return;
-    file_ = std::make_unique<QSettings>(iniPath, QSettings::IniFormat);
+    file_ = SettingsFile::opened(iniPath);
     if (file_->value("version", kVersion).toInt() != kVersion) file_->clear();
     file_->setValue("version", kVersion);
 }

@@ -202,6 +202,8 @@ QWidget* NumbersSide::makeSettings() {
     settings_ = new QVBoxLayout(content);
     settings_->setContentsMargins(0, 0, 0, 0);
     settings_->setSpacing(12);
+    settingsHead_ = new QHBoxLayout;
+    settings_->addLayout(settingsHead_);
     settings_->addStretch(1);
     return content;
 }
@@ -293,7 +295,7 @@ void NumbersSide::showSettings(const std::vector<SteppedSetting>& settings) {
             shown->setObjectName("step-" + each.key);
             connect(shown, &Stepper::stepped, this, [this, key = each.key](int steps) { emit stepped(key, steps); });
             connect(shown, &Stepper::stepEnded, this, &NumbersSide::stepEnded);
-            settings_->insertWidget(static_cast<int>(steppers_.size()), shown);
+            settings_->insertWidget(1 + static_cast<int>(steppers_.size()), shown); // below the buttons
             steppers_.emplace_back(each.key, shown);
         }
         shown->showValue(each.value);
@@ -314,6 +316,8 @@ void NumbersSide::addButton(QToolButton* button) {
     foot_->addWidget(button, 0, buttons_);
     ++buttons_;
 }
+
+void NumbersSide::addSettingsButton(QToolButton* button) { settingsHead_->addWidget(button); }
 
 } // namespace edgescan::ui
 

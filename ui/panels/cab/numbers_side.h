@@ -8,6 +8,7 @@
 #include <vector>
 
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QStackedWidget;
 class QToolButton;
@@ -52,6 +53,8 @@ public:
     [[nodiscard]] QString sizeShown() const;
     /// Adds a button such as Report or Export at the bottom.
     void addButton(QToolButton* button);
+    /// Adds one above the settings.
+    void addSettingsButton(QToolButton* button);
 
 signals:
     /// The operator wants the next (1) or previous (-1) target.
@@ -89,6 +92,7 @@ private:
     bool stepped_ = false; // the main stepper has a setting
     Stepper* main_;
     QString mainKey_;
+    QHBoxLayout* settingsHead_ = nullptr;
     QVBoxLayout* settings_ = nullptr;
     std::vector<std::pair<QString, Stepper*>> steppers_;
     QGridLayout* foot_;

@@ -134,7 +134,7 @@ QLabel* wordsOf(QWidget* parent, const char* name) {
 
 ChangeLegend::ChangeLegend(QWidget* parent)
     : ViewPlate(parent), title_(wordsOf(this, "change-title")), unit_(wordsOf(this, "change-unit")), how_(wordsOf(this, "change-how")),
-      covered_(wordsOf(this, "change-covered")), region_(wordsOf(this, "change-region")),
+      overRocks_(wordsOf(this, "change-over-rocks")), region_(wordsOf(this, "change-region")),
       byDistance_(new QCheckBox(tr("colour by distance from A"), this)), histogram_(new DistanceView(this)),
       distances_(wordsOf(this, "change-distances")), previous_(new QToolButton(this)), next_(new QToolButton(this)) {
     setObjectName("change-legend");
@@ -170,9 +170,9 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     byDistance_->setFocusPolicy(Qt::TabFocus);
     connect(byDistance_, &QCheckBox::toggled, this, &ChangeLegend::distancesRequested);
     grid->addWidget(how_, kChangeRows + 2, 0, 1, 2);
-    setWords(*covered_, tr("Rocks cover them in the cloud"));
-    covered_->hide();
-    grid->addWidget(covered_, kChangeRows + 3, 0, 1, 2);
+    setWords(*overRocks_, tr("Other points have the colours of rocks"));
+    overRocks_->hide();
+    grid->addWidget(overRocks_, kChangeRows + 3, 0, 1, 2);
     previous_->setArrowType(Qt::LeftArrow);
     previous_->setToolTip(tr("Previous changed region"));
     previous_->setAccessibleName(previous_->toolTip());
@@ -291,8 +291,9 @@ void ChangeLegend::showFlipped(bool flipped) {
     setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_) + '\n' + toSee);
 }
 
-void ChangeLegend::showCovered(bool on) {
-    covered_->setVisible(on);
+void ChangeLegend::showOverRocks(bool on) {
+    if (on == !overRocks_->isHidden()) return;
+    overRocks_->setVisible(on);
     fitContent();
 }
 

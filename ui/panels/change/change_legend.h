@@ -32,7 +32,7 @@ public:
     /// Shows which of the two scans is on the screen.
     void showFlipped(bool flipped);
     /// On: the cloud does not show the changes, because rocks cover them.
-    void showCovered(bool on);
+    void showOverRocks(bool on);
     /// Text about a region; empty = no text.
     void showRegion(const QString& words);
     [[nodiscard]] QCheckBox* row(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].box; }
@@ -62,7 +62,7 @@ private:
     void showRows();
     void emitRows();
 
-    QLabel *title_, *unit_, *how_, *covered_, *region_;
+    QLabel *title_, *unit_, *how_, *overRocks_, *region_;
     std::array<Row, kChangeRows> rows_;
     QCheckBox* byDistance_;
     DistanceView* histogram_;

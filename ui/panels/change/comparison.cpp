@@ -151,6 +151,15 @@ std::shared_ptr<const std::vector<std::uint32_t>> pointsOf(const Comparison& mad
     return points;
 }
 
+std::shared_ptr<const std::vector<std::uint32_t>> changedOf(const Comparison& made) {
+    const auto& ranges = made.change.ranges.cells;
+    auto changed = std::make_shared<std::vector<std::uint32_t>>(made.points->size(), 0U);
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+        if (isOn(made.asked.rows, rowOf(ranges[k]))) (*changed)[k] = (*made.points)[k];
+    }
+    return changed;
+}
+
 /// The earlier picture if its cells match those of the later one; else a picture of its points on that grid.
 std::shared_ptr<const Picture> beforeOf(const std::shared_ptr<const Picture>& before, const inspect::EarlierOnGrid& earlier) {
     if (earlier.how.sameCells) return before;
@@ -223,6 +232,7 @@ Result<std::shared_ptr<const Comparison>> compared(const ComparisonAsked& asked,
     }
     made->edges = cellsOf(*made);
     made->points = pointsOf(*made);
+    made->changed = changedOf(*made);
     paint(*made);
     return std::shared_ptr<const Comparison>(std::move(made));
 }

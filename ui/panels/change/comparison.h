@@ -43,12 +43,13 @@ struct Comparison {
     inspect::SceneChange change;
     ///< A; if it is another scan, with the settings of the current picture: a changed slider must not look like a change of the rock
     std::shared_ptr<const Picture> earlier;
-    std::shared_ptr<const Picture> before;                    ///< on the grid of the current picture: shown while the two are flipped
-    EdgeCells edges;                                          ///< by class: gained, lost, unchanged, unseen
-    std::shared_ptr<const QImage> map;                        ///< beams x lines: edges by their change on black
-    std::shared_ptr<const QImage> overlay;                    ///< the same with the changed surfaces, transparent elsewhere
-    std::shared_ptr<const SurfaceDistances> distances;        ///< null: not asked for, or one scan
-    std::shared_ptr<const std::vector<std::uint32_t>> points; ///< per cell, bytes red, green, blue, 255; unchanged points are dimmed
+    std::shared_ptr<const Picture> before;                     ///< on the grid of the current picture: shown while the two are flipped
+    EdgeCells edges;                                           ///< by class: gained, lost, unchanged, unseen
+    std::shared_ptr<const QImage> map;                         ///< beams x lines: edges by their change on black
+    std::shared_ptr<const QImage> overlay;                     ///< the same with the changed surfaces, transparent elsewhere
+    std::shared_ptr<const SurfaceDistances> distances;         ///< null: not asked for, or one scan
+    std::shared_ptr<const std::vector<std::uint32_t>> points;  ///< per cell, bytes red, green, blue, 255; unchanged points are dimmed
+    std::shared_ptr<const std::vector<std::uint32_t>> changed; ///< the same of changed points, 0 elsewhere
 
     [[nodiscard]] std::size_t count(ChangeRow row) const;
     [[nodiscard]] bool isOfTwoScans() const { return change.earlier.how.by != inspect::RegistrationBasis::OneScan; }

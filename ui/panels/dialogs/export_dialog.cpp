@@ -40,7 +40,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
                            QWidget* parent)
     : QDialog(parent), detection_(std::move(detection)), contents_(new QButtonGroup(this)), coordinates_(new QButtonGroup(this)),
       selected_(std::move(selected)), format_(new QComboBox), picture_(new QLabel(tr("PNG picture (*.png)"))), onlySelected_(new QCheckBox),
-      attached_(new QCheckBox), count_(new QLabel), numbers_(new QLabel),
+      attached_(new QCheckBox), count_(new QLabel), numbers_(new QLabel), frameHint_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel)) {
     setWindowTitle(tr("Export"));
     auto* questions = new QWidget; // scrolls on a low screen: squeezed widgets would be unreadable
@@ -196,6 +196,23 @@ QString ExportDialog::numbersText() const {
                .arg(rounding.join(", "), shownText(fixedText(stepM * 1000, 0)));
 }
 
+/// What the numbers of the chosen coordinates count from in the chosen format, and where the origin is.
+QString ExportDialog::frameHint(CoordinateFrame frame) const {
+    if (frame == CoordinateFrame::Scanner) return tr("Numbers count from the scanner, along its own axes.");
+    if (frame == CoordinateFrame::MineLocal)
+        return tr(
+            "Small numbers: metres east, north and up from an origin near the scan. To get mine coordinates, add the origin, which is in "
+            "the header or in the record of the file.");
+    exports::ExportOptions mine = options();
+    mine.frame = CoordinateFrame::Mine;
+    const auto written = exports::coordinatesOf(content(), *detection_->scan, "export" + exactBytes(extension()), mine, {});
+    return written.aboutOrigin.empty()
+               ? tr("Each point has its whole Easting, Northing and RL, as on the plans of the mine.")
+               : tr("The same small numbers as local metres, because %1 programs round whole coordinates. EdgeScan adds the "
+                    "origin when it opens the file; other programs do not.")
+                     .arg(extension().mid(1).toUpper());
+}
+
 QGroupBox* ExportDialog::coordinatesBox() {
     auto* box = new QGroupBox(tr("Coordinates"));
     auto* column = new QVBoxLayout(box);
@@ -208,9 +225,14 @@ QGroupBox* ExportDialog::coordinatesBox() {
         column->addWidget(button);
     };
     add(CoordinateFrame::Mine, tr("Mine grid: Easting, Northing, RL"), "mine", placed);
-    add(CoordinateFrame::MineLocal, tr("Local metres; the origin in the mine grid is in the header"), "local", placed);
+    add(CoordinateFrame::MineLocal, tr("Local metres from an origin in the mine grid"), "local", placed);
     add(CoordinateFrame::Scanner, tr("Scanner frame, as measured"), "scanner", true);
     coordinates_->button(static_cast<int>(files::usualFrame(*detection_->scan)))->setChecked(true);
+    frameHint_->setObjectName("frame-hint");
+    frameHint_->setWordWrap(true);
+    frameHint_->setMinimumHeight(3 * frameHint_->fontMetrics().lineSpacing()); // the boxes do not move with the sentence
+    frameHint_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    column->addWidget(frameHint_);
     if (const auto why = files::checkFrame(*detection_->scan, CoordinateFrame::Mine, ""); !why) {
         const std::string& what = why.error().what;
         auto* reason = new QLabel(tr("No mine grid: %1. Scan > Pose and Mounting takes a pose and a calibration.").arg(coreSentence(what)));
@@ -332,6 +354,7 @@ void ExportDialog::follow() {
         choices_[n]->setEnabled(fits && (!isForFilled || detection_->filled));
     }
     numbers_->setText(numbersText());
+    frameHint_->setText(frameHint(options().frame));
     showCounts();
     const auto chosen = std::ranges::find(formats_, extension(), &Format::extension);
     const bool lines = cloud && chosen != formats_.end() && chosen->drawsEdges;

@@ -56,6 +56,7 @@ public:
 private:
     [[nodiscard]] QGroupBox* contentBox();
     [[nodiscard]] QGroupBox* coordinatesBox();
+    [[nodiscard]] QString frameHint(CoordinateFrame frame) const;
     [[nodiscard]] QGroupBox* writingBox();
     [[nodiscard]] QLayout* formatRow();
     [[nodiscard]] bool fillsToo() const;
@@ -84,7 +85,7 @@ private:
     QLabel* picture_; // the only format of pictures
     QCheckBox* onlySelected_;
     QCheckBox* attached_;
-    QLabel *count_, *numbers_;
+    QLabel *count_, *numbers_, *frameHint_;
     QDialogButtonBox* buttons_;
 };
 

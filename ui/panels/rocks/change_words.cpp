@@ -18,7 +18,7 @@ QString lostWords(const rocks::RegionChanges::Lost& lost, const RockPicture& pic
         QObject::tr("A part of rock %1 (%2 cells) is not shown as a rock: ").arg(lost.rock).arg(countText(region.sums.cells));
     switch (region.kind) {
     case rocks::RegionKind::Fines:
-        return part + QObject::tr("it is smaller than “Smallest rock” (%1 cells). Lower that slider to see it.")
+        return part + QObject::tr("it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.")
                           .arg(countText(settings.minimumCells));
     case rocks::RegionKind::Outside:
         return part + QObject::tr("it is outside the region of interest. Clear the region to see it.");

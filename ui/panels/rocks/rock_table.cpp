@@ -106,6 +106,8 @@ bool RockTable::eventFilter(QObject* watched, QEvent* event) {
 /// Each column shows its whole head and content, and has its part of the width that is left. A table with less room scrolls.
 void RockTable::fitColumns() {
     QHeaderView* heads = table_->horizontalHeader();
+    if (heads->count() > kSizeColumn)
+        heads->moveSection(heads->visualIndex(kSizeColumn), 1); // next to the number, in sight in a narrow panel
     const QAbstractItemView& content = *table_;
     std::vector<int> widths;
     for (int n = 0; n < heads->count(); ++n) widths.push_back(std::max(heads->sectionSizeHint(n), content.sizeHintForColumn(n)));

@@ -277,6 +277,11 @@ void CloudView::setNote(const QString& note) {
     updateOverlay();
 }
 
+void CloudView::setDrawn(const QPolygonF& line) {
+    dragged_ = line;
+    updateOverlay();
+}
+
 void CloudView::setTopTaken(int pixels) {
     if (std::exchange(topTaken_, pixels) != pixels) updateOverlay();
 }

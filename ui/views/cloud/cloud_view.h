@@ -100,6 +100,8 @@ public:
     void setNote(const QString& note);
     /// Texts are drawn below the upper `pixels`, which another widget covers.
     void setTopTaken(int pixels);
+    /// What a tool draws, widget pixels; empty: nothing.
+    void setDrawn(const QPolygonF& line);
     /// Draws a grey overlay with this reason over an outdated picture. Empty = no overlay.
     void setStale(const QString& why);
     /// A short text next to the marked cell. Empty = no text.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace edgescan::ui {
@@ -47,19 +48,23 @@ void ScalePlate::place() {
     const auto& cloud = cloud_->geometryOfCloud();
     const bool some = cloud && cloud->validCount > 0 && cloud_->width() >= kLeastView.width() && cloud_->height() >= kLeastView.height();
     resize(sizeHint());
-    const auto at = some ? freePlace() : std::nullopt;
+    auto at = some ? freePlace(rings_) : std::nullopt;
+    const bool covers = some && !at;
+    if (covers) at = freePlace({});
     if (at) move(*at);
+    if (std::exchange(seeThrough_, covers && at) != seeThrough_) update();
     setVisible(at.has_value());
 }
 
-void ScalePlate::keepOff(const QRect& place) {
-    keptFree_ = place;
+void ScalePlate::keepOff(const QRect& pinned, std::vector<QRect> rings) {
+    keptFree_ = pinned;
+    rings_ = std::move(rings);
     this->place(); // also without another place to keep free: a legend may have moved
 }
 
-/// In the corner opposite to the legends, else above the target or the legends; empty: every place would cover something.
-std::optional<QPoint> ScalePlate::freePlace() const {
-    std::vector<QRect> taken;
+/// In the corner opposite to the legends, else above the targets or the legends; empty: every place would cover something.
+std::optional<QPoint> ScalePlate::freePlace(const std::vector<QRect>& rings) const {
+    std::vector<QRect> taken = rings;
     bool legendsAtRight = false;
     for (const ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (other == this || !other->isVisible()) continue;
@@ -162,8 +167,9 @@ std::vector<std::pair<double, QString>> ScalePlate::scaleTicks() const {
 }
 
 void ScalePlate::paintEvent(QPaintEvent* event) {
-    ViewPlate::paintEvent(event);
+    if (!seeThrough_) ViewPlate::paintEvent(event);
     QPainter painter(this);
+    if (seeThrough_) painter.fillRect(rect(), QColor(0x1b, 0x1d, 0x1f, 120)); // the ring below it and its own text are both seen
     painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(unit(), unit()); // scales with the font of the window
     QFont letters = painter.font();

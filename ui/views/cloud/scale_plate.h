@@ -14,6 +14,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace edgescan::ui {
 
@@ -26,8 +27,10 @@ class ScalePlate : public ViewPlate {
 public:
     explicit ScalePlate(CloudView* cloud);
 
-    /// A part of the view that it must not cover, or null: the pinned target with its label.
-    void keepOff(const QRect& place);
+    /// Parts of the view that it must not cover: the pinned target with its label, or null, and the rings of the other targets. Where these
+    /// leave no place, it covers rings and is see-through.
+    void keepOff(const QRect& pinned, std::vector<QRect> rings);
+    [[nodiscard]] bool isSeeThrough() const { return seeThrough_; }
     /// The colours of the cloud on the screen; ColourBy::Nothing: no colour scale.
     void showColours(const CloudColours& colours);
     /// "1 m at 4.9 m", and the length of the bar in pixels.
@@ -57,8 +60,10 @@ private:
     };
     void follow();
     void place();
-    [[nodiscard]] std::optional<QPoint> freePlace() const;
+    [[nodiscard]] std::optional<QPoint> freePlace(const std::vector<QRect>& rings) const;
     QRect keptFree_;
+    std::vector<QRect> rings_;
+    bool seeThrough_ = false;          // it covers a ring
     [[nodiscard]] double unit() const; // 1; larger with a larger font
     [[nodiscard]] double depthInTheMiddle() const;
     [[nodiscard]] bool coloured() const;

@@ -190,5 +190,56 @@ TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
     EXPECT_FALSE(narrowestBetween(wall, CartesianTables(wall), cellOf(wall, 20, 20), cellOf(wall, 20, 40)));
 }
 
+// A plate at 5 m with an opening whose half width depends on the height; clicks on the plate next to its sides, `off` cells off each way.
+struct Clicked {
+    double lengthM;
+    std::string basis;
+};
+std::vector<Clicked> clicksAround(const Scan& scan, int line, int off) {
+    const CartesianTables tables(scan);
+    int left = 0, right = 0;
+    for (int j = 1; j < scan.beams(); ++j) {
+        if (scan.rangeMm.at(line, j - 1) < 7000.0F && scan.rangeMm.at(line, j) > 7000.0F) left = j - 1;
+        if (scan.rangeMm.at(line, j - 1) > 7000.0F && scan.rangeMm.at(line, j) < 7000.0F) right = j;
+    }
+    std::vector<Clicked> all;
+    for (int a = -off; a <= off; ++a) {
+        for (int b = -off; b <= off; ++b) {
+            const auto from = cellOf(scan, line + a, left - off), to = cellOf(scan, line + b, right + off);
+            const auto ends = narrowestBetween(scan, tables, from, to);
+            if (!ends) return {};
+            const auto measured = measureStored(scan, kQuietNoise, {MeasureKind::Throat, {(*ends)[0], (*ends)[1]}, {from, to}});
+            all.push_back({measured->lengths.front().valueM, measureBasis(*measured)});
+        }
+    }
+    return all;
+}
+
+TEST(Throat, SaysWhetherAWayNextToItIsNarrower) {
+    const auto opening = [](auto halfWidthM) {
+        return fineScan(101, 101, [&](const Eigen::Vector3d& d) {
+            return (std::abs(5.0 * d.x() / d.z()) < halfWidthM(5.0 * d.y() / d.z()) ? 9.0 : 5.0) / d.z();
+        });
+    };
+    // Narrowest in the middle: clicks that differ find one length.
+    const std::vector<Clicked> waist = clicksAround(opening([](double y) { return 0.3 + 0.8 * std::abs(y); }), 50, 2);
+    ASSERT_EQ(waist.size(), 25U);
+    for (const Clicked& each : waist) {
+        EXPECT_NEAR(each.lengthM, waist.front().lengthM, 1e-9);
+        EXPECT_NE(each.basis.find("no narrower way next to it"), std::string::npos) << each.basis;
+    }
+    // Narrower and narrower along the sides: each click finds another length, and the text says so.
+    const std::vector<Clicked> wedge = clicksAround(opening([](double y) { return 0.4 + 0.35 * y; }), 50, 2);
+    ASSERT_EQ(wedge.size(), 25U);
+    const auto [least, most] = std::ranges::minmax(wedge, {}, &Clicked::lengthM);
+    EXPECT_GT(most.lengthM, least.lengthM + 0.01);
+    for (const Clicked& each : wedge) {
+        const std::string part = "farther along, the throat narrows to ";
+        const auto at = each.basis.find(part);
+        ASSERT_NE(at, std::string::npos) << each.basis;
+        EXPECT_LT(std::stod(each.basis.substr(at + part.size())), each.lengthM);
+    }
+}
+
 } // namespace
 } // namespace edgescan::inspect
