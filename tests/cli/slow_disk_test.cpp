@@ -79,10 +79,11 @@ private:
     pid_t process_ = 0;
 };
 
-std::unique_ptr<scanner::EmulatedScanner> scannerOf(double linesPerSecond) {
+/// The progress counts the lines of a sweep, which begin with 1 again after so many.
+std::unique_ptr<scanner::EmulatedScanner> scannerOf(double linesPerSecond, int linesOfSweep = 100) {
     scanner::EmulatedScannerSettings settings;
     settings.linesPerSecond = linesPerSecond;
-    return test::served(test::countingScan(100, 381), settings);
+    return test::served(test::countingScan(linesOfSweep, 381), settings);
 }
 
 } // namespace
@@ -94,10 +95,11 @@ TEST(SlowDiskRecord, KilledTwentyTimesWhileEverySyncHangs) {
     std::vector<std::unique_ptr<scanner::EmulatedScanner>> scanners; // eight clients each
     std::vector<std::unique_ptr<Recorder>> recorders;
     constexpr double kRate = 50;
+    constexpr int kWhole = 20'000; // lines: no sweep ends before its recorder is killed
     // A chunk of 64 KiB is written when it is full, and five times a second.
     constexpr int kTelegramBytes = 900, kMostMissing = 2 * 65'536 / kTelegramBytes;
     for (int i = 0; i < 20; ++i) {
-        if (i % 5 == 0) scanners.push_back(scannerOf(kRate));
+        if (i % 5 == 0) scanners.push_back(scannerOf(kRate, kWhole));
         recorders.push_back(std::make_unique<Recorder>(*scanners.back(), (folder / ("k" + std::to_string(i) + ".mcap")).string(),
                                                        "EDGESCAN_SLOW_SYNC_MS=600000", "--progress"));
     }

@@ -89,14 +89,14 @@ private slots:
     void whatIsWrongWithTheTelegramsIsTold() {
         struct Case {
             scanner::ScannerFaults faults;
-            QString lines, remark;
+            QString lines, lost, remark;
         };
         scanner::ScannerFaults counters, narrow, clock;
         counters.counterStep = 1000;
         narrow.narrowEvery = 2;
         clock.clockRate = -1;
-        for (const Case& each :
-             {Case{counters, "COUNTERS IN DOUBT", "COUNTERS IN DOUBT"}, Case{narrow, "INCOMPLETE", ""}, Case{clock, "lines", "1 remark"}}) {
+        for (const Case& each : {Case{counters, "COUNTERS IN DOUBT", "", "COUNTERS IN DOUBT"}, Case{narrow, "lines", " lost: lines ", ""},
+                                 Case{clock, "lines", "", "1 remark"}}) {
             scanner::EmulatedScannerSettings settings;
             settings.linesPerSecond = 100;
             settings.faults = each.faults;
@@ -109,6 +109,7 @@ private slots:
             const HealthStrip& strip = on.viewer.live.panel().strip();
             const auto isShown = [&] {
                 return QString::fromStdString(strip.shown().lines).contains(each.lines) &&
+                       QString::fromStdString(strip.shown().lost).contains(each.lost) &&
                        QString::fromStdString(strip.shown().remark) == each.remark;
             };
             QVERIFY2(eventually(isShown), qPrintable(QString::fromStdString(strip.shown().lines + " / " + strip.shown().remark)));
