@@ -47,6 +47,7 @@ private:
     enum class Corner { Range, Edges, None };
     void connectHead();
     void addTools();
+    void addSideButtons();
     void addMeasures(QMenu& menu);
     void fillRemoval(QMenu& menu) const;
     void connectSide();

@@ -112,6 +112,12 @@ void CabMode::addTools() {
     connect(&window_.viewer().undo, &QUndoStack::canUndoChanged, undo, &QWidget::setEnabled);
     undo->setEnabled(window_.viewer().undo.canUndo());
     column.setFoot(undo);
+    const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
+    for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
+    addSideButtons();
+}
+
+void CabMode::addSideButtons() {
     QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
     tune->setCheckable(true);
     connect(tune, &QToolButton::clicked, &frame_->side(), &NumbersSide::setTuning);
@@ -127,8 +133,6 @@ void CabMode::addTools() {
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
     connect(out, &QToolButton::clicked, this, [this] { window_.viewer().exports.ask(exports::ExportContent::EdgeCloud); });
     for (QToolButton* each : {tune, report, out}) frame_->side().addButton(each);
-    const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
-    for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
     for (QWidget* each : std::initializer_list<QWidget*>{tune, usual, classes, report, out, frame_->side().mainStepper()})
         ofScan_.push_back(each);
 }
