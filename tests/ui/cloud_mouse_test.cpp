@@ -104,7 +104,7 @@ private slots:
         const std::uint32_t cell = 60 * 300 + 90;
         const QPoint at = view_->pixelOf(cell)->toPoint();
         const CameraPose before = view_->camera();
-        QTest::mouseDClick(view_.get(), Qt::LeftButton, Qt::NoModifier, at);
+        QTest::mouseDClick(view_->windowHandle(), Qt::LeftButton, Qt::NoModifier, at);
         const Eigen::Vector3d point = view_->geometryOfCloud()->point(cell).cast<double>();
         QVERIFY((view_->rotationCentre() - point).norm() < 0.2);
         QVERIFY(view_->camera().position.isApprox(before.position));

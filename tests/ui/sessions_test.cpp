@@ -469,6 +469,47 @@ private slots:
         page->show(); // a window that is closed while its page is shown
     }
 
+    // The first half of a double click on the list opens the scan, the second half would pin a cell of the view that appears below it.
+    void theSecondHalfOfADoubleClickOnTheListPinsNothing() {
+        WindowFixture on(inFolder("twice.ini"));
+        on.preferences.keep("tour-ended", true); // the tour would cover the page
+        on.preferences.keepRecentFile(QString::fromStdString(boxes_));
+        on.window.resize(1280, 800);
+        QVERIFY(on.show() && on.activate());
+        on.window.findChild<QAction*>("cab-mode")->trigger(); // there the mouse is a finger
+        QTRY_VERIFY(on.window.cab().on());
+        StartPage* page = showStart(on.window, on.preferences);
+        QTRY_VERIFY(page->isVisible() && page->settled());
+        QListWidget& list = page->list();
+        const QRect row = list.visualItemRect(list.item(0));
+        const QRect onWindow(list.viewport()->mapTo(&on.window, row.topLeft()), row.size());
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier, row.center());
+        QTRY_VERIFY(page->isHidden());
+        QVERIFY(atRest(on));
+        QPoint at;
+        for (int x = onWindow.left() + 5; at.isNull() && x < onWindow.right() - 5; x += 5) {
+            const QPoint here(x, onWindow.bottom() - 8);
+            const auto* image = qobject_cast<const ImageView*>(on.window.childAt(here));
+            const auto* cloud = qobject_cast<const CloudView*>(on.window.childAt(here));
+            const bool hasCell = (image != nullptr && image->cellAt(image->mapFrom(&on.window, here))) ||
+                                 (cloud != nullptr && cloud->cellAt(cloud->mapFrom(&on.window, here)));
+            if (hasCell) at = here;
+        }
+        QVERIFY(!at.isNull());
+        const auto click = [&] { QTest::mouseClick(on.window.windowHandle(), Qt::LeftButton, Qt::NoModifier, at); };
+        page->show();
+        QTRY_VERIFY(page->settled());
+        QApplication::setDoubleClickInterval(10000);
+        click();
+        QTRY_VERIFY(page->isHidden());
+        click();
+        QVERIFY(atRest(on));
+        QVERIFY(on.viewer.targets.notebook().targets.empty());
+        QApplication::setDoubleClickInterval(400);
+        click();
+        QTRY_VERIFY(!on.viewer.targets.notebook().targets.empty());
+    }
+
     void everyActIsTakenBackAndDoneAgain() {
         WindowFixture on;
         on.window.resize(1300, 850);

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace edgescan::ui {
@@ -54,11 +55,27 @@ bool Touch::read(QEvent* event) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-        return mouseIsFinger_ && readMouse(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonDblClick: {
+        const auto& mouse = *static_cast<QMouseEvent*>(event);
+        return isOfAnother(mouse) || (mouseIsFinger_ && readMouse(mouse));
+    }
     default:
         return false;
     }
+}
+
+// A double click whose first half another widget received: it opened the scan from the start page, or closed what covered the view.
+bool Touch::isOfAnother(const QMouseEvent& event) {
+    if (event.type() == QEvent::MouseButtonPress) {
+        ofAnother_ = false;
+        pressedAt_ = event.timestamp();
+    } else if (event.type() == QEvent::MouseButtonDblClick) {
+        const auto longest = static_cast<unsigned long>(QApplication::doubleClickInterval());
+        ofAnother_ = !pressedAt_ || event.timestamp() - *pressedAt_ > longest;
+    } else if (event.type() == QEvent::MouseButtonRelease) {
+        return std::exchange(ofAnother_, false);
+    }
+    return ofAnother_;
 }
 
 bool Touch::readTouch(const QTouchEvent& event) {

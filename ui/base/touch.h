@@ -36,6 +36,7 @@ private:
         bool pressed = false; ///< it moved: the view received a press event
         bool spent = false;   ///< it rested, or a second finger touched: its release has no effect
     };
+    bool isOfAnother(const QMouseEvent& event);
     bool readTouch(const QTouchEvent& event);
     bool readMouse(const QMouseEvent& event);
     void begin(QPointF at);
@@ -51,6 +52,8 @@ private:
     std::optional<QPointF> middle_; // of two fingers, while two are down
     double spread_ = 0.0;
     QTimer rest_;
+    std::optional<unsigned long> pressedAt_; // ms, when the view received its last press of the mouse
+    bool ofAnother_ = false;                 // the button that is down
     bool mouseIsFinger_ = false;
     bool sending_ = false;
 };
