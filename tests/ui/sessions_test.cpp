@@ -476,7 +476,7 @@ private slots:
         on.preferences.keepRecentFile(QString::fromStdString(boxes_));
         on.window.resize(1280, 800);
         QVERIFY(on.show() && on.activate());
-        on.window.findChild<QAction*>("cab-mode")->trigger(); // there the mouse is a finger
+        on.window.cab().set(true); // there the mouse is a finger
         QTRY_VERIFY(on.window.cab().on());
         StartPage* page = showStart(on.window, on.preferences);
         QTRY_VERIFY(page->isVisible() && page->settled());
@@ -508,6 +508,8 @@ private slots:
         QApplication::setDoubleClickInterval(400);
         click();
         QTRY_VERIFY(!on.viewer.targets.notebook().targets.empty());
+        on.window.cab().set(false); // its style is that of the whole program
+        QTRY_VERIFY(!on.window.cab().on());
     }
 
     void everyActIsTakenBackAndDoneAgain() {
