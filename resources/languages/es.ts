@@ -63,6 +63,7 @@
 <message><source>the motor turning on while a line is measured)</source><translation>el motor sigue girando mientras se mide una línea)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indique %1 si no es así.</translation></message>
 <message><source>The first line received is taken as line 0 of the sweep.</source><translation>La primera línea recibida se toma como línea 0 del barrido.</translation></message>
+<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>La cuenta del codificador en la primera línea recibida se toma como primer ángulo del barrido.</translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>El escáner comunicó un error o no estaba listo</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>El escáner comunicó una ventana demasiado sucia para medir</translation></message>
 <message><source>The scanner reported a dirty window</source><translation>El escáner comunicó una ventana sucia</translation></message>

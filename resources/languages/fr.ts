@@ -63,6 +63,7 @@
 <message><source>the motor turning on while a line is measured)</source><translation>le moteur continuant à tourner pendant la mesure d'une ligne)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indiquez %1 si c'est faux.</translation></message>
 <message><source>The first line received is taken as line 0 of the sweep.</source><translation>La première ligne reçue est prise comme ligne 0 du balayage.</translation></message>
+<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>Le compte de l'encodeur à la première ligne reçue est pris comme premier angle du balayage.</translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>Le scanner a signalé une erreur ou n'était pas prêt</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>Le scanner a signalé une fenêtre trop sale pour mesurer</translation></message>
 <message><source>The scanner reported a dirty window</source><translation>Le scanner a signalé une fenêtre sale</translation></message>

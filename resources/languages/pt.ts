@@ -63,6 +63,7 @@
 <message><source>the motor turning on while a line is measured)</source><translation>o motor continua a girar enquanto uma linha é medida)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indique %1 se não for assim.</translation></message>
 <message><source>The first line received is taken as line 0 of the sweep.</source><translation>A primeira linha recebida é tomada como linha 0 da varredura.</translation></message>
+<message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>A contagem do encoder na primeira linha recebida é tomada como primeiro ângulo da varredura.</translation></message>
 <message><source>The scanner reported an error or was not ready</source><translation>O scanner comunicou um erro ou não estava pronto</translation></message>
 <message><source>The scanner reported a window too dirty to measure through</source><translation>O scanner comunicou uma janela suja demais para medir</translation></message>
 <message><source>The scanner reported a dirty window</source><translation>O scanner comunicou uma janela suja</translation></message>

@@ -88,6 +88,7 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "the motor turning on while a line is measured)"),
     QT_TRANSLATE_NOOP("QObject", "Give %1 where that is wrong."),
     QT_TRANSLATE_NOOP("QObject", "The first line received is taken as line 0 of the sweep."),
+    QT_TRANSLATE_NOOP("QObject", "The encoder count of the first line received is taken as the first angle of the sweep."),
     QT_TRANSLATE_NOOP("QObject", "The scanner reported an error or was not ready"),
     QT_TRANSLATE_NOOP("QObject", "The scanner reported a window too dirty to measure through"),
     QT_TRANSLATE_NOOP("QObject", "The scanner reported a dirty window"),

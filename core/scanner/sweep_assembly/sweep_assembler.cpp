@@ -142,7 +142,9 @@ void SweepAssembler::followEncoder(SweepLine& line, std::int64_t lost, bool rest
     const std::uint32_t position = *line.encoderPosition;
     if (!settings_.ticksPerDeg) {
         encoderWithoutScale_ = true;
-        if (encoderLeapsBack(position, lost, restarted)) finishSweep();
+        if (!encoderLeapsBack(position, lost, restarted)) return;
+        finishSweep();
+        startIsKnown_ = true;
         return;
     }
     if (!encoderAt_) {
@@ -186,6 +188,7 @@ void SweepAssembler::take(SweepLine line, std::int64_t lost) {
         lostSince_ = 0;
         note(Irregularity::Gap, lost);
         finishSweep();
+        startIsKnown_ = false;
     }
     lostSince_ = 0;
     if (!sweep_) return start(line);

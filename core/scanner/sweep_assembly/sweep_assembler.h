@@ -111,6 +111,7 @@ private:
     std::optional<std::uint32_t> encoderAt_;
     std::int64_t encoderCount_ = 0, encoderStep_ = 0; // step: counts to the newest line, of an encoder without a scale
     bool encoderWithoutScale_ = false, encoderWasReset_ = false;
+    bool startIsKnown_ = false; // the stepper was taken back to its start; before that, it may have been turning at the first line
     DeviceFlags device_;
 
     int number_ = 0;

@@ -54,6 +54,8 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
     return acquisition;
 }
 
+constexpr const char* kFirstLineAssumed = "The first line received is taken as line 0 of the sweep.";
+
 /// A step that is counted is assumed, too; an encoder or the stepper reports its angles itself.
 std::string assumedText(const SweepSettings& settings, AngleSource source) {
     std::string what, flags;
@@ -68,7 +70,7 @@ std::string assumedText(const SweepSettings& settings, AngleSource source) {
                       "--line-step");
     }
     if (what.empty()) return {};
-    const char* first = source == AngleSource::Steps ? " The first line received is taken as line 0 of the sweep." : "";
+    const std::string first = source == AngleSource::Steps ? std::string(" ") + kFirstLineAssumed : "";
     return kMountingAssumed + what + ". Give " + flags + " where that is wrong." + first;
 }
 
@@ -173,6 +175,10 @@ void SweepAssembler::describe(Scan& scan) {
     warnAboutRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
     for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
     if (!now.assumed.empty()) warn(now.assumed);
+    const bool isCounted = angles.source == AngleSource::Steps || angles.source == AngleSource::Time;
+    if (isCounted && !startIsKnown_ && now.assumed.empty()) warn(kFirstLineAssumed);
+    if (angles.source == AngleSource::Encoder && !settings_.encoderZero)
+        warn("The encoder count of the first line received is taken as the first angle of the sweep.");
     if (angles.source == AngleSource::Time) warn("The line angles are computed from time alone: a change of speed bends the cloud.");
     if (encoderWithoutScale_)
         warn("The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.");

@@ -147,7 +147,7 @@ TEST(RecordedPlace, AnOldPoseIsOutOfSpecAndABadOneIsReported) {
     scanner::SweepMetadata bare = robotMetadata();
     bare.erase("R_IA");
     EXPECT_TRUE(told(recorded(bare, {{0.2, 498765.0}})->warnings, "--calibration ROBOT.json places the scan"));
-    EXPECT_TRUE(recorded(bare, {})->warnings.empty()) << "nothing is there, so nothing is to be said";
+    EXPECT_FALSE(told(recorded(bare, {})->warnings, "--calibration")) << "no pose is there, so there is nothing to place";
 }
 
 TEST(RecordedPlace, FilesTakeThePlaceOfWhatTheRecordingHolds) {

@@ -37,6 +37,8 @@ bool warns(const Scan& scan, const std::string& words) {
                        [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
+constexpr const char* kFirstLine = "The first line received is taken as line 0 of the sweep.";
+
 const PolarGeometry& polarOf(const Scan& scan) { return std::get<PolarGeometry>(scan.geometry); }
 
 } // namespace
@@ -49,7 +51,8 @@ TEST(Sweep, LinesAndStepsFromTheConfiguredStart) {
     expectRows(assembler, {});
     const auto scan = assembler.snapshot();
     EXPECT_EQ(assembler.progress().text(), "50/50 lines");
-    EXPECT_TRUE(scan->warnings.empty());
+    EXPECT_EQ(scan->warnings.size(), 1U);
+    EXPECT_TRUE(warns(*scan, kFirstLine)) << "the angles are counted, and the stepper may have been turning before";
     for (int row = 0; row < 50; ++row) EXPECT_DOUBLE_EQ(polarOf(*scan).lineDeg[std::size_t(row)], -20 + 0.18 * row);
     EXPECT_DOUBLE_EQ(polarOf(*scan).beamDeg.back(), -5 + 60.0 / 6);
     EXPECT_EQ(assembler.snapshot(), scan) << "nothing changed, so it is the same";
@@ -86,7 +89,9 @@ TEST(Sweep, AnEncoderThatLeapsBackBeginsANewSweep) {
     auto finished = assembler.takeFinished();
     ASSERT_EQ(finished.size(), 1U);
     EXPECT_EQ(finished[0].progress.text(), "INCOMPLETE 25/60 lines");
+    EXPECT_TRUE(warns(*finished[0].scan, kFirstLine));
     EXPECT_EQ(assembler.progress().lines, 55);
+    EXPECT_FALSE(warns(*assembler.snapshot(), kFirstLine)) << "the leap shows where this sweep begins";
     EXPECT_TRUE(rowHolds(*assembler.snapshot(), 0, 25));
 }
 
@@ -220,7 +225,11 @@ TEST(Sweep, EncoderCountsBecomeAnglesAndAReversalStartsTheNextSweep) {
         EXPECT_TRUE(rowHolds(*sweeps[1].scan, row, row + 100));
         EXPECT_NEAR(polarOf(*sweeps[1].scan).lineDeg[std::size_t(row)], 3 + 0.18 * (98 - row), 1e-9);
     }
-    for (const FinishedSweep& sweep : sweeps) EXPECT_TRUE(addsUp(*sweep.scan, sweep.progress));
+    for (const FinishedSweep& sweep : sweeps) {
+        EXPECT_TRUE(addsUp(*sweep.scan, sweep.progress));
+        EXPECT_FALSE(warns(*sweep.scan, kFirstLine));
+        EXPECT_TRUE(warns(*sweep.scan, "The encoder count of the first line received is taken as the first angle"));
+    }
     // On the way back the beams of a line are in the opposite order.
     EXPECT_NEAR(polarOf(*sweeps[0].scan).lineSkewDeg[0], 0.18 * 139 / 360, 1e-6);
     EXPECT_NEAR(polarOf(*sweeps[1].scan).lineSkewDeg[0], -0.18 * 139 / 360, 1e-6);
@@ -295,6 +304,7 @@ TEST(Sweep, SplitBySizeWithLinesLostAcrossTheEnd) {
     EXPECT_EQ(sweeps[0].progress.text(), "INCOMPLETE 22/25 lines");
     EXPECT_EQ(sweeps[0].progress.lost, (std::vector<int>{22, 23, 24}));
     EXPECT_EQ(sweeps[1].progress.text(), "25/25 lines");
+    EXPECT_TRUE(warns(*sweeps[1].scan, kFirstLine)) << "its start follows from that of the first";
     EXPECT_TRUE(rowHolds(*sweeps[1].scan, 0, 27));
     EXPECT_EQ(sweeps[2].progress.text(), "INCOMPLETE 18/25 lines");
 }
