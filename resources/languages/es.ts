@@ -409,9 +409,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>El barrido %1 tiene %2 líneas en la pantalla; al pulsar se muestra con %3 líneas.</translation></message>
 <message><source>Show sweep %1</source><translation>Mostrar el barrido %1</translation></message>
 <message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>El barrido %1 está en la pantalla; al pulsar se muestra el barrido %2, que tiene %3 líneas.</translation></message>
+<message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 estaba retenido con %2 líneas cuando terminó la conexión.</translation></message>
 <message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 es parcial: %2 de %3 líneas. El escáner estaba en medio de este barrido cuando EdgeScan se conectó. El barrido siguiente lo sustituye.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
+<message><source>It is held on the screen; Follow shows the next one.</source><translation>Está retenido en la pantalla. Seguir muestra el siguiente.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminó. </translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
 <message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>

@@ -409,9 +409,11 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>A varredura %1 tem %2 linhas na tela; um toque a mostra com %3 linhas.</translation></message>
 <message><source>Show sweep %1</source><translation>Mostrar a varredura %1</translation></message>
 <message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>A varredura %1 está na tela; um toque mostra a varredura %2, que tem %3 linhas.</translation></message>
+<message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 estava retida com %2 linhas quando a conexão terminou.</translation></message>
 <message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 é parcial: %2 de %3 linhas. O scanner estava no meio desta varredura quando o EdgeScan se conectou. A varredura seguinte a substitui.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
+<message><source>It is held on the screen; Follow shows the next one.</source><translation>Está retida na tela. Seguir mostra a seguinte.</translation></message>
 <message><source>%1 has ended. </source><translation>%1 terminou. </translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
 <message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>

@@ -14,6 +14,7 @@
 #include "ui/panels/live/timeline.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/warning_button.h"
+#include "ui/window/cab_mode.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -192,6 +193,67 @@ private slots:
         // Another picture has nothing to do with them.
         QVERIFY(on.open(bell_));
         QTRY_VERIFY(!button.isVisible());
+    }
+
+    // The rest of a sweep that was held in its middle: the scanner measured it, so Stop does not lose it for the first lines of the next.
+    void aSweepHeldInTheMiddleIsOfferedWholeAfterStop() {
+        const auto emulated = scanner(60);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY(lines(window) > 5);
+        press(window, "live-follow");
+        const ScannerLink& scanner = window.viewer().live.scanner();
+        QTRY_VERIFY_WITH_TIMEOUT(scanner.health().sweep == 2 && scanner.health().row > 3, 30000);
+        const int held = lines(window);
+        QVERIFY(held < kLines);
+        press(window, "live-connect"); // Stop
+        const auto& button = *window.viewer().live.panel().findChild<QPushButton*>("live-follow");
+        QTRY_COMPARE(button.text(), QString("Show 120 lines"));
+        QTRY_COMPARE(window.viewer().notice.text(), QString("sweep 1 was held with %1 lines when the connection ended.").arg(held));
+        press(window, "live-follow");
+        QTRY_COMPARE(lines(window), kLines);
+    }
+
+    // A finger that taps again where a button was must not press its neighbour.
+    void noButtonOfTheScannerMovesWhenAnotherChangesItsWords() {
+        const auto emulated = scanner(60);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        window.viewer().live.setRecordingFolder(QString::fromStdString((folder_ / "still").string()));
+        window.resize(1280, 800);
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY(lines(window) > 3);
+        const auto places = [&window] {
+            QMap<QString, QPoint> all;
+            for (const char* name : {"live-connect", "live-record", "live-follow"})
+                all[name] = window.viewer().live.panel().findChild<QPushButton*>(name)->mapTo(&window, QPoint(0, 0));
+            return all;
+        };
+        const auto* record = window.viewer().live.panel().findChild<QPushButton*>("live-record");
+        for (const bool cab : {false, true}) {
+            window.cab().set(cab);
+            QTRY_COMPARE(window.cab().on(), cab);
+            QTest::qWait(0);
+            const auto before = places();
+            press(window, "live-record");
+            QTRY_COMPARE(record->text(), QString("Stop recording"));
+            QTest::qWait(0);
+            QCOMPARE(places(), before);
+            press(window, "live-follow");
+            QTest::qWait(0);
+            QCOMPARE(places(), before);
+            press(window, "live-follow");
+            press(window, "live-record");
+            QTRY_COMPARE(record->text(), QString("Record"));
+            QTest::qWait(0);
+            QCOMPARE(places(), before);
+        }
+        window.cab().set(false);
     }
 
     void aPinOnAHeldPictureComesBackByUndo() {

@@ -394,6 +394,7 @@ private slots:
         const QStringList recordings = QDir(folder).entryList({"sweep_*.mcap"});
         QCOMPARE(recordings.size(), 1);
         const QString path = QDir(folder).filePath(recordings.front());
+        QVERIFY2(on.preferences.recentFiles().contains(path), "a new recording is a recent scan");
         QCOMPARE(live, maskOf(bell_));
         QCOMPARE(maskOf(path.toStdString()), live);
         QCOMPARE(maskOf(QDir(folder).filePath(QDir(folder).entryList({"last-minute_*.mcap"}).front()).toStdString()), live);

@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTextBrowser>
@@ -65,6 +66,24 @@ private slots:
         scan.placement = std::make_shared<const Placement>(placement);
         hostile_ = (folder_ / "<h1>name & \x1b[31m\n\u202e.json").string();
         QVERIFY(files::saveScan(scan, hostile_));
+    }
+
+    // "Not a Rock" got the keyboard focus when Merge was switched off, and the next Space marked a rock.
+    void aButtonThatIsSwitchedOffPassesTheFocusToNoButton() {
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        QWidget pair(&on.window);
+        QPushButton first("first", &pair), second("second", &pair);
+        pair.show();
+        for (const bool hides : {false, true}) {
+            first.setEnabled(true);
+            first.show();
+            first.setFocus();
+            QTRY_VERIFY(first.hasFocus());
+            hides ? first.hide() : first.setEnabled(false);
+            QVERIFY(!second.hasFocus());
+            QVERIFY(qobject_cast<QAbstractButton*>(QApplication::focusWidget()) == nullptr);
+        }
     }
 
     // If two commands have the same key, Qt runs neither and shows no message.

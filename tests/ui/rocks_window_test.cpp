@@ -833,6 +833,19 @@ private slots:
         QVERIFY(picture(on).regionAt(cellA) != picture(on).regionAt(cellB));
     }
 
+    void aToolOfRocksAndAMeasurementExcludeEachOther() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        on.viewer.rocks.useTool(RockTool::Join);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::Join && !on.viewer.measures.kind());
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None && on.viewer.measures.kind());
+        on.viewer.rocks.useTool(RockTool::Cut);
+        on.viewer.views.setTool(Tool::Lasso);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None);
+    }
+
     void aLineJoinsWhatItCrossesAndAnotherCuts() {
         WindowFixture on;
         QVERIFY(showRocks(on));

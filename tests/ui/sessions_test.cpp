@@ -8,6 +8,7 @@
 #include "ui/controllers/scan_look.h"
 #include "ui/controllers/sessions/session_in_picture.h"
 #include "ui/controllers/sessions/sessions.h"
+#include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/start/start_page.h"
@@ -480,6 +481,17 @@ private slots:
         QTRY_VERIFY(on.window.cab().on());
         StartPage* page = showStart(on.window, on.preferences);
         QTRY_VERIFY(page->isVisible() && page->settled());
+        // A note above the page leaves nothing of the views uncovered next to it.
+        const QWidget& head = on.window.cab().frame().head();
+        on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "EdgeScan ended without being closed.");
+        QTRY_COMPARE(page->geometry().top(), head.mapTo(&on.window, QPoint(0, head.height())).y());
+        const auto isIn = [&on](const QWidget& whole, QPoint at) {
+            const QWidget* found = on.window.childAt(at);
+            return found == &whole || whole.isAncestorOf(found);
+        };
+        QTRY_VERIFY(isIn(on.viewer.notice, on.viewer.notice.mapTo(&on.window, on.viewer.notice.rect().center())));
+        for (const int x : {20, on.window.width() - 20}) QTRY_VERIFY(isIn(*page, QPoint(x, page->geometry().top() + 10)));
+        on.viewer.notice.hide();
         QListWidget& list = page->list();
         const QRect row = list.visualItemRect(list.item(0));
         const QRect onWindow(list.viewport()->mapTo(&on.window, row.topLeft()), row.size());

@@ -112,7 +112,10 @@ void Live::connectScanner() {
     connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
     connect(&scanner_, &ScannerLink::otherChanged, this, &Live::offerOther);
     connect(&scanner_, &ScannerLink::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
-    connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) { notice_.showSaved(path); });
+    connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) {
+        preferences_.keepRecentFile(path);
+        notice_.showSaved(path);
+    });
 }
 
 void Live::connectTo(const QString& host, int port, const scanner::SweepSettings& sweep, const std::string& topic,
@@ -223,6 +226,9 @@ void Live::reportSweepEnd() {
     QStringList warnings;
     for (const std::string& warning : scan.warnings) warnings << coreSentence(warning);
     const QString name = scanName(scan.name);
+    if (scanner_.heldAtStop())
+        return notice_.showNotice(NoticeBar::Kind::Warning,
+                                  tr("%1 was held with %2 lines when the connection ended.").arg(name).arg(scan.lines()));
     if (const auto& part = scanner_.part(); part && part->number == picture.source.growth.sweep)
         notice_.showNotice(NoticeBar::Kind::Warning,
                            tr("%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep "
@@ -234,7 +240,10 @@ void Live::reportSweepEnd() {
         notice_.showNotice(NoticeBar::Kind::Done,
                            tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));
     else if (warnings.isEmpty())
-        notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()));
+        notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) +
+                                                      (scanner_.connected() && !scanner_.following()
+                                                           ? " " + tr("It is held on the screen; Follow shows the next one.")
+                                                           : QString()));
     else
         notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 has ended. ").arg(name) + warnings.join("\n"));
 }

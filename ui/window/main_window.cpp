@@ -44,6 +44,7 @@
 #include "ui/window/view_choices.h"
 #include "ui/window/warned_picture.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
@@ -62,6 +63,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kRememberAfterMs = 300;
+constexpr int kAgeMs = 15000;
 constexpr QSize kLeastCloud(240, 120);
 
 /// The bar of the badge, right of the tools, which give way: it is visible at every width.
@@ -103,12 +105,20 @@ std::vector<QWidget*> shownOver(QWidget& below, const QWidget& window) {
     return over;
 }
 
+/// A button that is switched off or hidden passes the keyboard focus on, and the next Space would press another button: "Not a Rock" after
+/// a merge.
+void dropPassedFocus(QWidget* before, QWidget* now) {
+    const bool isGone = before != nullptr && (!before->isEnabled() || !before->isVisible());
+    if (isGone && qobject_cast<QAbstractButton*>(before) != nullptr && qobject_cast<QAbstractButton*>(now) != nullptr) now->clearFocus();
+}
+
 } // namespace
 
 MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(parent), viewer_(preferences), rail_(new DockRail) {
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
+    connect(qApp, &QApplication::focusChanged, this, &dropPassedFocus);
     layOutViews();
     layOutLegend();
     addChangeLegend(*this);
@@ -252,6 +262,9 @@ void MainWindow::layOutTools() {
     for (const auto changed : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
         connect(&scanner, changed, this, &MainWindow::showOrigin);
     connect(&scanner, &ScannerLink::healthChanged, this, &MainWindow::showOrigin);
+    auto* age = new QTimer(this); // "8 min ago" grows
+    connect(age, &QTimer::timeout, this, &MainWindow::showOrigin);
+    age->start(kAgeMs);
     showOrigin();
 }
 

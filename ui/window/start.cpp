@@ -79,15 +79,23 @@ private:
         return qobject_cast<QDockWidget*>(watched) != nullptr || qobject_cast<Pane*>(watched) != nullptr;
     }
     void place() {
-        const QWidget& centre = *window_.centralWidget();
+        const QWidget &centre = *window_.centralWidget(), &head = window_.cab().frame().head();
         int top = centre.mapTo(&window_, QPoint(0, 0)).y();
-        for (const QWidget* strip :
-             {static_cast<QWidget*>(&window_.cab().frame().head()), static_cast<QWidget*>(&window_.viewer().notice), tour_}) {
-            if (strip->isVisible()) top = std::max(top, strip->mapTo(&window_, QPoint(0, strip->height())).y());
-        }
+        if (head.isVisible()) top = std::max(top, head.mapTo(&window_, QPoint(0, head.height())).y());
         const QWidget& foot = window_.viewer().statusLine; // a cab has none
         const int bottom = foot.isVisible() ? foot.mapTo(&window_, QPoint(0, 0)).y() : window_.height();
         page_.setGeometry(0, top, window_.width(), std::max(0, bottom - top));
+        // The strips show through a hole: what is next to them belongs to the views, and is covered.
+        QRegion shown(page_.rect());
+        int used = 0;
+        for (const QWidget* strip : {static_cast<QWidget*>(&window_.viewer().notice), tour_}) {
+            if (!strip->isVisible()) continue;
+            const QRect place(strip->mapTo(&window_, QPoint(0, 0)) - page_.pos(), strip->size());
+            shown -= place;
+            used = std::max(used, place.bottom() + 1);
+        }
+        page_.setMask(shown);
+        page_.setContentsMargins(0, used, 0, 0);
         page_.raise();
         settle_.start();
     }

@@ -84,6 +84,9 @@ void Rocks::connectViews() {
     connect(&cloud, &CloudView::hovered, this, [this, &cloud](qint64 cell) { point(static_cast<std::size_t>(cell), &cloud); });
     connect(&cloud, &CloudView::hoverLeft, this, [this, &cloud] { point(std::nullopt, &cloud); });
     connect(&views_, &LinkedViews::clicked, this, &Rocks::click);
+    connect(&views_, &LinkedViews::toolChanged, this, [this] {
+        if (views_.tool() != Tool::Pin && tool_ != RockTool::None) useTool(RockTool::None);
+    });
 }
 
 void Rocks::setShown(bool on) {

@@ -37,6 +37,14 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
 }
 
 /// A menu of fields: Tab goes from field to field, and Return accepts what was typed. A plain menu goes from entry to entry.
+/// Makes a button wide enough for each of its texts, so that its neighbours do not move under a finger.
+void reserveWidth(QPushButton& button, std::initializer_list<QString> texts) {
+    const QFontMetrics letters(button.font());
+    int widest = 0;
+    for (const QString& text : texts) widest = std::max(widest, letters.horizontalAdvance(text));
+    button.setMinimumWidth(button.sizeHint().width() - letters.horizontalAdvance(button.text()) + widest);
+}
+
 class FieldsMenu : public QMenu {
 public:
     using QMenu::QMenu;
@@ -172,6 +180,7 @@ void LivePanel::setConnected(bool connected) {
         setRecording(false);
         setFollowing(true); // the button no longer looks pressed
     }
+    reserveWidths();
     showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
 }
@@ -203,6 +212,17 @@ void LivePanel::showFields() {
     follow_->setHidden(!connected_ && other_.isEmpty());
     topics_->setHidden(!connected_ || !bridge_ || brief_);
     keep_->setHidden(brief_ || !connected_); // it is in the menu
+}
+
+void LivePanel::reserveWidths() {
+    reserveWidth(*connect_, {tr("Stop"), tr("Connect")});
+    reserveWidth(*record_, {tr("Stop recording"), tr("Record")});
+    reserveWidth(*follow_, {tr("Follow"), tr("Hold")});
+}
+
+void LivePanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) reserveWidths();
 }
 
 void LivePanel::setRecording(bool recording) {

@@ -66,8 +66,12 @@ signals:
     /// The operator typed mounting or steps while the scanner is connected.
     void sweepRequested();
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void addSweepMenu();
+    void reserveWidths();
     void showFields();
     void followAddress();
 

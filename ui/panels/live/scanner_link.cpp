@@ -55,6 +55,7 @@ void ScannerLink::connectTo(const scanner::ConnectionSettings& scanner, const sc
     recordingPath_.clear();
     recordingClosed_ = false;
     heldNumber_ = -1;
+    heldAtStop_ = false;
     finished_.reset();
     part_.reset();
     if (std::exchange(other_, std::nullopt)) emit otherChanged();
@@ -86,6 +87,7 @@ void ScannerLink::disconnectScanner() {
     if (!feed_) return;
     timer_.stop();
     const bool shows = following_;
+    const std::optional<scanner::SweepState> whole = finished_; // ended while the picture was held
     const std::uint64_t stream = stream_;
     const QString recorded = recording_ ? recordingPath_ : QString();
     const std::shared_ptr<files::LiveFeed> feed = std::exchange(feed_, nullptr);
@@ -95,10 +97,11 @@ void ScannerLink::disconnectScanner() {
     last_.connection.sentence.clear(); // "... is sending." was so until now
     part_.reset();
     showStopped();
-    runInThread([this, feed, shows, stream, recorded]() -> std::function<void()> {
+    runInThread([this, feed, shows, whole, stream, recorded]() -> std::function<void()> {
         feed->stop();
         const Result<files::RecordingState> closed = feed->stopRecording();
-        const scanner::SweepState sweep = feed->sweep();
+        scanner::SweepState sweep = feed->sweep();
+        if (!shows && whole && whole->scan && whole->progress.lines > sweep.progress.lines) sweep = *whole;
         return [this, closed, sweep, shows, stream, recorded] {
             if (!recorded.isEmpty() || !closed) reportRecorded(closed, recorded);
             // a file that is being opened meanwhile is wanted more
@@ -113,7 +116,8 @@ void ScannerLink::disconnectScanner() {
     });
     // A picture that was held while its sweep grew stays, but nothing grows any more.
     const auto& picture = engine_.picture();
-    if (!shows && picture && picture->source.stream == stream && picture->source.growth.growing && !engine_.opening()) {
+    heldAtStop_ = !shows && picture && picture->source.stream == stream && picture->source.growth.growing;
+    if (heldAtStop_ && !engine_.opening()) {
         PictureSource ended = picture->source;
         ended.growth.growing = false;
         engine_.follow(picture->detection->scan, ended);

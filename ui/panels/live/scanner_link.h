@@ -57,7 +57,10 @@ public:
     void setHoldAtEnd(bool on) { holdAtEnd_ = on; }
     /// The newest finished sweep, where it is only a part because the scanner was in the middle of it when EdgeScan connected.
     [[nodiscard]] const std::optional<scanner::SweepProgress>& part() const { return part_; }
-    /// After the connection ended while a picture was held: what the scanner had measured since. Null: nothing.
+    /// The connection ended while the picture was held in the middle of its sweep.
+    [[nodiscard]] bool heldAtStop() const { return heldAtStop_; }
+    /// After the connection ended while a picture was held: of what the scanner had measured since, the newest sweep, or the last whole
+    /// one if that has more lines. Null: nothing.
     [[nodiscard]] const std::optional<scanner::SweepState>& other() const { return other_; }
     /// Shows it; what was on the screen becomes the other.
     void showOther();
@@ -98,6 +101,7 @@ private:
 
     bool following_ = false;
     bool holdAtEnd_ = true;
+    bool heldAtStop_ = false;
     bool recording_ = false;
     bool recordingClosed_ = false;
     QString recordingPath_;
