@@ -623,8 +623,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
 <message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
-<message><source>click one side of the throat</source><translation>haga clic en un lado de la garganta</translation></message>
-<message><source>click the other side of the throat</source><translation>haga clic en el otro lado de la garganta</translation></message>
+<message><source>click one side</source><translation>haga clic en un lado</translation></message>
+<message><source>click the other side</source><translation>haga clic en el otro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>No se vio un paso libre entre estos dos lados, que distan %1 m en profundidad: haga clic en el borde cercano de la garganta en cada lado.</translation></message>

@@ -623,8 +623,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
 <message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
-<message><source>click one side of the throat</source><translation>cliquez un côté du goulot</translation></message>
-<message><source>click the other side of the throat</source><translation>cliquez l'autre côté du goulot</translation></message>
+<message><source>click one side</source><translation>cliquez un côté</translation></message>
+<message><source>click the other side</source><translation>cliquez l'autre côté</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Aucun passage libre n'a été vu entre ces deux côtés, éloignés de %1 m en profondeur : cliquez le bord proche du goulot de chaque côté.</translation></message>

@@ -623,8 +623,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
 <message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
-<message><source>click one side of the throat</source><translation>clique num lado da garganta</translation></message>
-<message><source>click the other side of the throat</source><translation>clique no outro lado da garganta</translation></message>
+<message><source>click one side</source><translation>clique num lado</translation></message>
+<message><source>click the other side</source><translation>clique no outro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Não se viu passagem livre entre estes dois lados, que distam %1 m em profundidade: clique na borda próxima da garganta em cada lado.</translation></message>

@@ -375,6 +375,7 @@ private slots:
                    file.setFileTime(QDateTime::currentDateTime().addSecs(-secondsAgo), QFileDevice::FileModificationTime);
         };
         QVERIFY(write("running-999999-0", 3600));
+        QVERIFY(write("running-999998-0", 5400)); // of an earlier crash
         auto first = std::make_unique<WindowFixture>(inFolder("later/viewer.ini"));
         WindowFixture& on = *first;
         QVERIFY(on.window.sessions().toGoOn().contains("running-999999-0"));
@@ -385,7 +386,7 @@ private slots:
         on.window.sessions().offerToContinue();
         const QString at = QDateTime::currentDateTime().addSecs(-3600).toString("yyyy-MM-dd HH:mm");
         QVERIFY2(on.viewer.notice.text().contains(at), qPrintable(on.viewer.notice.text()));
-        // A viewer that is closed has offered it. The next one does not offer it again, and Go On still finds it.
+        // A viewer that is closed has offered it, and with it the older one. The next one offers none again, and Go On still finds it.
         first.reset();
         WindowFixture next(inFolder("later/viewer.ini"));
         next.window.sessions().offerToContinue();

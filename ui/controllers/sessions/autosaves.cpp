@@ -63,11 +63,10 @@ QStringList Autosaves::afterCrash() const {
 }
 
 QString Autosaves::toOffer() {
-    const QStringList left = afterCrash();
-    const auto isNew = [](const QString& path) { return QFileInfo(path).fileName().startsWith(kRunningStart); };
-    const auto found = std::ranges::find_if(left, isNew);
-    offered_ = found == left.end() ? QString() : *found;
-    return offered_;
+    const auto wasOffered = [](const QString& path) { return !QFileInfo(path).fileName().startsWith(kRunningStart); };
+    offered_ = afterCrash();
+    offered_.erase(std::remove_if(offered_.begin(), offered_.end(), wasOffered), offered_.end());
+    return offered_.isEmpty() ? QString() : offered_.front();
 }
 
 QString Autosaves::last() const {
@@ -80,8 +79,10 @@ void Autosaves::markContinued(const QString& path) {
 }
 
 void Autosaves::end() {
-    if (!offered_.isEmpty() && !takenUp_.contains(offered_))
-        QFile::rename(offered_, QFileInfo(offered_).path() + "/" + QFileInfo(offered_).fileName().replace(kRunningStart, kOfferedStart));
+    for (const QString& path : offered_) {
+        const QFileInfo file(path);
+        if (!takenUp_.contains(path)) QFile::rename(path, file.path() + "/" + file.fileName().replace(kRunningStart, kOfferedStart));
+    }
     if (own_.isEmpty() || !QFile::exists(own_)) return;
     const QString last = folder_ + "/last" + inspect::kSessionEnding;
     // Another window may end at the same time: the last one's session stays. Without a move, the next start offers this one.

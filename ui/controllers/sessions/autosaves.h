@@ -20,7 +20,8 @@ public:
     [[nodiscard]] const QString& own() const { return own_; }
     /// Autosaves of viewers that did not end normally, the newest first.
     [[nodiscard]] QStringList afterCrash() const;
-    /// Of these the newest that was not offered yet at an earlier start; empty: none. When this viewer closes, it counts as offered.
+    /// Of these the newest that was not offered yet at an earlier start; empty: none. When this viewer closes, it and older ones count as
+    /// offered.
     [[nodiscard]] QString toOffer();
     /// The autosave of the viewer that was closed last; empty: none.
     [[nodiscard]] QString last() const;
@@ -35,7 +36,7 @@ private:
     QString folder_, own_;
     std::unique_ptr<QLockFile> lock_;
     QStringList takenUp_;
-    QString offered_;
+    QStringList offered_; // the newest first
 };
 
 } // namespace edgescan::ui

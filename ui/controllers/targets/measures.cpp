@@ -21,7 +21,7 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
                                    Measures::tr("click the end of the other side")};
     static const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
                                    Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
-    static const QStringList throat{Measures::tr("click one side of the throat"), Measures::tr("click the other side of the throat")};
+    static const QStringList throat{Measures::tr("click one side"), Measures::tr("click the other side")};
     const QStringList& all = kind == inspect::MeasureKind::Throat     ? throat
                              : kind == inspect::MeasureKind::Angle    ? angle
                              : kind == inspect::MeasureKind::Spans    ? spans
