@@ -413,8 +413,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 est partiel : %2 lignes sur %3. Le scanner était au milieu de ce balayage quand EdgeScan s'est connecté. Le balayage suivant le remplace.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
+<message><source>%1 has ended.</source><translation>%1 s'est terminé.</translation></message>
 <message><source>It is held on the screen; Follow shows the next one.</source><translation>Il est figé à l'écran. Suivre montre le suivant.</translation></message>
-<message><source>%1 has ended. </source><translation>%1 s'est terminé. </translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
 <message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>

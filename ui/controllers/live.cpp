@@ -22,6 +22,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace edgescan::ui {
 namespace {
 
@@ -239,13 +241,15 @@ void Live::reportSweepEnd() {
     else if (warnings.isEmpty() && picture.source.growth.expectedLines == 0)
         notice_.showNotice(NoticeBar::Kind::Done,
                            tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));
-    else if (warnings.isEmpty())
-        notice_.showNotice(NoticeBar::Kind::Done, tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) +
-                                                      (scanner_.connected() && !scanner_.following()
-                                                           ? " " + tr("It is held on the screen; Follow shows the next one.")
-                                                           : QString()));
-    else
-        notice_.showNotice(NoticeBar::Kind::Warning, tr("%1 has ended. ").arg(name) + warnings.join("\n"));
+    else {
+        const bool isWhole = warnings.isEmpty() || (scan.lines() == picture.source.growth.expectedLines &&
+                                                    std::ranges::count(scan.state.cells, CellState::Lost) == 0);
+        QStringList sentences{isWhole ? tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) : tr("%1 has ended.").arg(name)};
+        if (scanner_.connected() && !scanner_.following()) sentences << tr("It is held on the screen; Follow shows the next one.");
+        const QString words = sentences.join(' ');
+        if (warnings.isEmpty()) return notice_.showNotice(NoticeBar::Kind::Done, words);
+        notice_.showNotice(NoticeBar::Kind::Warning, words + '\n' + warnings.join('\n'));
+    }
 }
 
 void Live::loadTimeline(const QString& path) {
