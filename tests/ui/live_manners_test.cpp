@@ -229,9 +229,11 @@ private slots:
         window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
         QTRY_VERIFY(lines(window) > 3);
         const auto places = [&window] {
-            QMap<QString, QPoint> all;
-            for (const char* name : {"live-connect", "live-record", "live-follow"})
-                all[name] = window.viewer().live.panel().findChild<QPushButton*>(name)->mapTo(&window, QPoint(0, 0));
+            QString all;
+            for (const char* name : {"live-connect", "live-record", "live-follow"}) {
+                const QPoint at = window.viewer().live.panel().findChild<QPushButton*>(name)->mapTo(&window, QPoint(0, 0));
+                all += QString("%1 at %2, %3; ").arg(name).arg(at.x()).arg(at.y());
+            }
             return all;
         };
         const auto* record = window.viewer().live.panel().findChild<QPushButton*>("live-record");

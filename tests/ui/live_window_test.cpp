@@ -376,7 +376,7 @@ private slots:
     void aRecordingOpensAgainWithTheSameMaskAndIsPlayed() {
         const QString folder = QString::fromStdString((folder_ / "recordings").string());
         const test::ServedProgram served(bell_ + " --rate 100");
-        WindowFixture on;
+        WindowFixture on(QString::fromStdString((folder_ / "recordings.ini").string()));
         MainWindow& window = on.window;
         window.viewer().live.setRecordingFolder(folder);
         QVERIFY(on.show());

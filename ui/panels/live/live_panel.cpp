@@ -97,8 +97,8 @@ LivePanel::LivePanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    column->addWidget(head); // first: the buttons do not move when the strip gets another row
-    column->addLayout(first);
+    column->addWidget(head);     // first: the buttons do not move when the strip gets another row
+    column->addLayout(first, 1); // spare height, until the panel gives it back, moves no button
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::textChanged, this, &LivePanel::followAddress);
