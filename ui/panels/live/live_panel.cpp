@@ -9,6 +9,8 @@
 #include "ui/panels/live/sweep_form.h"
 #include "ui/panels/live/topic_menu.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -39,10 +41,14 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
 /// A menu of fields: Tab goes from field to field, and Return accepts what was typed. A plain menu goes from entry to entry.
 /// Makes a button wide enough for each of its texts, so that its neighbours do not move under a finger.
 void reserveWidth(QPushButton& button, std::initializer_list<QString> texts) {
-    const QFontMetrics letters(button.font());
+    const QString now = button.text();
     int widest = 0;
-    for (const QString& text : texts) widest = std::max(widest, letters.horizontalAdvance(text));
-    button.setMinimumWidth(button.sizeHint().width() - letters.horizontalAdvance(button.text()) + widest);
+    for (const QString& text : texts) {
+        button.setText(text);
+        widest = std::max(widest, button.sizeHint().width());
+    }
+    button.setText(now);
+    button.setMinimumWidth(widest);
 }
 
 class FieldsMenu : public QMenu {
