@@ -61,6 +61,12 @@ class LiveMannersTest : public QObject {
     static int lines(MainWindow& window) {
         return window.viewer().engine.picture() ? window.viewer().engine.picture()->detection->scan->lines() : 0;
     }
+    /// Shows the window and connects it.
+    static bool showsFirstLines(WindowFixture& on, const scanner::EmulatedScanner& emulated) {
+        if (!on.show()) return false;
+        on.viewer.live.connectTo("127.0.0.1", emulated.port(), sweep());
+        return eventually([&on] { return lines(on.window) > 5; });
+    }
 
 private slots:
     void initTestCase() {
@@ -201,9 +207,7 @@ private slots:
         QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;
-        QVERIFY(on.show());
-        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
-        QTRY_VERIFY(lines(window) > 5);
+        QVERIFY(showsFirstLines(on, *emulated));
         press(window, "live-follow");
         const ScannerLink& scanner = window.viewer().live.scanner();
         QTRY_VERIFY_WITH_TIMEOUT(scanner.health().sweep == 2 && scanner.health().row > 3, 30000);
@@ -225,9 +229,7 @@ private slots:
         MainWindow& window = on.window;
         window.viewer().live.setRecordingFolder(QString::fromStdString((folder_ / "still").string()));
         window.resize(1280, 800);
-        QVERIFY(on.show());
-        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
-        QTRY_VERIFY(lines(window) > 3);
+        QVERIFY(showsFirstLines(on, *emulated));
         const auto places = [&window] {
             QString all;
             for (const char* name : {"live-connect", "live-record", "live-follow"}) {
@@ -391,9 +393,7 @@ private slots:
         QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;
-        QVERIFY(on.show());
-        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
-        QTRY_VERIFY(lines(window) > 5);
+        QVERIFY(showsFirstLines(on, *emulated));
         QVERIFY(on.activate());
         press(window, "live-connect"); // Stop
         QVERIFY(!window.viewer().live.scanner().connected());
@@ -545,9 +545,7 @@ private slots:
         QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;
-        QVERIFY(on.show());
-        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
-        QTRY_VERIFY(lines(window) > 5);
+        QVERIFY(showsFirstLines(on, *emulated));
         LivePanel& panel = window.viewer().live.panel();
         press(window, "live-connect"); // Stop
         QTRY_VERIFY(!window.viewer().engine.behind());

@@ -512,13 +512,14 @@ private slots:
         const auto click = [&] { QTest::mouseClick(on.window.windowHandle(), Qt::LeftButton, Qt::NoModifier, at); };
         page->show();
         QTRY_VERIFY(page->settled());
+        const int usual = QApplication::doubleClickInterval();
         QApplication::setDoubleClickInterval(10000);
         click();
         QTRY_VERIFY(page->isHidden());
         click();
         QVERIFY(atRest(on));
         QVERIFY(on.viewer.targets.notebook().targets.empty());
-        QApplication::setDoubleClickInterval(400);
+        QApplication::setDoubleClickInterval(usual);
         click();
         QTRY_VERIFY(!on.viewer.targets.notebook().targets.empty());
         on.window.cab().set(false); // its style is that of the whole program

@@ -22,8 +22,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace edgescan::ui {
 namespace {
 
@@ -232,24 +230,21 @@ void Live::reportSweepEnd() {
         return notice_.showNotice(NoticeBar::Kind::Warning,
                                   tr("%1 was held with %2 lines when the connection ended.").arg(name).arg(scan.lines()));
     if (const auto& part = scanner_.part(); part && part->number == picture.source.growth.sweep)
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep "
-                              "replaces it.")
-                               .arg(name)
-                               .arg(part->received)
-                               .arg(part->expected));
-    else if (warnings.isEmpty() && picture.source.growth.expectedLines == 0)
-        notice_.showNotice(NoticeBar::Kind::Done,
-                           tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));
-    else {
-        const bool isWhole = warnings.isEmpty() || (scan.lines() == picture.source.growth.expectedLines &&
-                                                    std::ranges::count(scan.state.cells, CellState::Lost) == 0);
-        QStringList sentences{isWhole ? tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) : tr("%1 has ended.").arg(name)};
-        if (scanner_.connected() && !scanner_.following()) sentences << tr("It is held on the screen; Follow shows the next one.");
-        const QString words = sentences.join(' ');
-        if (warnings.isEmpty()) return notice_.showNotice(NoticeBar::Kind::Done, words);
-        notice_.showNotice(NoticeBar::Kind::Warning, words + '\n' + warnings.join('\n'));
-    }
+        return notice_.showNotice(NoticeBar::Kind::Warning,
+                                  tr("%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next "
+                                     "sweep replaces it.")
+                                      .arg(name)
+                                      .arg(part->received)
+                                      .arg(part->expected));
+    const int expected = picture.source.growth.expectedLines;
+    if (warnings.isEmpty() && expected == 0)
+        return notice_.showNotice(NoticeBar::Kind::Done,
+                                  tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));
+    const bool isWhole =
+        warnings.isEmpty() || (scan.lines() == expected && countCells(scan)[static_cast<std::size_t>(CellState::Lost)] == 0);
+    warnings.prepend(isWhole ? tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) : tr("%1 has ended.").arg(name));
+    if (scanner_.connected() && !scanner_.following()) warnings.front() += " " + tr("It is held on the screen; Follow shows the next one.");
+    notice_.showNotice(warnings.size() == 1 ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, warnings.join('\n'));
 }
 
 void Live::loadTimeline(const QString& path) {

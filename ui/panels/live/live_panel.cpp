@@ -9,8 +9,6 @@
 #include "ui/panels/live/sweep_form.h"
 #include "ui/panels/live/topic_menu.h"
 
-#include <algorithm>
-
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -23,6 +21,8 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <QWidgetAction>
+
+#include <algorithm>
 
 namespace edgescan::ui {
 namespace {
@@ -38,7 +38,6 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
     return made;
 }
 
-/// A menu of fields: Tab goes from field to field, and Return accepts what was typed. A plain menu goes from entry to entry.
 /// Makes a button wide enough for each of its texts, so that its neighbours do not move under a finger.
 void reserveWidth(QPushButton& button, std::initializer_list<QString> texts) {
     const QString now = button.text();
@@ -51,6 +50,7 @@ void reserveWidth(QPushButton& button, std::initializer_list<QString> texts) {
     button.setMinimumWidth(widest);
 }
 
+/// A menu of fields: Tab goes from field to field, and Return accepts what was typed. A plain menu goes from entry to entry.
 class FieldsMenu : public QMenu {
 public:
     using QMenu::QMenu;

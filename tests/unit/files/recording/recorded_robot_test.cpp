@@ -68,7 +68,7 @@ Result<Scan> recorded(const scanner::SweepMetadata& metadata, const std::vector<
     return readScanBytes(std::as_bytes(std::span(bytes)), ".mcap", options);
 }
 
-bool told(const std::vector<std::string>& sentences, const std::string& part) {
+bool warns(const std::vector<std::string>& sentences, const std::string& part) {
     return std::any_of(sentences.begin(), sentences.end(), [&](const auto& s) { return s.find(part) != std::string::npos; });
 }
 
@@ -123,18 +123,18 @@ TEST(RecordedPlace, ABaseThatMovesGetsAPosePerLine) {
     EXPECT_FALSE(scan->placement->outOfSpec);
     const auto late = recorded(robotMetadata(), {{0.5, 498760.0}, {0.9, 498761.0}});
     EXPECT_TRUE(late->placement->outOfSpec);
-    EXPECT_TRUE(told(late->placement->warnings, "lines were measured before the first or after the last pose"));
+    EXPECT_TRUE(warns(late->placement->warnings, "lines were measured before the first or after the last pose"));
 }
 
 TEST(RecordedPlace, AnOldPoseIsOutOfSpecAndABadOneIsReported) {
     const auto old = recorded(robotMetadata(), {{-60.0, 498765.0}});
     ASSERT_TRUE(old->placement);
     EXPECT_TRUE(old->placement->outOfSpec);
-    EXPECT_TRUE(told(old->placement->warnings, "60 s older than the start"));
+    EXPECT_TRUE(warns(old->placement->warnings, "60 s older than the start"));
     const auto refused = recorded(robotMetadata(), {{0.2, 498765.0}}, {}, 3);
     ASSERT_TRUE(refused) << refused.error().sentence();
     EXPECT_FALSE(refused->placement);
-    EXPECT_TRUE(told(refused->warnings, "readings of inclinometer or TALIN cannot be used"));
+    EXPECT_TRUE(warns(refused->warnings, "readings of inclinometer or TALIN cannot be used"));
     for (const auto& [key, bad] : {std::pair("R_IA", "[[1,0,0],[0,1,0],[0,0,2]]"), std::pair("talin_in_robot_m", "[1,2]"),
                                    std::pair("boresight_rpy_deg", "{"), std::pair("boom_azimuth_deg", "left")}) {
         scanner::SweepMetadata keys = robotMetadata();
@@ -142,12 +142,12 @@ TEST(RecordedPlace, AnOldPoseIsOutOfSpecAndABadOneIsReported) {
         const auto scan = recorded(keys, {{0.2, 498765.0}});
         ASSERT_TRUE(scan) << scan.error().sentence();
         EXPECT_FALSE(scan->placement) << key;
-        EXPECT_TRUE(told(scan->warnings, key)) << key;
+        EXPECT_TRUE(warns(scan->warnings, key)) << key;
     }
     scanner::SweepMetadata bare = robotMetadata();
     bare.erase("R_IA");
-    EXPECT_TRUE(told(recorded(bare, {{0.2, 498765.0}})->warnings, "--calibration ROBOT.json places the scan"));
-    EXPECT_FALSE(told(recorded(bare, {})->warnings, "--calibration")) << "no pose is there, so there is nothing to place";
+    EXPECT_TRUE(warns(recorded(bare, {{0.2, 498765.0}})->warnings, "--calibration ROBOT.json places the scan"));
+    EXPECT_FALSE(warns(recorded(bare, {})->warnings, "--calibration")) << "without a pose no calibration can place the scan";
 }
 
 TEST(RecordedPlace, FilesTakeThePlaceOfWhatTheRecordingHolds) {
@@ -223,13 +223,13 @@ TEST(PtxPlace, TheMatrixOfTheFileIsThePlace) {
         if (scan->state[k] != CellState::Valid) continue;
         EXPECT_LT((minePoint(*scan, k).enhM - (turn * tables.point(k) + at)).norm(), 2e-5) << k; // the matrix has six decimals
     }
-    EXPECT_TRUE(told(scan->placement->warnings, "who registered it knows"));
+    EXPECT_TRUE(warns(scan->placement->warnings, "who registered it knows"));
     Eigen::Matrix3d stretched = turn;
     stretched.col(0) *= 1.1;
     const auto other = readBytes(text(stretched), ".ptx");
     ASSERT_TRUE(other) << other.error().sentence();
     EXPECT_FALSE(other->placement);
-    EXPECT_TRUE(told(other->warnings, "not a rotation and shift"));
+    EXPECT_TRUE(warns(other->warnings, "not a rotation and shift"));
     EXPECT_FALSE(readBytes(text(-turn), ".ptx")->placement) << "a mirror is no place";
 }
 

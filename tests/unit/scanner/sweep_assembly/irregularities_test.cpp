@@ -33,7 +33,7 @@ struct Result_ {
     SweepProgress progress; ///< after the end
     int sweeps = 0, lines = 0, lost = 0;
     std::map<std::vector<float>, int> rows; ///< whole rows, by their ranges
-    std::string told;
+    std::string warnings;
     bool incomplete = false;
 };
 
@@ -48,7 +48,7 @@ Result_ played(const Stream& stream, const SweepSettings& settings = {}) {
             result.incomplete |= !sweep.progress.complete();
             EXPECT_TRUE(addsUp(*sweep.scan, sweep.progress));
             for (const std::string& warning : sweep.scan->warnings) {
-                if (!warning.starts_with("The first line received")) result.told += warning + "\n";
+                if (!warning.starts_with("The first line received")) result.warnings += warning + "\n";
             }
             for (int row = 0; row < sweep.scan->lines(); ++row) {
                 const float* first = sweep.scan->rangeMm.line(row);
@@ -100,7 +100,7 @@ TEST(Irregularities, ASoundStreamHasNone) {
     settings.expectedLines = 150;
     const Result_ result = played(stream, settings);
     EXPECT_EQ(result.progress.text(), "150/150 lines");
-    EXPECT_EQ(result.told, "");
+    EXPECT_EQ(result.warnings, "");
     EXPECT_TRUE(keepsAll(result, stream));
     EXPECT_EQ(result.progress.irregularEver, Irregularities{});
 }
@@ -119,7 +119,7 @@ TEST(Irregularities, CountersThatRunAheadOfEveryClockAreDoubted) {
         EXPECT_EQ(result.progress.text(), "151/151 lines, COUNTERS IN DOUBT");
         EXPECT_GE(ever(result, Irregularity::CounterJump), 140) << which;
         EXPECT_GE(result.progress.irregularEver.implausibleLines(), 140 * 990);
-        EXPECT_NE(result.told.find("jumped ahead"), std::string::npos) << result.told;
+        EXPECT_NE(result.warnings.find("jumped ahead"), std::string::npos) << result.warnings;
     }
 }
 
@@ -151,10 +151,10 @@ TEST(Irregularities, CountersThatRestartInTheMiddle) {
         EXPECT_TRUE(keepsAll(whole, stream)) << which;
         EXPECT_EQ(whole.lines, 120);
         EXPECT_EQ(whole.lost, 0);
-        EXPECT_EQ(ever(whole, Irregularity::CounterReset), 1) << whole.told;
-        EXPECT_NE(whole.told.find("set back"), std::string::npos) << whole.told;
+        EXPECT_EQ(ever(whole, Irregularity::CounterReset), 1) << whole.warnings;
+        EXPECT_NE(whole.warnings.find("set back"), std::string::npos) << whole.warnings;
         const Result_ result = played(lossy);
-        EXPECT_EQ(result.lost, 5) << which << result.told;
+        EXPECT_EQ(result.lost, 5) << which << result.warnings;
         EXPECT_EQ(result.lines, 120);
     }
 }
@@ -166,8 +166,8 @@ TEST(Irregularities, CountersThatRunBackwardOrStop) {
         const Result_ result = played(stream);
         EXPECT_TRUE(keepsAll(result, stream)) << step;
         EXPECT_EQ(result.lines, 80);
-        EXPECT_GE(ever(result, step == 0 ? Irregularity::CountersStopped : Irregularity::CounterReset), 78) << result.told;
-        EXPECT_FALSE(result.told.empty());
+        EXPECT_GE(ever(result, step == 0 ? Irregularity::CountersStopped : Irregularity::CounterReset), 78) << result.warnings;
+        EXPECT_FALSE(result.warnings.empty());
     }
     // Stopped counters of a scanner with a known period: the clock counts instead.
     Stream stream = soundStream(80);
@@ -209,8 +209,8 @@ TEST(Irregularities, AClockThatRunsBackwardJumpsOrStops) {
             EXPECT_TRUE(keepsAll(result, stream));
             EXPECT_EQ(result.lines, 100);
             EXPECT_EQ(result.lost, lossy ? 2 : 0);
-            EXPECT_NEAR(static_cast<double>(ever(result, cases[c].kind)), cases[c].times, 3) << result.told;
-            EXPECT_NE(result.told.find("clock"), std::string::npos) << result.told;
+            EXPECT_NEAR(static_cast<double>(ever(result, cases[c].kind)), cases[c].times, 3) << result.warnings;
+            EXPECT_NE(result.warnings.find("clock"), std::string::npos) << result.warnings;
             EXPECT_EQ(ever(result, Irregularity::Restart), 0);
             // Nevertheless time advances.
             const auto& lineDeg = std::get<PolarGeometry>(assembler.snapshot()->geometry).lineDeg;
@@ -239,7 +239,7 @@ TEST(Irregularities, SeventyOneMinutesAndAPause) {
     EXPECT_TRUE(keepsAll(result, paused));
     EXPECT_EQ(result.lost, 0);
     EXPECT_EQ(ever(result, Irregularity::Pause), 1);
-    EXPECT_NE(result.told.find("paused"), std::string::npos) << result.told;
+    EXPECT_NE(result.warnings.find("paused"), std::string::npos) << result.warnings;
 }
 
 TEST(Irregularities, LateTelegramsFillTheirLines) {
@@ -290,7 +290,7 @@ TEST(Irregularities, AStreamThatRepeatsAllItsCountersIsKept) {
     EXPECT_EQ(result.lines, 150);
     EXPECT_EQ(result.lost, 0);
     EXPECT_EQ(ever(result, Irregularity::Restart), 1);
-    EXPECT_NE(result.told.find("restarted"), std::string::npos) << result.told;
+    EXPECT_NE(result.warnings.find("restarted"), std::string::npos) << result.warnings;
 }
 
 TEST(Irregularities, AScannerWithoutCountersAndClockIsKept) {
@@ -315,8 +315,8 @@ TEST(Irregularities, BeamCountsThatAlternateAreIncomplete) {
     EXPECT_EQ(result.progress.text(), "INCOMPLETE 76/151 lines");
     EXPECT_EQ(result.progress.account.cellsLost, 75 * (571 - 285));
     EXPECT_EQ(result.progress.account.placed, 151);
-    EXPECT_NE(result.told.find("fewer beams"), std::string::npos) << result.told;
-    EXPECT_NE(result.told.find("(75 in all)"), std::string::npos) << result.told;
+    EXPECT_NE(result.warnings.find("fewer beams"), std::string::npos) << result.warnings;
+    EXPECT_NE(result.warnings.find("(75 in all)"), std::string::npos) << result.warnings;
 }
 
 TEST(Irregularities, BeamsThatChangeInTheMiddleMakeAnotherSweep) {
@@ -368,13 +368,13 @@ TEST(Irregularities, AnotherScannerAndAGapThatEndsTheSweepAreReported) {
     for (int n = 30; n < 60; ++n) stream[static_cast<std::size_t>(n)].telegram.serialNumber = 4711;
     const Result_ other = played(stream);
     EXPECT_EQ(ever(other, Irregularity::OtherScanner), 1);
-    EXPECT_NE(other.told.find("another scanner"), std::string::npos) << other.told;
+    EXPECT_NE(other.warnings.find("another scanner"), std::string::npos) << other.warnings;
     Stream gap = soundStream(30);
     for (int n = 3030; n < 3060; ++n) gap.push_back({telegramOfLine(n), hostNsOfLine(n)});
     const Result_ result = played(gap);
     EXPECT_EQ(result.sweeps, 2);
     EXPECT_EQ(ever(result, Irregularity::Gap), 3000);
-    EXPECT_NE(result.told.find("3000 lines were lost between two sweeps"), std::string::npos) << result.told;
+    EXPECT_NE(result.warnings.find("3000 lines were lost between two sweeps"), std::string::npos) << result.warnings;
     EXPECT_EQ(result.progress.account.lost, 3000);
 }
 
@@ -387,7 +387,7 @@ TEST(Irregularities, EchoesThatComeAndGoAreReported) {
     };
     Stream both = soundStream(40);
     for (Sent& sent : both) second(sent.telegram, 61);
-    EXPECT_EQ(played(both).told, "");
+    EXPECT_EQ(played(both).warnings, "");
     Stream later = soundStream(40);
     for (std::size_t n = 30; n < 40; ++n) second(later[n].telegram, 61);
     EXPECT_EQ(ever(played(later), Irregularity::OtherEchoes), 10);
@@ -396,7 +396,8 @@ TEST(Irregularities, EchoesThatComeAndGoAreReported) {
     unlike[25].telegram.channels16.erase(unlike[25].telegram.channels16.begin()); // only the second echo
     const Result_ result = played(unlike);
     EXPECT_EQ(ever(result, Irregularity::OtherEchoes), 2);
-    EXPECT_NE(result.told.find("2 telegrams brought other echoes than the first one (first at line 20)"), std::string::npos) << result.told;
+    EXPECT_NE(result.warnings.find("2 telegrams brought other echoes than the first one (first at line 20)"), std::string::npos)
+        << result.warnings;
     EXPECT_EQ(result.lines, 40);
 }
 
@@ -442,6 +443,6 @@ TEST(Irregularities, RandomFaultsOfEveryKindAlwaysAddUp) {
         settings.expectedLines = oneIn(2) ? 40 : 0;
         const Result_ result = played(stream, settings);
         EXPECT_LE(result.progress.account.placed, static_cast<std::int64_t>(stream.size()));
-        EXPECT_FALSE(result.told.empty());
+        EXPECT_FALSE(result.warnings.empty());
     }
 }
