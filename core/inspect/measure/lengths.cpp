@@ -124,7 +124,8 @@ std::optional<MeasuredCells> measureInSection(const Scan& scan, const RangeNoise
     return known;
 }
 
-constexpr int kFewCells = 3; // an end within so many cells of its click is where it was clicked
+constexpr double kShownM = 0.001; // a length has three decimals
+constexpr int kFewCells = 3;      // an end within so many cells of its click is where it was clicked
 
 /// Why a throat is not where it was clicked, or longer than the way between the clicks. Empty: it is there.
 std::string clicksPart(const MeasuredCells& measured, Translated translated) {
@@ -246,8 +247,15 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
 void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
     if (measured.kind != MeasureKind::Throat || cells.size() != 2) return;
     measured.narrowerM = narrowerM(scan, cells);
-    if (clicked.size() != 2) return;
-    if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return k >= scan.cells(); })) return;
+    if (clicked.empty()) clicked = cells; // each end is where it was clicked
+    if (clicked.size() != 2 || std::ranges::any_of(clicked, [&](std::uint32_t k) { return k >= scan.cells(); })) return;
+    const CartesianTables tables(scan);
+    if (const auto throat = throatAt(scan, tables, clicked[0], clicked[1])) {
+        measured.leastM = throat->leastM;
+        measured.mostM = throat->mostM;
+        MeasuredLength& length = measured.lengths.front();
+        length.toleranceM = std::max({length.toleranceM, length.valueM - throat->leastM, throat->mostM - length.valueM});
+    }
     const int beams = scan.beams();
     for (std::size_t n = 0; n < 2; ++n) {
         const int cell = static_cast<int>(cells[n]), click = static_cast<int>(clicked[n]);
@@ -255,7 +263,6 @@ void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::spa
             std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});
     }
     if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; })) return;
-    const CartesianTables tables(scan);
     measured.clicksM = (tables.point(clicked[0]) - tables.point(clicked[1])).norm();
 }
 
@@ -283,6 +290,9 @@ std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     std::vector<std::string> parts;
     if (measured.kind == MeasureKind::Throat) {
         parts.push_back(say("narrowest way near the two clicks"));
+        if (measured.mostM - measured.leastM >= kShownM)
+            parts.push_back(say("clicks %1 cells away find %2 to %3 m",
+                                {std::to_string(kClickSpread), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
         parts.push_back(measured.narrowerM > 0.0 ? say("farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)})
                                                  : say("no narrower way next to it"));
     }

@@ -61,6 +61,7 @@ struct MeasuredCells {
     std::vector<double> rangesM;         ///< of its cells
     int fromClicks = 0;                  ///< only for Throat: number of cells from a click to its end, at most
     double clicksM = 0.0;                ///< only for Throat: distance of the two clicked points; 0: not known
+    double leastM = 0.0, mostM = 0.0;    ///< only for Throat: lengths that clicks next to these find (throatAt()); 0: not known
     double narrowerM = 0.0;              ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
 };
 
@@ -81,7 +82,8 @@ struct SurfacePoint {
 [[nodiscard]] std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& noise, MeasureKind kind,
                                                         std::span<const std::uint32_t> cells, std::span<const double> shares = {});
 
-/// For Throat: where its ends are, seen from the clicks, and whether it goes on narrowing. `clicked`: of each of its cells, or empty.
+/// For Throat: where its ends are, seen from the clicks, whether it goes on narrowing, and how far it depends on the clicks. Its ± then
+/// includes the lengths that clicks next to these find. `clicked`: of each of its cells; empty: these are its cells.
 void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured);
 
 /// "0.512 m ± 0.034", "< 88 mm".

@@ -2,12 +2,14 @@
 #include "core/inspect/measure/throat.h"
 
 #include "core/inspect/measure/jumps_along.h"
+#include "core/inspect/measure/near_side.h"
 #include "core/rocks/segmentation/cuts.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -27,19 +29,35 @@ struct RimCell {
     Eigen::Vector3d pointM;
 };
 
-bool isRim(const Scan& scan, int line, int beam) {
-    constexpr int kHere = CellsAround::kReach;
-    for (const auto& [di, dj] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-        if (!scan.rangeMm.contains(line + di, beam + dj)) continue;
-        if (scan.state.at(line + di, beam + dj) != CellState::Valid) return true;
-        const auto jumps = jumpsAlong(cellsAround(scan, line, beam, di, dj).rangesM, 0);
-        if (std::ranges::any_of(jumps, [](const RowJump& jump) { return jump.from == kHere && jump.stepM > 0.0; })) return true;
+/// Cells next to a farther surface or a void; each is looked at once, however often it is asked for.
+class Rims {
+public:
+    explicit Rims(const Scan& scan) : scan_(scan), known_(scan.lines(), scan.beams()) {}
+    [[nodiscard]] bool contains(int line, int beam) {
+        std::uint8_t& known = known_.at(line, beam);
+        if (known == kUnknown) known = isRim(line, beam) ? kRim : kNotRim;
+        return known == kRim;
     }
-    return false;
-}
+
+private:
+    static constexpr std::uint8_t kUnknown = 0, kRim = 1, kNotRim = 2;
+    [[nodiscard]] bool isRim(int line, int beam) const {
+        constexpr int kHere = CellsAround::kReach;
+        for (const auto& [di, dj] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+            if (!scan_.rangeMm.contains(line + di, beam + dj)) continue;
+            if (scan_.state.at(line + di, beam + dj) != CellState::Valid) return true;
+            const auto jumps = jumpsAlong(cellsAround(scan_, line, beam, di, dj).rangesM, 0);
+            if (std::ranges::any_of(jumps, [](const RowJump& jump) { return jump.from == kHere && jump.stepM > 0.0; })) return true;
+        }
+        return false;
+    }
+
+    const Scan& scan_;
+    Grid<std::uint8_t> known_;
+};
 
 /// Rim cells within `reachM` of the cell. All of them are within the angle that the reach covers.
-std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, std::uint32_t k, double reachM) {
+std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, Rims& rims, std::uint32_t k, double reachM) {
     const int line = static_cast<int>(k) / scan.beams(), beam = static_cast<int>(k) % scan.beams();
     const Eigen::Vector3d at = tables.point(k);
     std::vector<RimCell> rim;
@@ -55,7 +73,7 @@ std::vector<RimCell> rimNear(const Scan& scan, const CartesianTables& tables, st
                 const Eigen::Vector3d p = tables.point(i, j);
                 if (!((p - at).norm() <= reachM)) continue;
                 any = true;
-                if (isRim(scan, i, j)) rim.push_back({static_cast<std::uint32_t>(scan.rangeMm.index(i, j)), p});
+                if (rims.contains(i, j)) rim.push_back({static_cast<std::uint32_t>(scan.rangeMm.index(i, j)), p});
             }
         }
         if (!any && ring > 3) break;
@@ -127,10 +145,24 @@ bool isFree(const Scan& scan, const CartesianTables& tables, const RimCell& from
     return true;
 }
 
-} // namespace
+/// The cells that a click and the four clicks next to it mean: that of the click itself first. Empty if nothing was measured there.
+std::vector<std::uint32_t> meantNear(const Scan& scan, std::uint32_t clicked) {
+    const int line = static_cast<int>(clicked) / scan.beams(), beam = static_cast<int>(clicked) % scan.beams();
+    std::vector<std::uint32_t> meant;
+    for (const auto& [di, dj] : {std::pair{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+        const int i = line + di * kClickSpread, j = beam + dj * kClickSpread;
+        if (!scan.rangeMm.contains(i, j)) continue;
+        const MeantCell click = meantCell(scan, static_cast<std::uint32_t>(scan.rangeMm.index(i, j)));
+        if (click.measured())
+            meant.push_back(click.cell);
+        else if (meant.empty())
+            return {};
+    }
+    return meant;
+}
 
-std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
-                                                             std::uint32_t b) {
+std::optional<std::array<std::uint32_t, 2>> narrowestOf(const Scan& scan, const CartesianTables& tables, Rims& rims, std::uint32_t a,
+                                                        std::uint32_t b) {
     if (a >= scan.cells() || b >= scan.cells() || scan.state[a] != CellState::Valid || scan.state[b] != CellState::Valid || a == b)
         return std::nullopt;
     const std::uint32_t pickedA = a;
@@ -139,7 +171,7 @@ std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, c
     const double rangeA = static_cast<double>(scan.rangeMm[a]) / 1000.0, rangeB = static_cast<double>(scan.rangeMm[b]) / 1000.0;
     if (const double wide = openingRad(tables, a, b); isBehind(rangeA, rangeB, wide) || isBehind(rangeB, rangeA, wide)) return std::nullopt;
     const double reachM = kNearPicked * (tables.point(a) - tables.point(b)).norm();
-    const std::vector<RimCell> first = rimNear(scan, tables, a, reachM), second = rimNear(scan, tables, b, reachM);
+    const std::vector<RimCell> first = rimNear(scan, tables, rims, a, reachM), second = rimNear(scan, tables, rims, b, reachM);
     struct Pair {
         double squareM2;
         std::uint32_t first, second; // indices
@@ -163,6 +195,37 @@ std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, c
             return std::array{first[pair.first].cell, second[pair.second].cell};
     }
     return std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
+                                                             std::uint32_t b) {
+    Rims rims(scan);
+    return narrowestOf(scan, tables, rims, a, b);
+}
+
+std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA, std::uint32_t clickedB) {
+    if (clickedA >= scan.cells() || clickedB >= scan.cells()) return std::nullopt;
+    const std::vector<std::uint32_t> firsts = meantNear(scan, clickedA), seconds = meantNear(scan, clickedB);
+    if (firsts.empty() || seconds.empty()) return std::nullopt;
+    std::set<std::array<std::uint32_t, 2>> tries;
+    for (const std::uint32_t a : firsts) {
+        for (const std::uint32_t b : seconds) tries.insert({a, b});
+    }
+    Rims rims(scan);
+    std::optional<Throat> best;
+    for (const auto& [a, b] : tries) {
+        const auto ends = narrowestOf(scan, tables, rims, a, b);
+        if (!ends) continue;
+        const double lengthM = (tables.point((*ends)[0]) - tables.point((*ends)[1])).norm();
+        if (!best) best = Throat{*ends, lengthM, lengthM};
+        best->mostM = std::max(best->mostM, lengthM);
+        if (lengthM >= best->leastM) continue;
+        best->leastM = lengthM;
+        best->ends = *ends;
+    }
+    return best;
 }
 
 } // namespace edgescan::inspect

@@ -17,4 +17,19 @@ namespace edgescan::inspect {
 [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
                                                                            std::uint32_t b);
 
+/// How far a second click at the same place ends from the first: cells along or across the lines.
+inline constexpr int kClickSpread = 2;
+
+/// What two clicks find, and what clicks next to them find.
+struct Throat {
+    std::array<std::uint32_t, 2> ends{}; ///< of the narrowest way that any of these clicks finds
+    double leastM = 0.0;                 ///< its length
+    double mostM = 0.0;                  ///< length of the longest way that any of them finds
+};
+
+/// narrowestBetween() for all pairs of a click at each side: the click itself, and those kClickSpread cells from it in four directions. A
+/// click means meantCell(). Empty if none of these pairs finds a way.
+[[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
+                                             std::uint32_t clickedB);
+
 } // namespace edgescan::inspect

@@ -1,7 +1,6 @@
 // The measuring tool.
 #include "ui/controllers/targets/measures.h"
 
-#include "core/inspect/measure/throat.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
@@ -38,9 +37,9 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
           Urgency::Now,
           [](const ThroatAsked& asked) {
               const Scan& scan = *asked.of->detection->scan;
-              return inspect::narrowestBetween(scan, CartesianTables(scan), asked.cells[0], asked.cells[1]);
+              return inspect::throatAt(scan, CartesianTables(scan), asked.clicked[0], asked.clicked[1]);
           },
-          [this](const ThroatAsked& asked, const auto& ends) { takeThroat(asked, *ends); },
+          [this](const ThroatAsked& asked, const auto& found) { takeThroat(asked, *found); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Error, tr("the throat could not be measured (%1); close other programs.").arg(what));
           }) {
@@ -109,13 +108,13 @@ void Measures::keepPicked() {
     throats_.ask({views_.shown(), std::move(cells), std::move(clicked)});
 }
 
-void Measures::takeThroat(const ThroatAsked& asked, const Throat& ends) {
+void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
     if (kind_) show();
     const Scan& scan = *asked.of->detection->scan;
     const Picture* now = views_.shown().get(); // of another scan the cells have no meaning; a sweep may have grown
     if (now == nullptr || now->source.stream != asked.of->source.stream || now->source.growth.sweep != asked.of->source.growth.sweep)
         return;
-    if (ends) return keep(inspect::MeasureKind::Throat, {ends->begin(), ends->end()}, asked.clicked);
+    if (found) return keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);
     notice_.showHint(tr("No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat "
                         "on each side.")
                          .arg(std::abs(scan.rangeMm[asked.cells[0]] - scan.rangeMm[asked.cells[1]]) / 1000.0, 0, 'f', 2));

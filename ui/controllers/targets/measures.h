@@ -3,12 +3,12 @@
 
 #include "core/inspect/measure/near_side.h"
 #include "core/inspect/measure/notebook.h"
+#include "core/inspect/measure/throat.h"
 #include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/picture.h"
 
 #include <QObject>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -43,7 +43,7 @@ signals:
     void asked(const QString& words);
 
 private:
-    using Throat = std::optional<std::array<std::uint32_t, 2>>; // cells of the narrowest way; empty: no free way
+    using Throat = std::optional<inspect::Throat>; // empty: no free way
     struct ThroatAsked {
         std::shared_ptr<const Picture> of;
         std::vector<std::uint32_t> cells, clicked;

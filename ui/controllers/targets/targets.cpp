@@ -286,12 +286,17 @@ KnownTargets Targets::workOut(const Question& question) {
     if (noiseScan_.lock() != detection.scan) {
         noise_ = inspect::noiseOf(detection);
         noiseScan_ = detection.scan;
+        measured_.clear();
     }
     for (const inspect::PinnedTarget& target : question.notebook.targets) {
         if (target.cell < detection.scan->cells()) known.targets.emplace(target.cell, inspect::targetAt(detection, noise_, target.cell));
     }
-    for (const inspect::StoredMeasure& measure : question.notebook.measures)
-        known.measures.emplace_back(measure, inspect::measureStored(*detection.scan, noise_, measure));
+    for (const inspect::StoredMeasure& measure : question.notebook.measures) {
+        const auto before = std::ranges::find(measured_, measure, [](const auto& each) { return each.first; });
+        known.measures.emplace_back(measure,
+                                    before != measured_.end() ? before->second : inspect::measureStored(*detection.scan, noise_, measure));
+    }
+    measured_ = known.measures;
     return known;
 }
 

@@ -154,7 +154,8 @@ private:
     // Used only on the pool's threads, by one at a time.
     std::weak_ptr<const Scan> noiseScan_;
     RangeNoise noise_;
-    Derived<Question, KnownTargets> worked_; // last
+    decltype(KnownTargets::measures) measured_; // on that scan: no setting changes a measurement
+    Derived<Question, KnownTargets> worked_;    // last
 };
 
 } // namespace edgescan::ui

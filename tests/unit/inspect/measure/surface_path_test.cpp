@@ -1,4 +1,5 @@
 // The path along the surface and the throat: compared with plain geometry, with a slow version, and with random trials.
+#include "core/base/number_text.h"
 #include "core/inspect/measure/lengths.h"
 #include "core/inspect/measure/notebook.h"
 #include "core/inspect/measure/surface_path.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -239,6 +241,52 @@ TEST(Throat, SaysWhetherAWayNextToItIsNarrower) {
         ASSERT_NE(at, std::string::npos) << each.basis;
         EXPECT_LT(std::stod(each.basis.substr(at + part.size())), each.lengthM);
     }
+}
+
+TEST(Throat, ItsToleranceIncludesWhatClicksNextToItFind) {
+    // Narrower and narrower along the sides, so that each click finds another length.
+    const Scan scan = fineScan(101, 101, [](const Eigen::Vector3d& d) {
+        return (std::abs(5.0 * d.x() / d.z()) < 0.4 + 0.35 * 5.0 * d.y() / d.z() ? 9.0 : 5.0) / d.z();
+    });
+    const CartesianTables tables(scan);
+    int left = 0, right = 0;
+    for (int j = 1; j < 101; ++j) {
+        if (scan.rangeMm.at(50, j - 1) < 7000.0F && scan.rangeMm.at(50, j) > 7000.0F) left = j - 1;
+        if (scan.rangeMm.at(50, j - 1) > 7000.0F && scan.rangeMm.at(50, j) < 7000.0F) right = j;
+    }
+    const auto lengthM = [&](const std::array<std::uint32_t, 2>& ends) { return (tables.point(ends[0]) - tables.point(ends[1])).norm(); };
+    const auto from = cellOf(scan, 50, left - 3), to = cellOf(scan, 50, right + 3);
+    const auto throat = throatAt(scan, tables, from, to);
+    ASSERT_TRUE(throat);
+    EXPECT_NEAR(lengthM(throat->ends), throat->leastM, 1e-12);
+    const auto measured = measureStored(scan, kQuietNoise, {MeasureKind::Throat, {throat->ends[0], throat->ends[1]}, {from, to}});
+    ASSERT_TRUE(measured);
+    const MeasuredLength& length = measured->lengths.front();
+    double leastM = 1e9, mostM = 0.0;
+    constexpr std::array<std::pair<int, int>, 5> kMoves{{{0, 0}, {2, 0}, {-2, 0}, {0, 2}, {0, -2}}};
+    for (const auto& [di, dj] : kMoves) {
+        for (const auto& [ei, ej] : kMoves) {
+            const auto ends = narrowestBetween(scan, tables, cellOf(scan, 50 + di, left - 3 + dj), cellOf(scan, 50 + ei, right + 3 + ej));
+            ASSERT_TRUE(ends);
+            EXPECT_LE(std::abs(lengthM(*ends) - length.valueM), length.toleranceM) << di << " " << dj << " " << ei << " " << ej;
+            leastM = std::min(leastM, lengthM(*ends));
+            mostM = std::max(mostM, lengthM(*ends));
+        }
+    }
+    EXPECT_GT(mostM, leastM + 0.01);
+    EXPECT_DOUBLE_EQ(throat->leastM, leastM);
+    EXPECT_DOUBLE_EQ(throat->mostM, mostM);
+    EXPECT_NE(measureBasis(*measured).find("clicks 2 cells away find " + fixedText(leastM, 3) + " to " + fixedText(mostM, 3) + " m"),
+              std::string::npos)
+        << measureBasis(*measured);
+    // The same clicks without the list of clicks: the ends are the clicks.
+    const auto bare = measureStored(scan, kQuietNoise, {MeasureKind::Throat, {from, to}, {}});
+    EXPECT_DOUBLE_EQ(bare->mostM, mostM);
+    // A hole without a range on both sides has no throat.
+    Scan empty = scan;
+    for (std::size_t k = 0; k < empty.cells(); ++k) empty.state[k] = CellState::NoReturn;
+    EXPECT_FALSE(throatAt(empty, CartesianTables(empty), from, to));
+    EXPECT_FALSE(throatAt(scan, tables, from, static_cast<std::uint32_t>(scan.cells())));
 }
 
 } // namespace
