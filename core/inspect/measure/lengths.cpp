@@ -290,11 +290,14 @@ std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     std::vector<std::string> parts;
     if (measured.kind == MeasureKind::Throat) {
         parts.push_back(say("narrowest way near the two clicks"));
-        if (measured.mostM - measured.leastM >= kShownM)
+        const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;
+        if (dependsOnClicks)
             parts.push_back(say("clicks %1 cells away find %2 to %3 m",
                                 {std::to_string(kClickSpread), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
-        parts.push_back(measured.narrowerM > 0.0 ? say("farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)})
-                                                 : say("no narrower way next to it"));
+        if (measured.narrowerM > 0.0 && (!dependsOnClicks || measured.narrowerM < measured.leastM))
+            parts.push_back(say("farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)}));
+        else if (!dependsOnClicks)
+            parts.push_back(say("no narrower way next to it"));
     }
     parts.push_back(say("at %1 m", {ranges}));
     if (const std::string clicks = clicksPart(measured, translated); !clicks.empty()) parts.push_back(clicks);

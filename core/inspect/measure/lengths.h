@@ -61,8 +61,8 @@ struct MeasuredCells {
     std::vector<double> rangesM;         ///< of its cells
     int fromClicks = 0;                  ///< only for Throat: number of cells from a click to its end, at most
     double clicksM = 0.0;                ///< only for Throat: distance of the two clicked points; 0: not known
-    double leastM = 0.0, mostM = 0.0;    ///< only for Throat: lengths that clicks next to these find (throatAt()); 0: not known
-    double narrowerM = 0.0;              ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
+    double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find (throatAt()); 0: not known
+    double narrowerM = 0.0;           ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
 };
 
 /// Covariance of the place of a picked point, m^2, frame of the scan. Along the beam: the noise of the range. Across the beam: the point is

@@ -214,18 +214,18 @@ std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, 
         for (const std::uint32_t b : seconds) tries.insert({a, b});
     }
     Rims rims(scan);
-    std::optional<Throat> best;
+    struct Way {
+        double lengthM;
+        std::array<std::uint32_t, 2> ends;
+    };
+    std::vector<Way> ways;
     for (const auto& [a, b] : tries) {
-        const auto ends = narrowestOf(scan, tables, rims, a, b);
-        if (!ends) continue;
-        const double lengthM = (tables.point((*ends)[0]) - tables.point((*ends)[1])).norm();
-        if (!best) best = Throat{*ends, lengthM, lengthM};
-        best->mostM = std::max(best->mostM, lengthM);
-        if (lengthM >= best->leastM) continue;
-        best->leastM = lengthM;
-        best->ends = *ends;
+        if (const auto ends = narrowestOf(scan, tables, rims, a, b))
+            ways.push_back({(tables.point((*ends)[0]) - tables.point((*ends)[1])).norm(), *ends});
     }
-    return best;
+    if (ways.empty()) return std::nullopt;
+    std::ranges::sort(ways, [](const Way& x, const Way& y) { return std::tie(x.lengthM, x.ends) < std::tie(y.lengthM, y.ends); });
+    return Throat{ways[ways.size() / 2].ends, ways.front().lengthM, ways.back().lengthM};
 }
 
 } // namespace edgescan::inspect

@@ -22,9 +22,8 @@ inline constexpr int kClickSpread = 2;
 
 /// What two clicks find, and what clicks next to them find.
 struct Throat {
-    std::array<std::uint32_t, 2> ends{}; ///< of the narrowest way that any of these clicks finds
-    double leastM = 0.0;                 ///< its length
-    double mostM = 0.0;                  ///< length of the longest way that any of them finds
+    std::array<std::uint32_t, 2> ends{}; ///< of the way whose length is the median of all that these clicks find
+    double leastM = 0.0, mostM = 0.0;    ///< lengths of the shortest and of the longest of them
 };
 
 /// narrowestBetween() for all pairs of a click at each side: the click itself, and those kClickSpread cells from it in four directions. A
