@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 struct ClicksAsked {
     std::vector<std::string> scenes{"hangup", "pile"};
     int clicks = 1000;
-    int throats = 100, repeats = 8;
+    int throats = 30, repeats = 8;
     int seeds = 3;
     int firstSeed = 7001;
     int lines = 300, beams = 381;
