@@ -132,7 +132,7 @@ WhyCard::WhyCard(QWidget* parent)
 
 /// As high as its text where the screen has room for it; else the text scrolls.
 void WhyCard::fit() {
-    const int wide = parentWidget() == nullptr ? kWidest : static_cast<int>(kShare * parentWidget()->width()) - 2 * kFrame / 2;
+    const int wide = parentWidget() == nullptr ? kWidest : static_cast<int>(kShare * parentWidget()->width()) - kFrame;
     for (QLabel* each : {cell_, verdict_, numbers_}) each->setMinimumWidth(std::clamp(wide, kNarrowest, kWidest));
     QWidget& content = *content_->widget();
     content.ensurePolished();
@@ -149,8 +149,8 @@ void WhyCard::showCell(const QString& words, const QVector<QPoint>& places) {
     places_ = places;
 }
 
-/// Over the panel; in a small window in the corner of the window that covers the fewest of the cell's places. A card that covers none of
-/// them stays where it is.
+/// Over the panel; in a small window in the corner of the window that covers the fewest of the cell's places. A card that covers no place
+/// does not move.
 void WhyCard::placeNextToCell() {
     const auto covered = [this](const QPoint& at) {
         const QRect card = QRect(at, size()).adjusted(-kRing, -kRing - kFromTop / 2, kRing, kRing); // with its title bar
