@@ -262,6 +262,7 @@
 <message><source>&amp;Night</source><translation>&amp;Noche</translation></message>
 <message><source>&amp;Day</source><translation>&amp;Día</translation></message>
 <message><source>&amp;Control-Room Gray</source><translation>&amp;Gris de sala de control</translation></message>
+<message><source>right-click &gt; hold a finger on | clicked &gt; tapped | clicks &gt; taps | click &gt; tap</source><translation>haga clic derecho en &gt; mantenga el dedo en | haga clic en ella &gt; tóquela | haga clic en &gt; toque | haga clic &gt; toque | hacer clic en &gt; tocar | en la que hizo clic &gt; que tocó | clics &gt; toques | clic &gt; toque</translation></message>
 <message><source>OK</source><translation>Aceptar</translation></message>
 <message><source>Save</source><translation>Guardar</translation></message>
 <message><source>Open</source><translation>Abrir</translation></message>
@@ -731,8 +732,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Previous target</source><translation>Objetivo anterior</translation></message>
 <message><source>Next target</source><translation>Objetivo siguiente</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
-<message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>1 target</source><translation>1 objetivo</translation></message>
 <message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
@@ -967,7 +968,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
-<message><source>cancel, or remove the target</source><translation>cancelar, o quitar el objetivo</translation></message>
+<message><source>end the tool, or what is shown last</source><translation>dejar la herramienta, o lo último que se muestra</translation></message>
+<message><source>take the last click back</source><translation>retirar el último clic</translation></message>
 <message><source>to the next field</source><translation>al campo siguiente</translation></message>
 <message><source>to the field before</source><translation>al campo anterior</translation></message>
 <message><source>pin the cell at the cursor</source><translation>fijar la celda del cursor</translation></message>
@@ -1206,6 +1208,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
+<message><source>Classes</source><translation>Clases</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
@@ -1307,7 +1310,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Top</source><translation>Arriba</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
-<message><source>Cloud – tap to swap</source><translation>Nube – tocar para cambiar</translation></message>
+<message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>To leave cab mode, hold the button for one second.</source><translation>Para salir del modo cabina, mantenga el botón un segundo.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
@@ -1321,14 +1324,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Inicial</translation></message>
-<message><source>Classes</source><translation>Clases</translation></message>
-<message><source>Take the last click back</source><translation>Retirar el último clic</translation></message>
-<message><source>Range image – tap to swap</source><translation>Imagen de distancias – tocar para cambiar</translation></message>
-<message><source>Edge map – tap to swap</source><translation>Mapa de bordes – tocar para cambiar</translation></message>
+<message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
+<message><source>Range image</source><translation>Imagen de distancias</translation></message>
+<message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
-<message><source>touch Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
+<message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
@@ -1353,9 +1355,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
 <message><source>Fold</source><translation>Plegar</translation></message>
-<message><source>Range image</source><translation>Imagen de distancias</translation></message>
-<message><source>Edge map</source><translation>Mapa de bordes</translation></message>
-<message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>

@@ -262,6 +262,7 @@
 <message><source>&amp;Night</source><translation>&amp;Nuit</translation></message>
 <message><source>&amp;Day</source><translation>&amp;Jour</translation></message>
 <message><source>&amp;Control-Room Gray</source><translation>&amp;Gris de salle de contrôle</translation></message>
+<message><source>right-click &gt; hold a finger on | clicked &gt; tapped | clicks &gt; taps | click &gt; tap</source><translation>clic droit sur &gt; doigt posé sur | ce clic &gt; cet appui | clics &gt; appuis | clic &gt; appui | cliquez sur &gt; touchez | cliquez &gt; touchez | cliquer sur &gt; toucher | cliquée &gt; touchée | cliqué &gt; touché</translation></message>
 <message><source>OK</source><translation>OK</translation></message>
 <message><source>Save</source><translation>Enregistrer</translation></message>
 <message><source>Open</source><translation>Ouvrir</translation></message>
@@ -731,8 +732,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Previous target</source><translation>Cible précédente</translation></message>
 <message><source>Next target</source><translation>Cible suivante</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
-<message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>1 target</source><translation>1 cible</translation></message>
 <message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
@@ -967,7 +968,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
-<message><source>cancel, or remove the target</source><translation>annuler, ou supprimer la cible</translation></message>
+<message><source>end the tool, or what is shown last</source><translation>quitter l'outil, ou ce qui est affiché en dernier</translation></message>
+<message><source>take the last click back</source><translation>reprendre le dernier clic</translation></message>
 <message><source>to the next field</source><translation>vers le champ suivant</translation></message>
 <message><source>to the field before</source><translation>vers le champ précédent</translation></message>
 <message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
@@ -1206,6 +1208,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
+<message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
@@ -1307,7 +1310,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Top</source><translation>Haut</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
-<message><source>Cloud – tap to swap</source><translation>Nuage – toucher pour échanger</translation></message>
+<message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>To leave cab mode, hold the button for one second.</source><translation>Pour quitter le mode cabine, maintenez le bouton une seconde.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
@@ -1321,14 +1324,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
-<message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Take the last click back</source><translation>Reprendre le dernier clic</translation></message>
-<message><source>Range image – tap to swap</source><translation>Image de distances – toucher pour échanger</translation></message>
-<message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
+<message><source>Take the last point back</source><translation>Reprendre le dernier point</translation></message>
+<message><source>Range image</source><translation>Image de distances</translation></message>
+<message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
-<message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
+<message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
@@ -1353,9 +1355,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
 <message><source>Fold</source><translation>Replier</translation></message>
-<message><source>Range image</source><translation>Image de distances</translation></message>
-<message><source>Edge map</source><translation>Carte des arêtes</translation></message>
-<message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>

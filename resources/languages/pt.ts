@@ -262,6 +262,7 @@
 <message><source>&amp;Night</source><translation>&amp;Noite</translation></message>
 <message><source>&amp;Day</source><translation>&amp;Dia</translation></message>
 <message><source>&amp;Control-Room Gray</source><translation>&amp;Cinza de sala de controle</translation></message>
+<message><source>right-click &gt; hold a finger on | clicked &gt; tapped | clicks &gt; taps | click &gt; tap</source><translation>clique com o botão direito em &gt; mantenha o dedo em | cliques &gt; toques | clique &gt; toque | clicar &gt; tocar | clicou &gt; tocou</translation></message>
 <message><source>OK</source><translation>OK</translation></message>
 <message><source>Save</source><translation>Salvar</translation></message>
 <message><source>Open</source><translation>Abrir</translation></message>
@@ -731,8 +732,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Previous target</source><translation>Alvo anterior</translation></message>
 <message><source>Next target</source><translation>Alvo seguinte</translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
-<message><source>Touch a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
-<message><source>Touch a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
+<message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
+<message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
 <message><source>1 target</source><translation>1 alvo</translation></message>
 <message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
@@ -967,7 +968,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
-<message><source>cancel, or remove the target</source><translation>cancelar, ou remover o alvo</translation></message>
+<message><source>end the tool, or what is shown last</source><translation>deixar a ferramenta, ou o que é mostrado por último</translation></message>
+<message><source>take the last click back</source><translation>retirar o último clique</translation></message>
 <message><source>to the next field</source><translation>para o campo seguinte</translation></message>
 <message><source>to the field before</source><translation>para o campo anterior</translation></message>
 <message><source>pin the cell at the cursor</source><translation>fixar a célula do cursor</translation></message>
@@ -1206,6 +1208,7 @@ RL %3 m</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
+<message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
@@ -1307,7 +1310,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Top</source><translation>Topo</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
-<message><source>Cloud – tap to swap</source><translation>Nuvem – tocar para trocar</translation></message>
+<message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>To leave cab mode, hold the button for one second.</source><translation>Para sair do modo cabine, segure o botão um segundo.</translation></message>
 <message><source>No scan</source><translation>Nenhuma varredura</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
@@ -1321,14 +1324,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Padrão</translation></message>
-<message><source>Classes</source><translation>Classes</translation></message>
-<message><source>Take the last click back</source><translation>Retirar o último clique</translation></message>
-<message><source>Range image – tap to swap</source><translation>Imagem de distâncias – tocar para trocar</translation></message>
-<message><source>Edge map – tap to swap</source><translation>Mapa de bordas – tocar para trocar</translation></message>
+<message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
+<message><source>Range image</source><translation>Imagem de distâncias</translation></message>
+<message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
-<message><source>touch Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
+<message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
@@ -1353,9 +1355,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
 <message><source>Fold</source><translation>Recolher</translation></message>
-<message><source>Range image</source><translation>Imagem de distâncias</translation></message>
-<message><source>Edge map</source><translation>Mapa de bordas</translation></message>
-<message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>

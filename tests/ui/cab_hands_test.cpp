@@ -11,10 +11,12 @@
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/dialogs/report_form.h"
 #include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/live/live_panel.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/theme.h"
 
 #include <QCheckBox>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -238,6 +240,24 @@ private slots:
         answer("end-and-close");
         QTest::keyClick(&on.window, Qt::Key_Q, Qt::ControlModifier);
         QTRY_VERIFY(!on.window.isVisible());
+    }
+
+    // As pressed on the screen: a press outside of a menu would close it.
+    void theFieldsOfASweepStayOpenUnderTheKeys() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        on.viewer.livePanel.askSweep();
+        auto* fields = on.window.findChild<QDialog*>("sweep-dialog");
+        QVERIFY(fields != nullptr && QTest::qWaitForWindowActive(fields, kPatienceMs));
+        Keypad& pad = on.window.cab().keypad();
+        QTRY_VERIFY(pad.isVisible() && pad.key("7") != nullptr);
+        QToolButton* key = pad.key("7");
+        QTest::mouseClick(key->window()->windowHandle(), Qt::LeftButton, Qt::NoModifier, key->mapTo(key->window(), key->rect().center()));
+        QTRY_COMPARE(on.viewer.livePanel.sweep().expectedLines, 7);
+        QVERIFY(fields->isVisible());
+        fields->close();
+        on.window.cab().set(false);
     }
 
     // The plate of a comparison names a way for fingers, not a key, and leaves out rows that count nothing.

@@ -17,8 +17,10 @@
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_overlay.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/pane_places.h"
 #include "ui/window/start.h"
 #include "ui/window/theme.h"
+#include "ui/window/tool_bar.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -84,7 +86,7 @@ private slots:
         QCOMPARE(on.viewer.views.cloud().width() - overlay->marks().captionRoom, on.window.cab().corner().x());
         // The picture's text fits below it in every font.
         CornerPicture& corner = on.window.cab().corner();
-        corner.setWords("Image de distance – toucher pour échanger l'image et le nuage");
+        corner.setWords("⇄ Image de distances");
         const int pictureAt = 4 * corner.width() / 5; // 200 x 240 cells: the maximum height
         const QRect words = corner.fontMetrics().boundingRect(0, 0, corner.width() - 16, 1 << 14, Qt::TextWordWrap, corner.text());
         QVERIFY2(corner.height() >= words.height() + std::min(pictureAt, corner.parentWidget()->height() * 2 / 5),
@@ -94,6 +96,117 @@ private slots:
         QVERIFY(!on.window.cab().corner().isVisible());
         QCOMPARE(overlay->marks().captionRoom, 0);
         on.window.cab().set(false);
+    }
+
+    // A note is next to the picture in the corner, or below it, in every language.
+    void noNoteCoversTheCorner() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useLanguage(language.code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            QTRY_VERIFY(on.window.cab().corner().isVisible());
+            for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775)}) {
+                resizeTo(on.window, size);
+                for (const bool swapped : {false, true}) {
+                    QAbstractButton* corner = swapped ? on.window.findChild<CornerPicture*>("cab-back") : &on.window.cab().corner();
+                    if (swapped) QTest::mouseClick(&on.window.cab().corner(), Qt::LeftButton);
+                    QTRY_VERIFY(corner->isVisible());
+                    for (const bool unfolded : {false, true}) {
+                        NoticeBar& notice = on.viewer.notice;
+                        notice.showNotice(NoticeBar::Kind::Warning, QString("a note of several words ").repeated(8));
+                        notice.offer(QObject::tr("Give them…"), [] {});
+                        notice.unfold(unfolded);
+                        const auto on_ = [&](const QWidget& each) { return QRect(each.mapTo(&on.window, QPoint()), each.size()); };
+                        QTRY_VERIFY2(!on_(notice).intersects(on_(*corner)),
+                                     qPrintable(QString("%1 at %2, unfolded %3").arg(language.code).arg(size.width()).arg(unfolded)));
+                        notice.hide();
+                    }
+                    if (swapped) QTest::mouseClick(corner, Qt::LeftButton);
+                }
+            }
+        }
+        useLanguage("en");
+    }
+
+    // Prompts and hints name what a finger does.
+    void noPromptNamesAMouse() {
+        const QRegularExpression mouse("\\b(click|clic|cliqu|clique)", QRegularExpression::CaseInsensitiveOption);
+        for (const Language& language : kLanguages) {
+            QVERIFY(useLanguage(language.code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.viewer.rocks.setShown(true);
+            QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
+            on.viewer.measures.start(inspect::MeasureKind::Distance);
+            QVERIFY2(on.viewer.tools.shown().contains(mouse), qPrintable(on.viewer.tools.shown()));
+            on.window.cab().set(true);
+            QStringList texts{on.viewer.tools.shown()};
+            for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
+                if (!each.inViews) continue;
+                on.viewer.measures.start(each.kind);
+                texts << on.viewer.tools.shown();
+            }
+            on.viewer.measures.stop();
+            for (const RockTool each : {RockTool::Split, RockTool::Join, RockTool::Cut, RockTool::Region}) {
+                on.viewer.rocks.useTool(each);
+                texts << on.viewer.tools.shown();
+            }
+            on.viewer.rocks.useTool(RockTool::None);
+            on.viewer.views.clearPin();
+            on.viewer.views.pointAt(std::nullopt);
+            on.viewer.explanation.explainMarked();
+            texts << on.viewer.notice.text();
+            on.viewer.sections.throughRock();
+            texts << on.viewer.notice.text();
+            for (const auto* each : on.window.cab().frame().findChildren<QLabel*>()) texts << each->text();
+            for (const QString& text : texts) QVERIFY2(!text.contains(mouse), qPrintable(language.code + (": " + text)));
+            QVERIFY2(language.code != QLatin1String("en") || texts.front().endsWith("tap one end"), qPrintable(texts.front()));
+            on.viewer.measures.start(inspect::MeasureKind::Distance);
+            on.window.cab().set(false);
+            QVERIFY2(on.viewer.tools.shown().contains(mouse), qPrintable(on.viewer.tools.shown()));
+        }
+        useLanguage("en");
+    }
+
+    // What looks at a rock or a region meanwhile leaves the images whole on the desk.
+    void theImagesAreWholeAfterTheCab() {
+        for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775), QSize(1600, 900)}) {
+            for (const bool imagesFirst : {false, true}) {
+                for (const char* large : {"", "gray", "edges"}) {
+                    WindowFixture on;
+                    on.window.resize(size);
+                    QVERIFY(on.showWith(scan_));
+                    on.viewer.notice.hide();
+                    on.window.places().setImagesFirst(imagesFirst);
+                    on.window.places().use(large);
+                    on.viewer.rocks.setShown(true);
+                    QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
+                    const ViewPort& port = *on.viewer.gray.viewPort();
+                    QTRY_VERIFY(port.fitted());
+                    QApplication::processEvents();
+                    for (const bool swaps : {false, true}) {
+                        on.window.cab().set(true);
+                        if (swaps) QTest::mouseClick(&on.window.cab().corner(), Qt::LeftButton);
+                        on.viewer.rocks.lookAtLargest();
+                        on.window.cab().set(false);
+                        QTRY_COMPARE(on.window.size(), size);
+                        const QString where = QString("%1, images first %2, large %3").arg(size.width()).arg(imagesFirst).arg(large);
+                        const auto whole = [&] {
+                            for (const ImageView* view : {&on.viewer.gray, &on.viewer.edges}) {
+                                const QPointF from = port.toPixel({0, 0}, view->size());
+                                const QPointF to =
+                                    port.toPixel({1.0 * port.imageSize().width(), 1.0 * port.imageSize().height()}, view->size());
+                                if (view->isVisible() && !QRectF(view->rect()).adjusted(-2, -2, 2, 2).contains(QRectF(from, to)))
+                                    return false;
+                            }
+                            return true;
+                        };
+                        QTRY_VERIFY2(whole(), qPrintable(where));
+                    }
+                }
+            }
+        }
     }
 
     void theLargeNumbersFitTheirSide() {

@@ -19,6 +19,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -325,18 +326,23 @@ private slots:
         assumed.expectedLines = kLines;
         v.live.connectTo("127.0.0.1", emulated->port(), assumed);
         QVERIFY2(v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
-        auto* menu = v.live.panel().findChild<QToolButton*>("live-sweep")->menu();
-        QTest::mouseClick(v.notice.findChild<QToolButton*>("notice-action"), Qt::LeftButton);
-        QTRY_VERIFY(menu->isVisible());
-        menu->close();
+        // A double click, and a click while the fields are open, leave them open.
+        auto* fields = v.live.panel().findChild<QDialog*>("sweep-dialog");
+        auto* give = v.notice.findChild<QToolButton*>("notice-action");
+        QVERIFY(fields != nullptr && give != nullptr);
+        QTest::mouseClick(give, Qt::LeftButton);
+        QTRY_VERIFY(fields->isVisible());
+        QTest::mouseDClick(on.window.windowHandle(), Qt::LeftButton, Qt::NoModifier, give->mapTo(&on.window, give->rect().center()));
+        QTRY_VERIFY(fields->isVisible());
+        fields->close();
         QTRY_VERIFY(!v.live.scanner().following() && !v.engine.behind());
         v.targets.keepMeasure({inspect::MeasureKind::Distance, {60 * 381 + 150, 60 * 381 + 230}, {}});
         auto* list = v.targetsPanel.findChild<QListWidget*>("measure-list");
         QVERIFY(list != nullptr);
         QTRY_VERIFY(list->count() == 1 && list->item(0)->text().contains("mounting assumed"));
         v.live.panel().setSweep(sweep());
-        menu->popup(QPoint(10, 10)); // typed values are taken when it closes
-        menu->close();
+        v.live.panel().askSweep(); // typed values are taken when it closes
+        fields->close();
         QVERIFY2(!v.notice.isVisible() || !v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
     }
 
@@ -499,7 +505,7 @@ private slots:
         LivePanel& panel = on.viewer.live.panel();
         panel.askAddress();
         panel.askSweep();
-        auto* menu = panel.findChild<QToolButton*>("live-sweep")->menu();
+        auto* menu = panel.findChild<QDialog*>("sweep-dialog");
         QTRY_VERIFY(menu->isVisible() && QApplication::focusWidget() != nullptr && menu->isAncestorOf(QApplication::focusWidget()));
         const auto fields = menu->findChildren<QAbstractSpinBox*>();
         QVERIFY(fields.size() == 4 && fields[0]->hasFocus());
@@ -603,7 +609,7 @@ private slots:
         auto* button = window.viewer().live.panel().findChild<QToolButton*>("live-sweep");
         QVERIFY(button->isEnabled());
         const Meanwhile hand([&] {
-            auto* menu = button->menu();
+            auto* menu = window.findChild<QDialog*>("sweep-dialog");
             if (!menu->isVisible()) return false;
             for (auto* list : menu->findChildren<QComboBox*>()) list->setCurrentIndex(list->findData(static_cast<int>(Axis::Sweep)));
             return menu->close();

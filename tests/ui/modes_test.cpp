@@ -16,6 +16,7 @@
 #include "ui/panels/start/start_page.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/status_line.h"
+#include "ui/views/cloud/cloud_overlay.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/start.h"
@@ -43,6 +44,7 @@ namespace {
 constexpr std::array kSizes{QSize(853, 533),  QSize(1024, 768),  QSize(1280, 800), QSize(1366, 768),
                             QSize(1600, 900), QSize(1920, 1080), QSize(2560, 1440)};
 constexpr double kCloudShare = 0.55; // of the width, on the desk
+constexpr double kFreeInCab = 0.7;   // of the cloud's pixels
 
 /// A window, a scanner that sends to it, and where the test is in the product.
 struct Desk {
@@ -236,6 +238,21 @@ QStringList faultsNow(Desk& desk, QSize size) {
     return faults;
 }
 
+/// The part of the cloud that no plate, text or tag covers.
+double freeShareOf(const CloudView& cloud) {
+    const auto* overlay = cloud.findChild<CloudOverlay*>();
+    QRegion covered;
+    for (const auto* each : cloud.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (each != overlay && each->isVisible() && (qobject_cast<const ViewPlate*>(each) || qobject_cast<const QAbstractButton*>(each)))
+            covered += each->geometry();
+    }
+    for (const QRect& label : overlay->labels()) covered += label;
+    for (const QRectF& tag : overlay->tags()) covered += tag.toAlignedRect();
+    double pixels = 0.0;
+    for (const QRect& part : covered& cloud.rect()) pixels += static_cast<double>(part.width()) * part.height();
+    return 1.0 - pixels / (static_cast<double>(cloud.width()) * cloud.height());
+}
+
 /// Faults, each with the state in which it was found.
 QStringList faultsAt(Desk& desk, QSize size, const QString& where) {
     MainWindow& window = desk.on.window;
@@ -350,6 +367,62 @@ private slots:
             ++number;
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join('\n')));
+    }
+
+    // In a cab texts, tags, plates, legend and the picture in the corner leave most of the cloud free, live too.
+    void theCloudIsReadableInACab_data() {
+        QTest::addColumn<int>("language");
+        QTest::addColumn<bool>("live");
+        for (int language = 0; language < static_cast<int>(std::size(kLanguages)); ++language) {
+            for (const bool live : {false, true})
+                QTest::newRow(qPrintable(QString("%1-%2").arg(kLanguages[language].code, live ? "live" : "file"))) << language << live;
+        }
+    }
+    void theCloudIsReadableInACab() {
+        QFETCH(int, language);
+        QFETCH(bool, live);
+        QVERIFY(useLanguage(kLanguages[language].code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+        const auto desk = deskOf(QString("readable-") + QTest::currentDataTag(), 40);
+        QVERIFY(desk != nullptr);
+        WindowFixture& on = desk->on;
+        QVERIFY(on.showWith(bell_) && on.activate());
+        desk->cab = true;
+        on.window.cab().set(true);
+        QVERIFY(!live || connectTo(*desk));
+        QStringList crowded;
+        for (const bool rocks : {false, true}) {
+            QVERIFY(rocks ? showRocks(*desk) : hideRocks(*desk));
+            for (const bool pin : {false, true}) {
+                if (pin) {
+                    QVERIFY(pinEdge(*desk));
+                } else {
+                    on.viewer.views.clearPin();
+                }
+                on.viewer.notice.hide();
+                for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+                    on.window.resize(size);
+                    CloudView& cloud = on.viewer.cloud;
+                    const QString where =
+                        QString("%1%2 at %3").arg(rocks ? "rocks" : "edges", pin ? " and a target" : "").arg(size.width());
+                    double free = 0.0;
+                    for (int n = 0; n < 40 && (n < 5 || free < kFreeInCab); ++n) { // what folds waits for a frame
+                        QVERIFY(eventually([&] { return on.window.size() == size; }));
+                        (void)cloud.grabFrame(CloudView::Points::All);
+                        cloud.findChild<CloudOverlay*>()->repaint();
+                        QApplication::processEvents();
+                        free = freeShareOf(cloud);
+                    }
+                    if (free < kFreeInCab) crowded << QString("%1: %2").arg(where).arg(free, 0, 'f', 3);
+                    if (qEnvironmentVariableIsSet("EDGESCAN_LOOK")) {
+                        qInfo("free: %s %.3f", qPrintable(where), free);
+                        const QString name =
+                            QString("%1/readable-%2-%3.png").arg(qEnvironmentVariable("EDGESCAN_LOOK"), QTest::currentDataTag(), where);
+                        pictureOf(on).save(name.simplified().replace(' ', '-'));
+                    }
+                }
+            }
+        }
+        QVERIFY2(crowded.isEmpty(), qPrintable(crowded.join('\n')));
     }
 
     // The pixels of the screen itself: no strip of the page stays unpainted during a resize.

@@ -6,6 +6,7 @@
 #include "ui/panels/dialogs/reading_dialog.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/tuning/status_line.h"
+#include "ui/window/cab_mode.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -134,6 +135,38 @@ private slots:
         QVERIFY(window_->viewer().statusLine.probeShown().contains("line 100  beam 20"));
         explained();
         QCOMPARE(window_->viewer().explanation.card()->cell(), QString("Cell: line 100, beam 20 (under the pointer)"));
+    }
+
+    // On the desk and in a cab, of every size, the card is next to the cell that it explains.
+    void whyDoesNotCoverItsCell() {
+        WindowFixture on;
+        QVERIFY(on.showWith(boxes_) && on.activate());
+        for (const bool cab : {false, true}) {
+            on.window.cab().set(cab);
+            for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775)}) {
+                on.window.resize(size);
+                QTRY_COMPARE(on.window.size(), size);
+                on.viewer.cloud.viewFromScanner();
+                for (const auto& [line, beam] : {std::pair{60, 80}, {30, 40}, {90, 120}, {30, 120}, {90, 40}}) {
+                    on.viewer.views.pin(on.viewer.views.cellAt(line, beam));
+                    on.viewer.views.pointAt(std::nullopt);
+                    on.viewer.explanation.explainMarked();
+                    const auto place = on.viewer.cloud.pixelOf(static_cast<std::uint32_t>(*on.viewer.views.pinned()));
+                    const auto shown = [&] {
+                        const WhyCard* card = on.viewer.explanation.card();
+                        return card != nullptr && card->isVisible() && !card->picture().profile().points.empty();
+                    };
+                    QTRY_VERIFY(shown());
+                    if (!place || !on.viewer.cloud.rect().contains(place->toPoint())) continue;
+                    const QRect card(on.viewer.explanation.card()->frameGeometry());
+                    const QString where = QString("cab %1, %2: %3, %4").arg(cab).arg(size.width()).arg(line).arg(beam);
+                    QVERIFY2(!card.contains(on.viewer.cloud.mapToGlobal(place->toPoint())), qPrintable(where));
+                    if (beam == 40) on.viewer.explanation.closeCard(); // for the next one it is where it was, or comes again
+                }
+                on.viewer.explanation.closeCard();
+            }
+        }
+        on.window.cab().set(false);
     }
 
     // Edges are drawn wider than a cell: Why means the edge that is drawn under the pointer, and the very cell once zoomed in.

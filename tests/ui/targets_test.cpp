@@ -441,12 +441,11 @@ private slots:
         };
         QVERIFY(countPixels(gray.grab().toImage(), blue) > 60);
         QTRY_VERIFY(countPixels(on.window.screenshot(), blue) > 300);
-        // An angle takes three clicks; Esc removes the last one, then leaves the tool.
+        // An angle takes three clicks; Backspace takes the last one back, Esc leaves the tool.
         QTest::keyClick(&on.window, Qt::Key_A);
         click(gray, 20, 30);
         click(gray, 60, 100);
-        on.viewer.notice.hide();
-        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QTest::keyClick(&on.window, Qt::Key_Backspace);
         QCOMPARE(static_cast<int>(on.viewer.measures.picked().size()), 1);
         click(gray, 60, 100);
         click(gray, 100, 20);
@@ -613,12 +612,12 @@ private slots:
             seen += at.inside && box.adjusted(2, 2, -2, -2).contains(at.x, at.y) && !isPointHidden(points, view, k) ? 1 : 0;
         }
         QVERIFY(seen > 50 && on.viewer.selection.cells().size() >= seen);
-        // Esc: the selection first, then the tool.
+        // Esc: the tool first, then the selection.
         on.viewer.notice.hide();
         QTest::keyClick(&on.window, Qt::Key_Escape);
-        QVERIFY(on.viewer.selection.cells().empty() && on.viewer.views.tool() == Tool::Box);
+        QVERIFY(!on.viewer.selection.cells().empty() && on.viewer.views.tool() == Tool::Pin);
         QTest::keyClick(&on.window, Qt::Key_Escape);
-        QVERIFY(on.viewer.views.tool() == Tool::Pin);
+        QVERIFY(on.viewer.selection.cells().empty());
     }
 
     void aClickSelectsTheChainOfAnEdge() {

@@ -23,7 +23,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kMostEarlier = 9;
-constexpr int kLeastText = 280; // px
+constexpr int kLeastText = 200; // px
 
 } // namespace
 

@@ -87,7 +87,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     if (apart && *apart <= kDrawnPx) return explain(inspect::exactly(*edge), Subject::NearestEdge);
     const Question question{picture, click, subject};
     card_->offerNearestEdge(0);
-    card_->showCell(subjectText(question));
+    card_->showCell(subjectText(question), views_.onScreen(click.cell));
     card_->showExplanation(tr("Finding the reason …"));
     why_.ask(question);
 }

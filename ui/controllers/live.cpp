@@ -183,8 +183,9 @@ void Live::showHealth() {
                                            : HealthStrip::Picture::Follows,
                       own ? note(held) : QString());
     views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
-    const QString note =
-        held ? tr("Held: %1. Press Follow to go on with the scanner.").arg(scanName(shown->detection->scan->name, 60)) : QString();
+    const QString note = // a cab says it in its head
+        held && !panel_.brief() ? tr("Held: %1. Press Follow to go on with the scanner.").arg(scanName(shown->detection->scan->name, 60))
+                                : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
+#include "ui/base/language/catalogue.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/files/source.h"
 #include "ui/panels/cab/cab_frame.h"
@@ -52,7 +53,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     back_->setObjectName("cab-back");
     corner_->hide();
     back_->hide();
-    back_->setWords(tr("Cloud – tap to swap"));
+    back_->setWords("⇄ " + QObject::tr("Cloud"));
     window.setCentralWidget(frame_);
     connectHead();
     connectSide();
@@ -61,6 +62,8 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     for (CornerPicture* each : {corner_, back_}) connect(each, &QAbstractButton::clicked, this, &CabMode::swap);
     follow();
 }
+
+CabMode::~CabMode() { useTouchWords(false); }
 
 void CabMode::connectHead() {
     CabHead& head = frame_->head();
@@ -134,6 +137,9 @@ void CabMode::follow() {
 void CabMode::set(bool on) {
     if (std::exchange(on_, on) == on) return;
     if (swapped_) swap();
+    useTouchWords(on);
+    window_.viewer().measures.show(); // the prompts of the tool in use
+    window_.viewer().rocks.useTool(window_.viewer().rocks.tool());
     const QSize size = window_.size();
     auto& application = *qobject_cast<QApplication*>(QApplication::instance());
     if (!on) useTheme(application, false);

@@ -31,6 +31,7 @@ class CabMode : public QObject {
 public:
     /// `middle`: the central content of the window. The frame around it becomes the window's central widget.
     CabMode(MainWindow& window, QWidget* middle);
+    ~CabMode() override;
 
     void set(bool on);
     [[nodiscard]] bool on() const { return on_; }

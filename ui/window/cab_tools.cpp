@@ -158,7 +158,7 @@ void CabMode::addMeasures(QMenu& menu) {
             menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });
     }
     menu.addSeparator();
-    menu.addAction(tr("Take the last click back"), this, [this] {
+    menu.addAction(tr("Take the last point back"), this, [this] {
         if (!window_.viewer().measures.removeLastPick()) window_.viewer().measures.stop();
     });
 }
@@ -174,7 +174,7 @@ void CabMode::showCorner() {
     window_.viewer().views.cloud().setCaptionMargin(some ? corner_->reach() : 0); // the text about all rocks must stay readable
     if (!some) return;
     const bool range = shown_ == Corner::Range;
-    corner_->setWords(range ? tr("Range image – tap to swap") : tr("Edge map – tap to swap"));
+    corner_->setWords("⇄ " + (range ? QObject::tr("Range image") : QObject::tr("Edge map")));
     corner_->show((range ? window_.viewer().views.gray() : window_.viewer().views.edges()).image(), markedPlace());
 }
 
@@ -243,7 +243,7 @@ TargetNumbers CabMode::numbers() const {
         values.size = sizeOf(*around.rock);
         values.sizeRemark = sizeRemarkOf(*around.rock);
     } else {
-        values.sizeRemark = around.rocksShown ? tr("no rock here") : tr("touch Rocks to measure it");
+        values.sizeRemark = around.rocksShown ? tr("no rock here") : tr("tap Rocks to measure it");
     }
     const auto rows = [&](const Eigen::Vector3d& at, std::initializer_list<const char*> names) {
         int n = 0;

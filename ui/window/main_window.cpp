@@ -363,35 +363,40 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    // Esc: first cancels the job, then closes the tour, the notice, the maximised view, the crosshair.
-    if (event->key() != Qt::Key_Escape) {
+    if (event->key() == Qt::Key_Escape)
+        escape();
+    else if (event->key() != Qt::Key_Backspace || !viewer_.measures.removeLastPick())
         QMainWindow::keyPressEvent(event);
-        return;
-    }
+}
+
+// One press ends one thing, whichever view has the keyboard focus; docs/guide/keys.md has this order.
+void MainWindow::escape() {
     if (viewer_.engine.opening()) { // a save or a comparison has its button
         viewer_.engine.cancel();
         viewer_.notice.showHint(tr("Cancelled; what was on the screen stays."));
-    } else if (endTour(*this)) {
         return;
-    } else if (viewer_.notice.isVisible())
+    }
+    if (leaveTool() || endTour(*this) || viewer_.explanation.closeCard()) return;
+    if (viewer_.notice.isVisible())
         viewer_.notice.hide();
     else if (maximised_ != nullptr && !cab_->on())
         maximise(maximised_);
-    else
-        escape();
-}
-
-// Undoes the last click of a tool, then leaves the tool, then clears the pinned cell.
-void MainWindow::escape() {
-    if (viewer_.explanation.closeCard()) return;
-    if (viewer_.measures.kind()) {
-        if (!viewer_.measures.removeLastPick()) viewer_.measures.stop();
-    } else if (viewer_.views.tool() != Tool::Pin) {
-        viewer_.selection.cells().empty() ? viewer_.views.setTool(Tool::Pin) : viewer_.selection.select({});
-    } else {
+    else if (!viewer_.selection.cells().empty())
+        viewer_.selection.select({});
+    else {
         viewer_.views.clearPin();
+        viewer_.rocks.select({});
         viewer_.explanation.forgetTrail();
     }
+}
+
+/// With its unfinished clicks, and the hint about them. False: no tool is in use.
+bool MainWindow::leaveTool() {
+    const bool isRocks = viewer_.rocks.tool() != RockTool::None;
+    if (!isRocks && viewer_.views.tool() == Tool::Pin) return false;
+    isRocks ? viewer_.rocks.useTool(RockTool::None) : viewer_.views.setTool(Tool::Pin);
+    viewer_.notice.endPassing();
+    return true;
 }
 
 } // namespace edgescan::ui

@@ -76,6 +76,7 @@ private:
     void connectEngine();
     void showOrigin();
     void escape();
+    bool leaveTool();
     void showWarnings();
     void followPlaces();
     void showTitle();

@@ -17,7 +17,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kTextMargin = 8;   // px
-constexpr int kLeastWidth = 300; // px of a note
+constexpr int kLeastWidth = 220; // px of a note
 
 class NoticePlace : public QObject {
 public:
@@ -67,7 +67,7 @@ private:
         for (auto* view : views_.findChildren<CloudView*>()) view->setTopTaken(takenOf(*view));
         for (auto* view : views_.findChildren<ImageView*>()) view->setTopTaken(takenOf(*view));
     }
-    /// On the wider side of `over`, which is over a view; the whole place if that side is too narrow for a note.
+    /// On the wider side of `over`, which is over a view; below it if that side is too narrow for a note.
     [[nodiscard]] QRect nextTo(QWidget& over, const QRect& place) {
         over.installEventFilter(this); // it may show, hide or move later; a second installation changes nothing
         const QRect taken(over.mapTo(&views_, QPoint(0, 0)), over.size());
@@ -75,7 +75,7 @@ private:
         const bool isRight = taken.left() - place.left() >= place.right() - taken.right();
         const QRect free =
             isRight ? rectAt(place.left(), taken.left(), place.top()) : rectAt(taken.right() + 1, place.right() + 1, place.top());
-        return free.width() < kLeastWidth ? place : free;
+        return free.width() < kLeastWidth ? rectAt(place.left(), place.right() + 1, taken.bottom() + 1) : free;
     }
     [[nodiscard]] QRect rectAt(int left, int right, int top) const {
         const int width = right - left;

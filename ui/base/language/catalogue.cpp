@@ -2,14 +2,24 @@
 #include "ui/base/language/catalogue.h"
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QXmlStreamReader>
+
+#include <atomic>
 
 namespace edgescan::ui {
 namespace {
 
 int sourceTextsWanted = 0;
+std::atomic<bool> touchWordsWanted = false;
+
+// A translation has the pairs of its own language: longer words first, in lower case.
+constexpr const char* kTouchWords =
+    QT_TRANSLATE_NOOP("QObject", "right-click > hold a finger on | clicked > tapped | clicks > taps | click > tap");
 
 } // namespace
+
+void useTouchWords(bool on) { touchWordsWanted = on; }
 
 SourceTexts::SourceTexts() { ++sourceTextsWanted; }
 SourceTexts::~SourceTexts() { --sourceTextsWanted; }
@@ -35,7 +45,23 @@ bool Catalogue::read(const QString& path) {
 }
 
 QString Catalogue::translate(const char*, const char* source, const char*, int) const {
-    return sourceTextsWanted > 0 ? QString() : texts_.value(QString::fromUtf8(source));
+    if (sourceTextsWanted > 0) return {};
+    const QString key = QString::fromUtf8(source), text = texts_.value(key);
+    return touchWordsWanted ? forTouch(text.isNull() ? key : text) : text;
+}
+
+QString Catalogue::forTouch(QString text) const {
+    const QString pairs = QString::fromUtf8(kTouchWords);
+    for (const QString& pair : texts_.value(pairs, pairs).split(" | ")) {
+        const QString word = pair.section(" > ", 0, 0), instead = pair.section(" > ", 1);
+        if (!text.contains(word, Qt::CaseInsensitive)) continue;
+        const auto replace = [&](const QString& from, const QString& to) {
+            text.replace(QRegularExpression("\\b" + from + "\\b", QRegularExpression::UseUnicodePropertiesOption), to);
+        };
+        replace(word, instead);
+        replace(word.left(1).toUpper() + word.mid(1), instead.left(1).toUpper() + instead.mid(1));
+    }
+    return text;
 }
 
 } // namespace edgescan::ui

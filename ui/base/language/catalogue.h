@@ -15,13 +15,18 @@ public:
     bool read(const QString& path);
 
     [[nodiscard]] QString translate(const char* context, const char* source, const char* disambiguation, int n) const override;
-    [[nodiscard]] bool isEmpty() const override { return texts_.isEmpty(); }
+    [[nodiscard]] bool isEmpty() const override { return false; } // the English one has the words of a cab
     /// Source and translation.
     [[nodiscard]] const QHash<QString, QString>& texts() const { return texts_; }
 
 private:
+    [[nodiscard]] QString forTouch(QString text) const;
+
     QHash<QString, QString> texts_;
 };
+
+/// On: tr() writes what a finger does ("tap") instead of what a mouse does ("click"), in the words that the language gives for it.
+void useTouchWords(bool on);
 
 /// While an object of this class exists, tr() returns the texts of the sources: for texts that are stored in files and compared later. GUI
 /// thread only.

@@ -108,13 +108,16 @@ bool useLanguage(const QString& code, const QString& folder) {
     now.translators.clear();
     const QString wanted = code.isEmpty() ? languageOfSystem(QLocale::system().uiLanguages()) : code;
     now.code = isSpoken(wanted) ? wanted : "en";
-    if (now.code == "en") return wanted == "en";
+    auto own = std::make_unique<Catalogue>();
+    if (now.code == "en") {
+        if (QCoreApplication::installTranslator(own.get())) now.translators.push_back(std::move(own));
+        return wanted == "en";
+    }
     auto ofQt = std::make_unique<QTranslator>();
     if (ofQt->load("qtbase_" + now.code, folderOfQt()) && QCoreApplication::installTranslator(ofQt.get()))
         now.translators.push_back(std::move(ofQt));
     // Texts of Qt that its own translations lack.
     [[maybe_unused]] constexpr std::array kOfQt{QT_TRANSLATE_NOOP("QTabBar", "Scroll Left"), QT_TRANSLATE_NOOP("QTabBar", "Scroll Right")};
-    auto own = std::make_unique<Catalogue>();
     const bool read = own->read(folder + "/" + now.code + ".ts") && QCoreApplication::installTranslator(own.get());
     if (read)
         now.translators.push_back(std::move(own));

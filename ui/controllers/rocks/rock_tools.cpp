@@ -40,7 +40,6 @@ QString promptOf(RockTool tool) {
 void Rocks::useTool(RockTool tool) {
     if (tool != RockTool::None && (!on_ || !picture_)) tool = RockTool::None;
     if (tool != RockTool::None && views_.tool() != Tool::Pin) views_.setTool(Tool::Pin); // one tool at a time
-    if (tool != RockTool::None) notice_.window()->installEventFilter(&drag_);            // for Esc, whichever widget has the keyboard focus
     const RockTool before = std::exchange(tool_, tool);
     if (before != tool) {
         drag_.want(wantedBy(tool));

@@ -68,7 +68,6 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&drag_, &CellDrag::drawn, this, [this](const std::vector<QPoint>& cells) { views_.setTrail({cells, cells, std::nullopt}); });
     connect(&drag_, &CellDrag::finished, this, &Rocks::takeStroke);
     connect(&drag_, &CellDrag::stepped, this, &Rocks::stepPiece);
-    connect(&drag_, &CellDrag::givenUp, this, [this] { useTool(RockTool::None); });
     connectViews();
 }
 
@@ -76,7 +75,6 @@ void Rocks::connectViews() {
     for (ImageView* view : {&views_.gray(), &views_.edges()}) {
         connect(view, &ImageView::hovered, this, [this, view](int line, int beam) { point(views_.cellAt(line, beam), view); });
         connect(view, &ImageView::hoverLeft, this, [this, view] { point(std::nullopt, view); });
-        connect(view, &ImageView::cleared, this, [this] { select({}); });
     }
     connect(&views_, &LinkedViews::cellMenuOpens, this, &Rocks::addToMenu);
     connect(&views_, &LinkedViews::pinChanged, this, &Rocks::followPin);
@@ -323,7 +321,8 @@ void Rocks::jumpTo(std::uint32_t label) {
 void Rocks::lookAt(std::uint32_t label) {
     const std::size_t cell = picture_->rock(label)->cell;
     select({cell});
-    views_.gray().viewPort()->centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5));
+    ViewPort& images = *views_.gray().viewPort();
+    if (!images.fitted()) images.centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5)); // else all of it is in sight
     views_.cloud().flyTo(static_cast<qint64>(cell));
 }
 

@@ -14,13 +14,13 @@ namespace edgescan::ui {
 namespace {
 
 QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
-    static const QStringList two{Measures::tr("click one end"), Measures::tr("click the other end")};
-    static const QStringList height{Measures::tr("click the lower cell"), Measures::tr("click the higher cell")};
-    static const QStringList angle{Measures::tr("click the end of one side"), Measures::tr("click where the sides meet"),
-                                   Measures::tr("click the end of the other side")};
-    static const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
-                                   Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
-    static const QStringList throat{Measures::tr("click one side"), Measures::tr("click the other side")};
+    const QStringList two{Measures::tr("click one end"), Measures::tr("click the other end")};
+    const QStringList height{Measures::tr("click the lower cell"), Measures::tr("click the higher cell")};
+    const QStringList angle{Measures::tr("click the end of one side"), Measures::tr("click where the sides meet"),
+                            Measures::tr("click the end of the other side")};
+    const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
+                            Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
+    const QStringList throat{Measures::tr("click one side"), Measures::tr("click the other side")};
     const QStringList& all = kind == inspect::MeasureKind::Throat     ? throat
                              : kind == inspect::MeasureKind::Angle    ? angle
                              : kind == inspect::MeasureKind::Spans    ? spans
@@ -51,7 +51,7 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
     });
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
         picked_.clear(); // cells of the old scan have no meaning in the new one
-        if (kind_) show();
+        show();
     });
 }
 
@@ -109,7 +109,7 @@ void Measures::keepPicked() {
 }
 
 void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
-    if (kind_) show();
+    show();
     const Scan& scan = *asked.of->detection->scan;
     const Picture* now = views_.shown().get(); // of another scan the cells have no meaning; a sweep may have grown
     if (now == nullptr || now->source.stream != asked.of->source.stream || now->source.growth.sweep != asked.of->source.growth.sweep)
@@ -131,6 +131,7 @@ void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells,
 }
 
 void Measures::show() {
+    if (!kind_) return;
     MeasureMark draft;
     for (const inspect::MeantCell& click : picked_) {
         draft.cells.push_back(click.cell);

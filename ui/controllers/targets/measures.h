@@ -35,6 +35,8 @@ public:
     [[nodiscard]] const std::vector<inspect::MeantCell>& picked() const { return picked_; }
     /// Removes the last picked cell; false: there was none.
     bool removeLastPick();
+    /// What is picked, and which click comes next.
+    void show();
 
 signals:
     /// Another kind of measurement is active, or the tool was left.
@@ -52,7 +54,6 @@ private:
     void keepPicked();
     void takeThroat(const ThroatAsked& asked, const Throat& ends);
     void keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked);
-    void show();
 
     LinkedViews& views_;
     Targets& targets_;

@@ -1,4 +1,4 @@
-// Handles drags, the wheel and Esc for a tool before the views get them.
+// Handles drags and the wheel for a tool before the views get them.
 #include "ui/engine/linked_views/cell_drag.h"
 
 #include "ui/base/gestures.h"
@@ -6,7 +6,7 @@
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 
-#include <QKeyEvent>
+#include <QWheelEvent>
 
 #include <cmath>
 
@@ -35,10 +35,6 @@ void CellDrag::want(Wanted what) {
 
 bool CellDrag::eventFilter(QObject* watched, QEvent* event) {
     if (wanted_ == Wanted::Nothing) return false;
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        emit givenUp();
-        return true;
-    }
     if (wanted_ == Wanted::Wheel) return takeWheel(*event);
     return takeMouse(*qobject_cast<QWidget*>(watched), *event);
 }

@@ -1,4 +1,4 @@
-// The mouse for tools that request it: a left drag over a view as a row of cells, the wheel over any view as steps, and Esc.
+// The mouse for tools that request it: a left drag over a view as a row of cells, the wheel over any view as steps.
 #pragma once
 
 #include <QObject>
@@ -29,7 +29,6 @@ signals:
     void finished(const std::vector<QPoint>& cells);
     /// Positive away from the operator.
     void stepped(int by);
-    void givenUp();
 
 private:
     bool takeMouse(QWidget& view, QEvent& event);

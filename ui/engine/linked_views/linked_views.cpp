@@ -35,10 +35,7 @@ LinkedViews::LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges
 void LinkedViews::setTool(Tool tool) {
     tool_ = tool;
     const DragTool drag = tool == Tool::Box ? DragTool::Box : tool == Tool::Lasso ? DragTool::Lasso : DragTool::Move;
-    for (ImageView* view : images_) {
-        view->setDragTool(drag);
-        view->setClearsOnEscape(tool == Tool::Pin);
-    }
+    for (ImageView* view : images_) view->setDragTool(drag);
     cloud_.setDragTool(drag);
     emit toolChanged();
 }
@@ -227,6 +224,16 @@ std::optional<double> LinkedViews::pixelsBetween(std::size_t a, std::size_t b) c
     const QPointF way = placeOf(b) - placeOf(a);
     const QSizeF cell = images_.front()->viewPort()->cellSize();
     return std::hypot(way.x() * cell.width(), way.y() * cell.height());
+}
+
+QVector<QPoint> LinkedViews::onScreen(std::size_t cell) const {
+    QVector<QPoint> places;
+    const auto add = [&](const QWidget& view, const std::optional<QPointF>& at) {
+        if (at && view.isVisible() && view.rect().contains(at->toPoint())) places << view.mapToGlobal(at->toPoint());
+    };
+    add(cloud_, cloud_.pixelOf(static_cast<std::uint32_t>(cell)));
+    for (const ImageView* view : images_) add(*view, view->viewPort()->toPixel(placeOf(cell) + QPointF(0.5, 0.5), view->size()));
+    return places;
 }
 
 inspect::MeantCell LinkedViews::meant(std::size_t clicked) const {

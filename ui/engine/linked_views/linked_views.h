@@ -49,6 +49,8 @@ public:
     /// How far apart two cells are drawn in the view that the pointer was in last, device-independent pixels; empty: one is not drawn
     /// there.
     [[nodiscard]] std::optional<double> pixelsBetween(std::size_t a, std::size_t b) const;
+    /// Where the visible views draw it, in pixels of the screen.
+    [[nodiscard]] QVector<QPoint> onScreen(std::size_t cell) const;
     [[nodiscard]] std::optional<std::size_t> pinned() const { return pinned_; }
     [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
     /// Sets the cell of the crosshair.

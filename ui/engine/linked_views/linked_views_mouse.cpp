@@ -28,7 +28,6 @@ void LinkedViews::linkImages() {
         connect(view, &ImageView::outlined, this, [this, view](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
             if (!waitsForTheWhole(*view)) emit imageOutlined(corners, modifiers);
         });
-        connect(view, &ImageView::cleared, this, &LinkedViews::clearPin);
         connect(view, &ImageView::menuRequested, this,
                 [this](int line, int beam, const QPoint& position) { openMenuAt(position, cellAt(line, beam)); });
         connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);

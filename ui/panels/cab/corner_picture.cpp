@@ -14,7 +14,8 @@ namespace {
 constexpr int kFromEdge = 12; // px
 constexpr int kNarrowest = 150, kWidest = 300;
 constexpr int kMargin = 8;
-constexpr int kFewestForWords = 48;
+constexpr double kMostWords = 0.1; // of the height
+constexpr int kLeastForGloves = 48;
 
 } // namespace
 
@@ -49,8 +50,9 @@ void CornerPicture::place() {
         const double shape = static_cast<double>(image_->height()) / image_->width();
         height = static_cast<int>(std::min(width * shape, room.height() * 0.4));
     }
-    const bool enough = height < kFewestForWords || wordsHeight(width) <= room.height() * 0.4;
-    words_ = enough ? std::min(wordsHeight(width), std::max(kFewestForWords, room.height() - 2 * kFromEdge - height)) : 0;
+    const int least = std::max(0, kLeastForGloves - height);
+    const bool enough = least > 0 || wordsHeight(width) <= room.height() * kMostWords;
+    words_ = enough ? std::max(least, std::min(wordsHeight(width), room.height() - 2 * kFromEdge - height)) : 0;
     const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + words_);
     if (at.size() != size()) scaled_ = QPixmap();
     const int before = reach();
@@ -61,7 +63,7 @@ void CornerPicture::place() {
 /// As many lines as the text needs.
 int CornerPicture::wordsHeight(int width) const {
     const QRect lines = fontMetrics().boundingRect(0, 0, width - 2 * kMargin, 1 << 14, Qt::AlignLeft | Qt::TextWordWrap, text());
-    return std::max(kFewestForWords, lines.height() + kMargin);
+    return lines.height() + kMargin;
 }
 
 int CornerPicture::reach() const { return width() + kFromEdge; }

@@ -211,8 +211,8 @@ QWidget* NumbersSide::makeSettings() {
 void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     const bool some = !numbers.title.isEmpty();
     hint_->setVisible(!some);
-    hint_->setText(numbers.targets > 0 ? tr("Touch a target, or an arrow above: its distance and its size are shown here.")
-                                       : tr("Touch a rock in the cloud: its distance and its size are shown here."));
+    hint_->setText(numbers.targets > 0 ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
+                                       : tr("Tap a rock in the cloud: its distance and its size are shown here."));
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_, rock_, size_}) each->setVisible(some);
     for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(numbers.targets > 0);
     title_->setText(some                   ? numbers.title + '\n' + numbers.place

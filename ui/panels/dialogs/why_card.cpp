@@ -14,20 +14,24 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr int kFromRight = 12, kFromTop = 90; // px, of the window's frame
-constexpr int kFrame = 48;                    // px: above and below the card, at most
-constexpr int kRim = 12;                      // px
-constexpr double kMargin = 0.05;              // of the depths that are shown, on each side
-constexpr double kMostStretched = 20.0;       // limit of the exaggeration of depth against width
+constexpr int kFromRight = 12, kFromTop = 90;  // px, of the window's frame
+constexpr int kFrame = 48;                     // px: above and below the card, at most
+constexpr int kWidest = 420, kNarrowest = 260; // px, of the texts
+constexpr double kShare = 0.42;                // of a narrow window: a cell is free at one of the sides
+constexpr int kRing = 16;                      // px around a cell
+constexpr int kRim = 12;                       // px
+constexpr double kMargin = 0.05;               // of the depths that are shown, on each side
+constexpr double kMostStretched = 20.0;        // limit of the exaggeration of depth against width
 
 QLabel* words() {
     auto* label = new QLabel;
     label->setWordWrap(true);
-    label->setMinimumWidth(420);
+    label->setMinimumWidth(kWidest);
     label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     return label;
@@ -128,6 +132,8 @@ WhyCard::WhyCard(QWidget* parent)
 
 /// As high as its text where the screen has room for it; else the text scrolls.
 void WhyCard::fit() {
+    const int wide = parentWidget() == nullptr ? kWidest : static_cast<int>(kShare * parentWidget()->width()) - kFrame;
+    for (QLabel* each : {cell_, verdict_, numbers_}) each->setMinimumWidth(std::clamp(wide, kNarrowest, kWidest));
     QWidget& content = *content_->widget();
     content.ensurePolished();
     const int high = content.layout()->heightForWidth(std::max(content_->viewport()->width(), content.layout()->minimumSize().width()));
@@ -138,7 +144,27 @@ void WhyCard::fit() {
     adjustSize();
 }
 
-void WhyCard::showCell(const QString& words) { cell_->setText(words); }
+void WhyCard::showCell(const QString& words, const QVector<QPoint>& places) {
+    cell_->setText(words);
+    places_ = places;
+}
+
+/// Over the panel; in a small window in the corner of the window that covers the fewest of the cell's places. A card that covers no place
+/// does not move.
+void WhyCard::placeNextToCell() {
+    const auto covered = [this](const QPoint& at) {
+        const QRect card = QRect(at, size()).adjusted(-kRing, -kRing - kFromTop / 2, kRing, kRing); // with its title bar
+        int count = 0; // the first place, that in the cloud, counts more than all others
+        for (int n = 0; n < places_.size(); ++n) count += !card.contains(places_[n]) ? 0 : n == 0 ? places_.size() : 1;
+        return count;
+    };
+    if (isVisible() && covered(pos()) == 0) return;
+    const QRect window = parentWidget()->frameGeometry(), room = screen()->availableGeometry();
+    const int right = window.right() - width() - kFromRight, left = window.left() + kFromRight;
+    const int top = window.top() + kFromTop, bottom = std::min(window.bottom(), room.bottom()) - height() - kFromRight;
+    const std::array corners{QPoint(right, top), QPoint(left, top), QPoint(right, bottom), QPoint(left, bottom)};
+    move(*std::ranges::min_element(corners, {}, covered)); // the first of equal ones
+}
 
 void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers) {
     verdict_->setText(verdict);
@@ -147,10 +173,7 @@ void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& 
     numbers_->setText(numbers);
     numbers_->setVisible(!numbers.isEmpty());
     fit();
-    if (!isVisible() && parentWidget() != nullptr) { // over the panel, not over the explained cell
-        const QRect window = parentWidget()->frameGeometry();
-        move(window.right() - width() - kFromRight, window.top() + kFromTop);
-    }
+    if (parentWidget() != nullptr) placeNextToCell();
     show();
     raise();
 }

@@ -4,6 +4,8 @@
 #include "core/edges/explain/edge_profile.h"
 
 #include <QDialog>
+#include <QPoint>
+#include <QVector>
 
 class QLabel;
 class QPushButton;
@@ -33,8 +35,8 @@ class WhyCard : public QDialog {
 public:
     explicit WhyCard(QWidget* parent);
 
-    /// Which cell is explained.
-    void showCell(const QString& words);
+    /// Which cell is explained, and where it is on the screen: the card does not cover it.
+    void showCell(const QString& words, const QVector<QPoint>& places);
     void showExplanation(const QString& text) { showExplanation(text, {}, {}); }
     /// Shows the verdict, the picture and the numbers; each may be empty.
     void showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers);
@@ -51,11 +53,13 @@ signals:
 
 private:
     void fit();
+    void placeNextToCell();
 
     QScrollArea* content_ = nullptr;
     QLabel *cell_, *verdict_, *numbers_, *below_;
     QPushButton* beside_;
     ProfileView* picture_;
+    QVector<QPoint> places_; // of the cell, on the screen
 };
 
 } // namespace edgescan::ui

@@ -32,8 +32,9 @@ void remember(const KeyedCommand& command, Preferences& preferences) {
 
 // Keys that views and fields handle themselves.
 QString ofTheWindow(const QKeySequence& key) {
-    static const std::array<std::pair<int, const char*>, 8> taken{{
-        {Qt::Key_Escape, QT_TRANSLATE_NOOP("QObject", "cancel, or remove the target")},
+    static const std::array<std::pair<int, const char*>, 9> taken{{
+        {Qt::Key_Escape, QT_TRANSLATE_NOOP("QObject", "end the tool, or what is shown last")},
+        {Qt::Key_Backspace, QT_TRANSLATE_NOOP("QObject", "take the last click back")},
         {Qt::Key_Tab, QT_TRANSLATE_NOOP("QObject", "to the next field")},
         {int(Qt::SHIFT) + Qt::Key_Tab, QT_TRANSLATE_NOOP("QObject", "to the field before")},
         {Qt::Key_Return, QT_TRANSLATE_NOOP("QObject", "pin the cell at the cursor")},

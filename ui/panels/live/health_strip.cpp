@@ -60,7 +60,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
           !notFollowing              ? health.badge
           : picture == Picture::Held ? tr("HELD").toStdString()
                                      : tr("CONNECTED, another picture is shown").toStdString());
-    if (brief_ && !notFollowing && health.badge == "LIVE") badge_->hide(); // the badge at the head says LIVE
+    // The badge at the head of a cab says LIVE and HELD.
+    if (brief_ && (notFollowing ? picture == Picture::Held : health.badge == "LIVE")) badge_->hide();
     // Another picture counts the lines of its own sweep.
     const QString lines = coreWords(health.lines);
     lines_->setText(picture == Picture::Follows || lines.isEmpty() ? lines : tr("sweep %1: %2").arg(health.sweep).arg(lines));
@@ -82,7 +83,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     const QString ofScanner = present ? QString() : coreSentence(health.sentence);
     const QString sentence = ofScanner.isEmpty() ? note : ofScanner;
     if (sentence_->text() != sentence) sentence_->setText(sentence);
-    const bool inViews = brief_ && ofScanner.isEmpty() && picture == Picture::Held; // in a cab the views alone say it
+    const bool inViews = brief_ && ofScanner.isEmpty() && picture == Picture::Held; // as the badge
     sentence_->setVisible(!sentence.isEmpty() && !inViews);
     sentence_->setToolTip(sentence);
 }

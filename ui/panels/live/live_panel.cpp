@@ -10,17 +10,16 @@
 #include "ui/panels/live/topic_menu.h"
 
 #include <QApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
-#include <QWidgetAction>
 
 #include <algorithm>
 
@@ -50,27 +49,12 @@ void reserveWidth(QPushButton& button, std::initializer_list<QString> texts) {
     button.setMinimumWidth(widest);
 }
 
-/// A menu of fields: Tab goes from field to field, and Return accepts what was typed. A plain menu goes from entry to entry.
-class FieldsMenu : public QMenu {
-public:
-    using QMenu::QMenu;
-
-protected:
-    bool focusNextPrevChild(bool next) override { return QWidget::focusNextPrevChild(next); }
-    void keyPressEvent(QKeyEvent* event) override {
-        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
-            close();
-        else
-            QMenu::keyPressEvent(event);
-    }
-};
-
 } // namespace
 
 LivePanel::LivePanel(QWidget* parent)
     : QWidget(parent), title_(new QLabel(tr("Scanner"))), host_(new QLineEdit), port_(new QSpinBox),
       connect_(button("live-connect", tr("Connect"), tr("EdgeScan sends only read requests and one subscription to the scanner"))),
-      sweepButton_(new QToolButton), sweep_(new SweepForm), topics_(new TopicMenu),
+      sweepButton_(new QToolButton), sweepDialog_(new QDialog(this)), sweep_(new SweepForm), topics_(new TopicMenu),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, unchanged, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
       follow_(button("live-follow", tr("Hold"), QString())), scanner_(new ElidedLabel), strip_(new HealthStrip) {
@@ -85,7 +69,7 @@ LivePanel::LivePanel(QWidget* parent)
     port_->setToolTip(tr("Port of the scanner"));
     port_->setRange(1, 65535);
     port_->setValue(kUsualPort);
-    addSweepMenu();
+    addSweepDialog();
     for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
     scanner_->setObjectName("live-scanner");
 
@@ -121,19 +105,21 @@ LivePanel::LivePanel(QWidget* parent)
     setFollowing(true);
 }
 
-void LivePanel::addSweepMenu() {
+/// A dialog, not a menu: a second click, or a tap on the keys of a cab, would close a menu.
+void LivePanel::addSweepDialog() {
     sweepButton_->setObjectName("live-sweep");
     sweepButton_->setText(tr("Sweep…"));
     sweepButton_->setToolTip(tr("Lines of a sweep, step per line, mounting"));
-    sweepButton_->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new FieldsMenu(sweepButton_);
-    auto* form = new QWidgetAction(menu);
-    form->setDefaultWidget(sweep_);
-    menu->addAction(form);
-    sweepButton_->setMenu(menu);
-    connect(menu, &QMenu::aboutToShow, sweep_, &SweepForm::begin);
+    sweepDialog_->setObjectName("sweep-dialog");
+    sweepDialog_->setWindowTitle(sweepButton_->toolTip());
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    auto* column = new QVBoxLayout(sweepDialog_);
+    column->addWidget(sweep_);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, sweepDialog_, &QDialog::accept);
+    connect(sweepButton_, &QToolButton::clicked, this, &LivePanel::askSweep);
     // One change for all typed values.
-    connect(menu, &QMenu::aboutToHide, this, [this] {
+    connect(sweepDialog_, &QDialog::finished, this, [this] {
         if (connected_) emit sweepRequested();
     });
 }
@@ -170,7 +156,12 @@ void LivePanel::askAddress() {
     host_->selectAll();
 }
 
-void LivePanel::askSweep() { sweepButton_->menu()->popup(mapToGlobal(rect().bottomLeft())); }
+void LivePanel::askSweep() {
+    if (!sweepDialog_->isVisible()) sweep_->begin();
+    sweepDialog_->show();
+    sweepDialog_->raise();
+    sweepDialog_->activateWindow();
+}
 
 void LivePanel::setConnected(bool connected) {
     connected_ = connected;

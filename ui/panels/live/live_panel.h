@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QDialog;
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
@@ -42,6 +43,7 @@ public:
     void setRecording(bool recording);
     /// Fewer fields, for cab mode.
     void setBrief(bool on);
+    [[nodiscard]] bool brief() const { return brief_; }
     void setFollowing(bool following);
     /// After Stop: the button shows what the scanner measured while the picture was held. Empty: there is nothing else to show.
     void offerOther(const QString& words, const QString& help);
@@ -70,7 +72,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void addSweepMenu();
+    void addSweepDialog();
     void reserveWidths();
     void showFields();
     void followAddress();
@@ -80,6 +82,7 @@ private:
     QSpinBox* port_;
     QPushButton* connect_;
     QToolButton* sweepButton_;
+    QDialog* sweepDialog_;
     SweepForm* sweep_;
     TopicMenu* topics_;
     QPushButton* record_;

@@ -5,17 +5,21 @@
 #include "core/edges/settings/parameters.h"
 #include "core/scan/gap_filling/gap_filling.h"
 #include "ui/base/count_text.h"
+#include "ui/base/icons.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPixmap>
+#include <QToolButton>
 
 #include <utility>
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kForGloves = 48; // px
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
@@ -40,6 +44,18 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     edges_->setToolTip(tr("Edge points on and off: E"));
     connect(edges_, &QCheckBox::toggled, this, [this](bool on) {
         if (!showing_) emit edgesRequested(on);
+    });
+    unfold_ = new QToolButton;
+    unfold_->setObjectName("legend-unfold");
+    unfold_->setAccessibleName(QObject::tr("Classes"));
+    unfold_->setIcon(toolIcon("layers"));
+    unfold_->setFixedSize(kForGloves, kForGloves);
+    unfold_->setCheckable(true);
+    unfold_->setFocusPolicy(Qt::TabFocus);
+    grid->addWidget(unfold_, grid->rowCount() - 1, 2);
+    connect(unfold_, &QToolButton::toggled, this, [this] {
+        showRows();
+        adjustSize();
     });
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const QString name = QObject::tr(edges::findParameter("classes")->choices[n].label);
@@ -97,8 +113,8 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
         rows_[n].count->setText(counted ? countText(counts[n + 1]) : QString());
     }
     known_ = known;
+    isFilled_ = detection.filled != nullptr;
     showRows();
-    filled_->setVisible(detection.filled != nullptr);
     if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(countText(detection.filled->cells.size())));
     show();
     adjustSize();
@@ -107,17 +123,22 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 
 void EdgeLegend::showRows() {
     constexpr std::size_t kOfRocks = 3; // jump, convex, concave
+    const bool open = !low_ && (!brief_ || unfold_->isChecked());
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const QString count = rows_[n].count->text();
         const bool counts = !count.isEmpty() && count != "0"; // the rows add up to the total
-        const bool shown = offered_[n] && !low_ && (!brief_ || n < kOfRocks || n == kRimClass || counts);
+        const bool shown = offered_[n] && open && (!brief_ || n < kOfRocks || n == kRimClass || counts);
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
     byClass_->setVisible(known_ && !brief_ && !low_);
+    unfold_->setVisible(known_ && brief_ && !low_);
+    covered_->setVisible(isCovered_ && (open || !brief_));
+    filled_->setVisible(isFilled_ && (open || !brief_));
 }
 
 void EdgeLegend::showCovered(bool on) {
-    covered_->setVisible(on);
+    isCovered_ = on;
+    showRows();
     adjustSize();
 }
 

@@ -10,6 +10,7 @@
 class QCheckBox;
 class QGridLayout;
 class QLabel;
+class QToolButton;
 
 namespace edgescan::ui {
 
@@ -25,11 +26,13 @@ public:
     void showEdges(bool on);
     /// On: rocks are drawn over the edges of the cloud; the counts then refer to the images.
     void showCovered(bool on);
-    /// Shows only the switch of edges, the classes of rocks, the rims of open voids and other classes that have edges.
+    /// In a cab: one row, the switch of edges. Its button opens the classes of rocks, the rims of open voids and other classes that have
+    /// edges.
     void setBrief(bool on);
     /// Px of the view under it: in a low one only the row of all edges is shown.
     void fitInto(int height) override;
     [[nodiscard]] QCheckBox* edges() const { return edges_; }
+    [[nodiscard]] QToolButton* unfold() const { return unfold_; }
     [[nodiscard]] QCheckBox* byClass() const { return byClass_; }
     [[nodiscard]] QLabel* filled() const { return filled_; } ///< number of filled cells; hidden if filling is off
     [[nodiscard]] QCheckBox* classSwitch(int n) const { return rows_[static_cast<std::size_t>(n)].box; }
@@ -59,7 +62,9 @@ private:
     std::array<bool, kEdgeClasses> offered_{}; // the classes of the method
     bool known_ = false;                       // the counts of the classes are known
     bool brief_ = false, low_ = false;
+    bool isCovered_ = false, isFilled_ = false;
     QLabel* covered_ = nullptr;
+    QToolButton* unfold_ = nullptr; // visible in a cab only
     bool showing_ = false;
 };
 

@@ -25,6 +25,7 @@ constexpr int kGrowingRestMs = 800;         // a growing cloud is drawn in full 
 constexpr double kFocusShare = 0.03;        // radius of the focal sphere / half height of the view
 constexpr double kLargestPoint = 12.0;      // px
 constexpr double kFactorPerStep = 1.25;     // of a point size that follows the spacing
+constexpr int kNarrowView = 460;            // px
 const QColor kCloudDimmed(121, 121, 121);   // dark enough to see edges in front of it
 const QColor kCloudBright(230, 230, 230);
 
@@ -305,7 +306,8 @@ void CloudView::updateOverlay() {
     marks.topTaken = topTaken_;
     marks.stale = stale_;
     marks.tip = tip_;
-    marks.caption = caption_;
+    // A narrow view has the first words of it: "44 rocks, candidate".
+    marks.caption = width() < kNarrowView ? caption_.section(" - ", 0, 0) : caption_;
     marks.captionRoom = captionRoom_;
     if (!cloud_) {
         marks.centreText = note_.isEmpty() ? tr("no scan open") : note_;

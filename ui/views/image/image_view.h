@@ -75,8 +75,6 @@ public:
     void setDragTool(DragTool tool);
     /// The left button counts as a finger: a resting press is a right click.
     void setForGloves(bool on) { touch_.setMouseIsFinger(on); }
-    /// Off: Esc has another use; crosshair and box stay.
-    void setClearsOnEscape(bool on) { clearsOnEscape_ = on; }
     [[nodiscard]] std::optional<QPoint> markedCell() const { return marked_; }
     [[nodiscard]] std::optional<QPoint> crosshair() const { return crosshair_; }
     [[nodiscard]] std::optional<QRect> box() const { return box_; }
@@ -108,8 +106,6 @@ signals:
     void hovered(int line, int beam);
     void hoverLeft();
     void clicked(int line, int beam);
-    /// Esc removed the crosshair and the box.
-    void cleared();
     /// Right click without a drag, with its position on the screen.
     void menuRequested(int line, int beam, const QPoint& position);
     void boxSelected(const QRect& cells);
@@ -130,7 +126,6 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
@@ -159,7 +154,6 @@ private:
     Pyramid selection_;
     CellMarks marks_;
     DragTool tool_ = DragTool::Move;
-    bool clearsOnEscape_ = true;
     QPolygonF way_; // path of a selecting drag, in cells
     std::vector<QLine> outline_;
     QPoint tipCell_;

@@ -1,7 +1,7 @@
 // The mouse of an image view.
 #include "ui/views/image/image_view.h"
 
-#include <QKeyEvent>
+#include <QMouseEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -89,17 +89,6 @@ void ImageView::wheelEvent(QWheelEvent* event) {
     event->accept();
     viewPort_->zoomAt(viewPort_->toCell(event->position(), size()), std::pow(kZoomPerNotch, notches(*event)));
     pointAt(cellAt(event->position())); // the cell under the cursor may have changed
-}
-
-void ImageView::keyPressEvent(QKeyEvent* event) {
-    const bool something = clearsOnEscape_ && (crosshair_ || box_);
-    if (event->key() != Qt::Key_Escape || !something) {
-        QWidget::keyPressEvent(event); // the window handles Esc next: cancel a job, leave a tool
-        return;
-    }
-    setCrosshair(std::nullopt);
-    setBox(std::nullopt);
-    emit cleared();
 }
 
 QRect ImageView::boxCells(QPointF from, QPointF to) const {

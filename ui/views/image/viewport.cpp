@@ -30,6 +30,7 @@ void ViewPort::setFinerImage(QSize beamsByLines) {
     }
     const double perBeam = static_cast<double>(beamsByLines.width()) / imageSize_.width();
     const double perLine = static_cast<double>(beamsByLines.height()) / imageSize_.height();
+    part_.reset();
     imageSize_ = beamsByLines;
     centre_ = {centre_.x() * perBeam, centre_.y() * perLine};
     zoom_ /= perLine;
@@ -42,7 +43,7 @@ void ViewPort::setAspect(double widthByHeight) {
     const double aspect = std::clamp(widthByHeight, 1.0 / kMaxAspect, kMaxAspect);
     if (aspect == aspect_) return;
     aspect_ = aspect;
-    if (fitted_) refit();
+    if (follows()) refit();
     keepInReach();
     emit changed();
 }
@@ -51,21 +52,28 @@ void ViewPort::setTrueAngle(double beamStepDeg, double lineStepDeg) { setAspect(
 
 void ViewPort::fit() {
     fitted_ = true;
+    part_.reset();
     refit();
     emit changed();
 }
 
 void ViewPort::fitTo(const QRectF& cells) {
-    centre_ = cells.center();
-    zoom_ = fittingZoom(cells.size());
     fitted_ = false;
-    keepInReach();
+    part_ = cells;
+    refit();
     emit changed();
 }
 
 void ViewPort::refit() {
-    centre_ = QPointF(0.5 * imageSize_.width(), 0.5 * imageSize_.height());
-    zoom_ = fittingZoom(imageSize_);
+    const QRectF cells = part_.value_or(QRectF(QPointF(), imageSize_));
+    centre_ = cells.center();
+    zoom_ = fittingZoom(cells.size());
+    keepInReach();
+}
+
+void ViewPort::endFit() {
+    fitted_ = false;
+    part_.reset();
 }
 
 QSize ViewPort::smallestView() const {
@@ -93,7 +101,7 @@ void ViewPort::zoomAt(QPointF cell, double factor) {
     if (zoom == zoom_) return;
     centre_ = cell + (centre_ - cell) * (zoom_ / zoom);
     zoom_ = zoom;
-    fitted_ = false;
+    endFit();
     keepInReach();
     emit changed();
 }
@@ -108,7 +116,7 @@ void ViewPort::centreOn(QPointF cell) {
     centre_ = cell;
     keepInReach();
     if (centre_ == before) return;
-    fitted_ = false;
+    endFit();
     emit changed();
 }
 
@@ -121,14 +129,14 @@ void ViewPort::keepInReach() {
 void ViewPort::setViewSize(const QObject* view, QSize size) {
     const QSize before = smallestView();
     viewSizes_[view] = size;
-    if (!fitted_ || smallestView() == before) return;
+    if (!follows() || smallestView() == before) return;
     refit();
     emit changed();
 }
 
 void ViewPort::forgetView(const QObject* view) {
     viewSizes_.remove(view);
-    if (!fitted_) return;
+    if (!follows()) return;
     refit();
     emit changed();
 }

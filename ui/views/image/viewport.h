@@ -8,6 +8,8 @@
 #include <QSize>
 #include <QSizeF>
 
+#include <optional>
+
 namespace edgescan::ui {
 
 /// Cell coordinates: x = beam, y = line; cell (line, beam) covers [beam, beam+1) x [line, line+1).
@@ -40,7 +42,7 @@ public:
     void setSquarePixels() { setAspect(1.0); }
 
     void fit();
-    /// Fits these cells into the view.
+    /// Fits these cells into the views, also those that are shown later, until the operator zooms or pans.
     void fitTo(const QRectF& cells);
     /// Enlarges the cells by a factor; `cell` stays at the same place on the screen.
     void zoomAt(QPointF cell, double factor);
@@ -65,11 +67,14 @@ private:
     [[nodiscard]] double zoomIn(QSizeF viewSize) const;
     void keepInReach();
     void refit();
+    [[nodiscard]] bool follows() const { return fitted_ || part_; }
+    void endFit();
 
     QPointF centre_{0.5, 0.5};
     double zoom_ = 1.0;
     double aspect_ = 1.0;
     bool fitted_ = true;
+    std::optional<QRectF> part_; // that is fitted instead of the whole image
     QSize imageSize_;
     QHash<const QObject*, QSize> viewSizes_;
 };

@@ -1,0 +1,134 @@
+// One press of Esc ends one thing, in the order of docs/guide/keys.md, whichever view has the keyboard focus, on the desk and in a cab.
+#include "tests/ui/sized_window.h"
+#include "ui/base/notice_bar.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/pane_places.h"
+#include "ui/window/theme.h"
+
+#include <QDialog>
+
+#include <vector>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class EscapeTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string boxes_;
+
+    static std::vector<QWidget*> viewsOf(WindowFixture& on) { return {&on.viewer.gray, &on.viewer.edges, &on.viewer.cloud}; }
+    static bool pinned(WindowFixture& on) {
+        on.viewer.views.pin(on.picture().detection->edges->at(on.picture().detection->edges->size() / 2));
+        return eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.active() != nullptr; });
+    }
+    static void press(QWidget& widget, Qt::Key key = Qt::Key_Escape) { QTest::keyClick(&widget, key); }
+    static bool inTool(WindowFixture& on) {
+        return on.viewer.measures.kind() || on.viewer.views.tool() != Tool::Pin || on.viewer.rocks.tool() != RockTool::None;
+    }
+    static void clickOnRange(WindowFixture& on, int line, int beam) { emit on.viewer.gray.clicked(line, beam); }
+    void showRocks(WindowFixture& on, bool cab) {
+        QVERIFY(on.showWith(boxes_) && on.activate());
+        on.window.cab().set(cab);
+        on.viewer.rocks.setShown(true);
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind(); }));
+    }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        boxes_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(files::saveScan(boxesToShow(), boxes_)));
+    }
+    void cleanup() { useTheme(*qApp); }
+
+    void onePressLeavesATool_data() {
+        QTest::addColumn<bool>("cab");
+        QTest::newRow("desk") << false;
+        QTest::newRow("cab") << true;
+    }
+    void onePressLeavesATool() {
+        QFETCH(bool, cab);
+        WindowFixture on;
+        showRocks(on, cab);
+        QVERIFY(pinned(on));
+        const auto target = on.viewer.targets.active()->number;
+        const auto left = [&](QWidget& view, const QString& what) {
+            on.viewer.notice.showHint("a hint of the tool");
+            QVERIFY2(inTool(on), qPrintable(what));
+            press(view);
+            QVERIFY2(!inTool(on), qPrintable(what + " in " + view.objectName()));
+            QVERIFY2(on.viewer.measures.picked().empty() && !on.viewer.notice.isVisible(), qPrintable(what));
+            QVERIFY2(on.viewer.targets.active() != nullptr && on.viewer.targets.active()->number == target, qPrintable(what));
+        };
+        for (QWidget* view : viewsOf(on)) {
+            if (!view->isVisible()) continue; // a cab shows the cloud alone
+            for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
+                if (!each.inViews) continue;
+                for (std::size_t clicks = 0; clicks < each.cells; ++clicks) {
+                    on.viewer.measures.start(each.kind);
+                    for (std::size_t n = 0; n < clicks; ++n) clickOnRange(on, 20 + 30 * static_cast<int>(n), 40);
+                    QCOMPARE(on.viewer.measures.picked().size(), clicks);
+                    left(*view, QString("%1 after %2 clicks").arg(each.label).arg(clicks));
+                }
+            }
+            for (const Tool tool : {Tool::Box, Tool::Lasso}) {
+                on.viewer.views.setTool(tool);
+                left(*view, "selection");
+            }
+            for (const RockTool tool : {RockTool::Split, RockTool::Join, RockTool::Cut, RockTool::Region}) {
+                on.viewer.rocks.useTool(tool);
+                left(*view, "rock tool");
+            }
+        }
+    }
+
+    void backspaceTakesOneClickBack() {
+        WindowFixture on;
+        QVERIFY(on.showWith(boxes_) && on.activate());
+        on.viewer.measures.start(inspect::MeasureKind::Angle);
+        clickOnRange(on, 20, 40);
+        clickOnRange(on, 50, 40);
+        press(on.viewer.gray, Qt::Key_Backspace);
+        QCOMPARE(on.viewer.measures.picked().size(), std::size_t{1});
+        press(on.viewer.cloud, Qt::Key_Backspace);
+        press(on.viewer.cloud, Qt::Key_Backspace);
+        QVERIFY(on.viewer.measures.picked().empty() && on.viewer.measures.kind());
+    }
+
+    // Notice, view shown alone, selection, card of the target: each takes one press, in images first too, which stays.
+    void theOthersEndInTheirOrder() {
+        for (const bool imagesFirst : {false, true}) {
+            for (int n = 0; n < 3; ++n) {
+                WindowFixture on;
+                on.window.resize(1600, 900);
+                QVERIFY(on.showWith(boxes_) && on.activate());
+                on.window.places().setImagesFirst(imagesFirst);
+                QVERIFY(pinned(on));
+                on.viewer.selection.select({1, 2, 3});
+                on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "a note");
+                QTest::keyClick(&on.window, Qt::Key_W);
+                const auto card = [&] {
+                    const auto* why = on.window.findChild<QDialog*>("why-card");
+                    return why != nullptr && why->isVisible();
+                };
+                QTRY_VERIFY(card());
+                QVERIFY(on.activate());
+                QWidget& view = *viewsOf(on)[static_cast<std::size_t>(n)];
+                press(view);
+                QVERIFY(!card() && on.viewer.notice.isVisible());
+                press(view);
+                QVERIFY(!on.viewer.notice.isVisible() && !on.viewer.selection.cells().empty());
+                press(view);
+                QVERIFY(on.viewer.selection.cells().empty() && on.viewer.targets.active() != nullptr);
+                press(view);
+                QVERIFY(on.viewer.targets.active() == nullptr && on.window.places().imagesFirst() == imagesFirst);
+                QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t{1});
+            }
+        }
+    }
+};
+
+int escape_test(int argc, char** argv) { return runWindowTest<EscapeTest>(argc, argv); }
+
+#include "escape_test.moc"
