@@ -160,6 +160,7 @@ class _Rock(TypedDict):
     finer_share: float
     confidence: float
     by_hand: bool
+    apart_m: Optional[float]
     note: str
 
 
