@@ -12,12 +12,33 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace edgescan::ui {
 namespace {
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
+
+constexpr std::size_t kOfRocks = 3; // jump, convex, concave
+/// The order in which the classes take cells: the first three by strength, each other class what is left.
+constexpr std::array<std::size_t, kEdgeClasses> kTakes{0, 1, 2, 4, 5, 3};
+
+QString classLabel(std::size_t n) { return QObject::tr(edges::findParameter("classes")->choices[n].label); }
+
+/// Classes that are off and whose cells can count in another class.
+QString takenWords(int classes) {
+    QStringList off;
+    for (std::size_t place = 0; place < kTakes.size(); ++place) {
+        const auto takers = std::span(kTakes).subspan(place < kOfRocks ? 0 : place);
+        const auto isOn = [classes](std::size_t n) { return (classes & bitOf(n)) != 0; };
+        if (!isOn(kTakes[place]) && std::ranges::any_of(takers, isOn)) off << classLabel(kTakes[place]);
+    }
+    if (off.isEmpty()) return {};
+    return (off.size() == 1 ? EdgeLegend::tr("Without %1:").arg(off.front()) : EdgeLegend::tr("Without %1 classes:").arg(off.size())) +
+           '\n' + EdgeLegend::tr("other classes take the cells");
+}
 
 } // namespace
 
@@ -42,14 +63,17 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         if (!showing_) emit edgesRequested(on);
     });
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const QString name = QObject::tr(edges::findParameter("classes")->choices[n].label);
-        rows_[n] = addRow(*grid, name, nullptr);
+        rows_[n] = addRow(*grid, classLabel(n), nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
         rows_[n].box->setToolTip(QObject::tr(edges::findParameter("classes")->help) + "\n" +
                                  tr("Without one class the other numbers change too: a cell has one class, and a weak cell counts where it "
                                     "continues a strong one of any class."));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
     }
+    taken_ = new QLabel;
+    taken_->setObjectName("legend-taken");
+    taken_->hide();
+    grid->addWidget(taken_, grid->rowCount(), 0, 1, 2);
     const Row byClass = addRow(*grid, tr("Colours by class"), "legend-by-class");
     byClass.count->hide(); // uses no row while the switch is hidden
     byClass_ = byClass.box;
@@ -97,6 +121,7 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
         rows_[n].count->setText(counted ? countText(counts[n + 1]) : QString());
     }
     known_ = known;
+    taken_->setText(chosen && known ? takenWords(classes) : QString());
     showRows();
     filled_->setVisible(detection.filled != nullptr);
     if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(countText(detection.filled->cells.size())));
@@ -106,7 +131,6 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 }
 
 void EdgeLegend::showRows() {
-    constexpr std::size_t kOfRocks = 3; // jump, convex, concave
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const QString count = rows_[n].count->text();
         const bool counts = !count.isEmpty() && count != "0"; // the rows add up to the total
@@ -114,6 +138,7 @@ void EdgeLegend::showRows() {
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
     byClass_->setVisible(known_ && !brief_ && !low_);
+    taken_->setVisible(!taken_->text().isEmpty() && !low_);
 }
 
 void EdgeLegend::showCovered(bool on) {

@@ -60,6 +60,7 @@ private:
     bool known_ = false;                       // the counts of the classes are known
     bool brief_ = false, low_ = false;
     QLabel* covered_ = nullptr;
+    QLabel* taken_ = nullptr; // where the cells of a class that is off went; empty: nowhere
     bool showing_ = false;
 };
 
