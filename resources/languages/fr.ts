@@ -249,6 +249,7 @@
 <message><source>%1 earlier</source><translation>%1 avant</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
+<message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
 <message><source>More</source><translation>Plus</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
@@ -395,6 +396,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ not read</source><translation>▲ non lue</translation></message>
 <message><source>being read</source><translation>en cours de lecture</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ non placée par rapport à l'active</translation></message>
+<message><source>sweep %1: %2 lines</source><translation>balayage %1 : %2 lignes</translation></message>
+<message><source>sweep %1: %2/%3 lines, complete</source><translation>balayage %1 : %2/%3 lignes, complet</translation></message>
+<message><source>sweep %1: %2/%3 lines, partial</source><translation>balayage %1 : %2/%3 lignes, partiel</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
@@ -405,10 +409,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre le balayage %2, qui croît maintenant.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>Le balayage %1 est partiel : %2 lignes sur %3.</translation></message>
-<message><source>Show %1 lines</source><translation>Montrer %1 lignes</translation></message>
-<message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>Le balayage %1 a %2 lignes à l'écran ; un appui le montre avec %3 lignes.</translation></message>
-<message><source>Show sweep %1</source><translation>Montrer le balayage %1</translation></message>
-<message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>Le balayage %1 est à l'écran ; un appui montre le balayage %2, qui a %3 lignes.</translation></message>
+<message><source>On the screen: %1</source><translation>À l'écran : %1</translation></message>
 <message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 était figé avec %2 lignes quand la connexion s'est terminée.</translation></message>
 <message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 est partiel : %2 lignes sur %3. Le scanner était au milieu de ce balayage quand EdgeScan s'est connecté. Le balayage suivant le remplace.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
@@ -577,7 +578,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Split Here</source><translation>&amp;Diviser ici</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Paroi, pas un bloc</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
-<message><source>This is the smallest rock.</source><translation>C'est le plus petit bloc.</translation></message>
+<message><source>No rock has a smaller visible width b.</source><translation>Aucun bloc n'a une largeur visible b plus petite.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Fichiers JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
@@ -603,7 +604,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
 <message><source>Mark as an Edge</source><translation>Marque d’arête</translation></message>
 <message><source>Mark as Not an Edge</source><translation>Marque de non-arête</translation></message>
+<message><source>the mark “edge” at line %1, beam %2</source><translation>la marque « arête » à la ligne %1, faisceau %2</translation></message>
+<message><source>the mark “not an edge” at line %1, beam %2</source><translation>la marque « pas d'arête » à la ligne %1, faisceau %2</translation></message>
 <message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
+<message><source>all marks, %1 “edge” and %2 “not an edge”</source><translation>toutes les marques, %1 « arête » et %2 « pas d'arête »</translation></message>
+<message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
 <message><source>✓ edge</source><translation>✓ arête</translation></message>
 <message><source>✕ not an edge</source><translation>✕ pas d'arête</translation></message>
 <message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Rien n'est encore marqué : clic droit sur une cellule, puis marquez-la comme arête ou comme non-arête.</translation></message>
@@ -665,8 +670,12 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Pin %1</source><translation>Épingler %1</translation></message>
+<message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>La cible %1 est verrouillée et reste : déverrouillez-la sur sa fiche pour la retirer.</translation></message>
 <message><source>Remove %1</source><translation>Supprimer %1</translation></message>
+<message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>Remove All</source><translation>Tout supprimer</translation></message>
+<message><source>Targets %1</source><translation>Cibles %1</translation></message>
+<message><source>Locked targets stay: %1.</source><translation>Des cibles verrouillées restent : %1.</translation></message>
 <message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
@@ -678,6 +687,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
+<message><source>rock %1</source><translation>bloc %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
@@ -999,6 +1009,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Follow</source><translation>Suivre</translation></message>
 <message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>L'image à l'écran est figée pendant que le scanner continue ; un appui montre ce que le scanner mesure maintenant.</translation></message>
 <message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>L'image à l'écran croît avec le scanner ; un appui la fige pendant que le scanner continue.</translation></message>
+<message><source>Show %1</source><translation>Montrer : %1</translation></message>
+<message><source>Show another sweep…</source><translation>Montrer un autre balayage…</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
@@ -1037,6 +1049,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
+<message><source>Rocks %1 and %2 do not touch: their nearest cells are %3 m apart.</source><translation>Les blocs %1 et %2 ne se touchent pas : leurs cellules les plus proches sont à %3 m l'une de l'autre.</translation></message>
+<message><source>Rock %1 and a part that was not a rock do not touch: their nearest cells are %2 m apart.</source><translation>Le bloc %1 et une partie qui n'était pas un bloc ne se touchent pas : leurs cellules les plus proches sont à %2 m l'une de l'autre.</translation></message>
+<message><source>They are merged as rock %1.</source><translation>Ils sont fusionnés comme bloc %1.</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
 <message><source>something that is not a rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
@@ -1063,7 +1078,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
 <message><source>Rock %1</source><translation>Bloc %1</translation></message>
-<message><source>visible spans</source><translation>étendues visibles</translation></message>
+<message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
 <message><source>distance</source><translation>distance</translation></message>
 <message><source>visible area</source><translation>surface visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
@@ -1076,7 +1091,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>confidence p</source><translation>confiance p</translation></message>
 <message><source>Not a rock</source><translation>Pas un bloc</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 m · à %5 m</translation></message>
+<message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 parties qui ne se touchent pas, à %2 m</translation></message>
+<message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible : %2 × %3 m ± %4 m · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
 <message><source>1 rock</source><translation>1 bloc</translation></message>
 <message><source>%1 rocks</source><translation>%1 blocs</translation></message>
@@ -1102,7 +1118,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
-<message><source>rock %1</source><translation>roche %1</translation></message>
 <message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
@@ -1145,7 +1160,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>Locked</source><translation>Verrouillée</translation></message>
-<message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1155,7 +1169,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
 <message><source>none here</source><translation>aucun ici</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
-<message><source>Length and width of its visible part. Hidden parts are not included.</source><translation>Longueur et largeur de sa partie visible. Les parties cachées ne sont pas comprises.</translation></message>
+<message><source>Length a and width b of its visible part. Hidden parts are not included.</source><translation>Longueur a et largeur b de sa partie visible. Les parties cachées ne sont pas comprises.</translation></message>
 <message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
 <message><source>Surface</source><translation>Surface</translation></message>
@@ -1204,6 +1218,9 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>comptage des cellules d'arête …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
+<message><source>Without %1:</source><translation>Sans %1 :</translation></message>
+<message><source>Without %1 classes:</source><translation>Sans %1 classes :</translation></message>
+<message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
@@ -1318,7 +1335,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
-<message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
@@ -1326,7 +1342,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Range image – tap to swap</source><translation>Image de distances – toucher pour échanger</translation></message>
 <message><source>Edge map – tap to swap</source><translation>Carte des arêtes – toucher pour échanger</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
-<message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
+<message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
+<message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>touch Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
@@ -1446,8 +1463,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Rétablir les réglages par &amp;défaut</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
-<message><source>&amp;Largest Rock</source><translation>&amp;Bloc le plus grand</translation></message>
-<message><source>Next Sm&amp;aller Rock</source><translation>Bloc suivant, p&amp;lus petit</translation></message>
+<message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
+<message><source>Next Sm&amp;aller Rock by Width b</source><translation>Bloc suivant, &amp;largeur b plus petite</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionner les blocs sélectionnés</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
@@ -1651,8 +1668,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Les morceaux de moins de cellules mesurées sont des fines et non des blocs.</translation></message>
 <message><source>Farthest rock</source><translation>Bloc le plus éloigné</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>Ce qui est plus loin n'est pas un bloc.</translation></message>
-<message><source>Largest size expected</source><translation>Plus grande taille attendue</translation></message>
-<message><source>Larger pieces need better evidence that they are rocks and not walls.</source><translation>Les morceaux plus grands demandent de meilleurs signes d'être un bloc et non une paroi.</translation></message>
+<message><source>Largest length expected</source><translation>Plus grande longueur attendue</translation></message>
+<message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Les morceaux plus longs demandent de meilleurs signes d'être un bloc et non une paroi. La longueur est à peu près la longueur visible a.</translation></message>
 <message><source>Oversize</source><translation>Hors gabarit</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>La part des blocs dont la largeur visible est plus grande est indiquée ; 0 n'en indique aucune.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Angle du premier faisceau [degrés]</translation></message>
