@@ -45,6 +45,7 @@
 <message><source>lined up by their poses</source><translation>alineados por sus poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alineados por las posiciones conocidas del escáner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sin pose: alineados por sus superficies</translation></message>
+<message><source>not resolved</source><translation>no resuelto</translation></message>
 <message><source>sweep %1</source><translation>barrido %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>campana de demostración tras la tronadura</translation></message>
 <message><source>demo draw-bell</source><translation>campana de demostración</translation></message>
@@ -83,12 +84,34 @@
 <message><source>choose a file inside it</source><translation>elija un archivo dentro de ella</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>no hay memoria suficiente para este escaneo</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>cierre otros programas o abra un escaneo más pequeño</translation></message>
+<message><source>there is not enough memory to show the scan in its place</source><translation>no hay memoria suficiente para mostrar el escaneo en su lugar</translation></message>
+<message><source>there is not enough memory for this layer</source><translation>no hay memoria suficiente para esta capa</translation></message>
+<message><source>there is not enough memory for a second picture</source><translation>no hay memoria suficiente para una segunda imagen</translation></message>
+<message><source>there is not enough memory for a second scan</source><translation>no hay memoria suficiente para un segundo escaneo</translation></message>
+<message><source>there is not enough memory for these scans</source><translation>no hay memoria suficiente para estos escaneos</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>no hay memoria suficiente para esta nube</translation></message>
+<message><source>there is not enough memory to play this recording</source><translation>no hay memoria suficiente para reproducir esta grabación</translation></message>
+<message><source>hide or remove other layers, or choose a smaller scan</source><translation>oculte o quite otras capas, o elija un escaneo más pequeño</translation></message>
+<message><source>close other programs or choose a smaller scan</source><translation>cierre otros programas o elija un escaneo más pequeño</translation></message>
+<message><source>close other programs or choose a smaller one</source><translation>cierre otros programas o elija uno más pequeño</translation></message>
+<message><source>close other programs or use fewer scans</source><translation>cierre otros programas o use menos escaneos</translation></message>
+<message><source>close other programs or use a smaller scan</source><translation>cierre otros programas o use un escaneo más pequeño</translation></message>
+<message><source>another program has changed this file, so it was not removed</source><translation>otro programa cambió este archivo, así que no se quitó</translation></message>
+<message><source>open the scan again to see its edits</source><translation>abra el escaneo de nuevo para ver sus cambios</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>el archivo no se puede quitar (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>compruebe los permisos de su carpeta</translation></message>
+<message><source>it could not be opened (%1)</source><translation>no se pudo abrir (%1)</translation></message>
+<message><source>auto is not a number</source><translation>auto no es un número</translation></message>
+<message><source>tick auto next to the box</source><translation>marque auto junto al campo</translation></message>
+<message><source>the layer has another content than when it was placed</source><translation>la capa tiene otro contenido que cuando se colocó</translation></message>
+<message><source>remove it and add it again</source><translation>quítela y añádala de nuevo</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>se canceló, así que no se escribió nada</translation></message>
 <message><source>save it again</source><translation>guárdelo otra vez</translation></message>
 <message><source>the file cannot be read: </source><translation>no se puede leer el archivo: </translation></message>
 <message><source>check the disk and the path</source><translation>compruebe el disco y la ruta</translation></message>
 <message><source>there is not enough memory for this file</source><translation>no hay memoria suficiente para este archivo</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>cierre otros programas o abra un archivo más pequeño</translation></message>
+<message><source>close other programs</source><translation>cierre otros programas</translation></message>
 <message><source>this is a web page (HTML), not a scan</source><translation>es una página web (HTML), no un escaneo</translation></message>
 <message><source>this is a JPEG picture, not a scan</source><translation>es una imagen JPEG, no un escaneo</translation></message>
 <message><source>this is a picture or film, not a scan</source><translation>es una imagen o una película, no un escaneo</translation></message>

@@ -45,6 +45,7 @@
 <message><source>lined up by their poses</source><translation>alignés par leurs poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alignés par les positions connues du scanner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>pas de pose : alignés par leurs surfaces</translation></message>
+<message><source>not resolved</source><translation>non résolu</translation></message>
 <message><source>sweep %1</source><translation>balayage %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>cloche de démonstration après le tir</translation></message>
 <message><source>demo draw-bell</source><translation>cloche de démonstration</translation></message>
@@ -83,12 +84,34 @@
 <message><source>choose a file inside it</source><translation>choisissez un fichier à l'intérieur</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>il n'y a pas assez de mémoire pour ce scan</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>fermez d'autres programmes ou ouvrez un scan plus petit</translation></message>
+<message><source>there is not enough memory to show the scan in its place</source><translation>il n'y a pas assez de mémoire pour montrer le scan à sa place</translation></message>
+<message><source>there is not enough memory for this layer</source><translation>il n'y a pas assez de mémoire pour cette couche</translation></message>
+<message><source>there is not enough memory for a second picture</source><translation>il n'y a pas assez de mémoire pour une deuxième image</translation></message>
+<message><source>there is not enough memory for a second scan</source><translation>il n'y a pas assez de mémoire pour un deuxième scan</translation></message>
+<message><source>there is not enough memory for these scans</source><translation>il n'y a pas assez de mémoire pour ces scans</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>il n'y a pas assez de mémoire pour ce nuage</translation></message>
+<message><source>there is not enough memory to play this recording</source><translation>il n'y a pas assez de mémoire pour lire cet enregistrement</translation></message>
+<message><source>hide or remove other layers, or choose a smaller scan</source><translation>masquez ou retirez d'autres couches, ou choisissez un scan plus petit</translation></message>
+<message><source>close other programs or choose a smaller scan</source><translation>fermez d'autres programmes ou choisissez un scan plus petit</translation></message>
+<message><source>close other programs or choose a smaller one</source><translation>fermez d'autres programmes ou choisissez-en un plus petit</translation></message>
+<message><source>close other programs or use fewer scans</source><translation>fermez d'autres programmes ou utilisez moins de scans</translation></message>
+<message><source>close other programs or use a smaller scan</source><translation>fermez d'autres programmes ou utilisez un scan plus petit</translation></message>
+<message><source>another program has changed this file, so it was not removed</source><translation>un autre programme a modifié ce fichier, il n'a donc pas été supprimé</translation></message>
+<message><source>open the scan again to see its edits</source><translation>ouvrez le scan de nouveau pour voir ses modifications</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>le fichier ne peut pas être supprimé (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>vérifiez les droits de son dossier</translation></message>
+<message><source>it could not be opened (%1)</source><translation>il n'a pas pu être ouvert (%1)</translation></message>
+<message><source>auto is not a number</source><translation>auto n'est pas un nombre</translation></message>
+<message><source>tick auto next to the box</source><translation>cochez auto à côté du champ</translation></message>
+<message><source>the layer has another content than when it was placed</source><translation>la couche a un autre contenu que lorsqu'elle a été placée</translation></message>
+<message><source>remove it and add it again</source><translation>retirez-la et ajoutez-la de nouveau</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>c'était annulé, donc rien n'a été écrit</translation></message>
 <message><source>save it again</source><translation>enregistrez-le de nouveau</translation></message>
 <message><source>the file cannot be read: </source><translation>le fichier ne peut pas être lu : </translation></message>
 <message><source>check the disk and the path</source><translation>vérifiez le disque et le chemin</translation></message>
 <message><source>there is not enough memory for this file</source><translation>la mémoire ne suffit pas pour ce fichier</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>fermez d'autres programmes ou ouvrez un fichier plus petit</translation></message>
+<message><source>close other programs</source><translation>fermez d'autres programmes</translation></message>
 <message><source>this is a web page (HTML), not a scan</source><translation>c'est une page web (HTML), pas un scan</translation></message>
 <message><source>this is a JPEG picture, not a scan</source><translation>c'est une image JPEG, pas un scan</translation></message>
 <message><source>this is a picture or film, not a scan</source><translation>c'est une image ou un film, pas un scan</translation></message>

@@ -45,6 +45,7 @@
 <message><source>lined up by their poses</source><translation>alinhados pelas suas poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alinhados pelas posições conhecidas do scanner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sem pose: alinhados pelas suas superfícies</translation></message>
+<message><source>not resolved</source><translation>não resolvido</translation></message>
 <message><source>sweep %1</source><translation>varredura %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>sino de demonstração após o desmonte</translation></message>
 <message><source>demo draw-bell</source><translation>sino de demonstração</translation></message>
@@ -83,12 +84,34 @@
 <message><source>choose a file inside it</source><translation>escolha um arquivo dentro dela</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>não há memória suficiente para esta varredura</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>feche outros programas ou abra uma varredura menor</translation></message>
+<message><source>there is not enough memory to show the scan in its place</source><translation>não há memória suficiente para mostrar a varredura no seu lugar</translation></message>
+<message><source>there is not enough memory for this layer</source><translation>não há memória suficiente para esta camada</translation></message>
+<message><source>there is not enough memory for a second picture</source><translation>não há memória suficiente para uma segunda imagem</translation></message>
+<message><source>there is not enough memory for a second scan</source><translation>não há memória suficiente para uma segunda varredura</translation></message>
+<message><source>there is not enough memory for these scans</source><translation>não há memória suficiente para estas varreduras</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>não há memória suficiente para esta nuvem</translation></message>
+<message><source>there is not enough memory to play this recording</source><translation>não há memória suficiente para reproduzir esta gravação</translation></message>
+<message><source>hide or remove other layers, or choose a smaller scan</source><translation>oculte ou remova outras camadas, ou escolha uma varredura menor</translation></message>
+<message><source>close other programs or choose a smaller scan</source><translation>feche outros programas ou escolha uma varredura menor</translation></message>
+<message><source>close other programs or choose a smaller one</source><translation>feche outros programas ou escolha uma menor</translation></message>
+<message><source>close other programs or use fewer scans</source><translation>feche outros programas ou use menos varreduras</translation></message>
+<message><source>close other programs or use a smaller scan</source><translation>feche outros programas ou use uma varredura menor</translation></message>
+<message><source>another program has changed this file, so it was not removed</source><translation>outro programa mudou este arquivo, por isso não foi removido</translation></message>
+<message><source>open the scan again to see its edits</source><translation>abra a varredura de novo para ver as suas alterações</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>o arquivo não pode ser removido (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>verifique as permissões da sua pasta</translation></message>
+<message><source>it could not be opened (%1)</source><translation>não pôde ser aberto (%1)</translation></message>
+<message><source>auto is not a number</source><translation>auto não é um número</translation></message>
+<message><source>tick auto next to the box</source><translation>marque auto ao lado do campo</translation></message>
+<message><source>the layer has another content than when it was placed</source><translation>a camada tem outro conteúdo do que quando foi colocada</translation></message>
+<message><source>remove it and add it again</source><translation>remova-a e adicione-a de novo</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>foi cancelado, por isso nada foi escrito</translation></message>
 <message><source>save it again</source><translation>salve outra vez</translation></message>
 <message><source>the file cannot be read: </source><translation>o arquivo não pode ser lido: </translation></message>
 <message><source>check the disk and the path</source><translation>verifique o disco e o caminho</translation></message>
 <message><source>there is not enough memory for this file</source><translation>não há memória suficiente para este arquivo</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>feche outros programas ou abra um arquivo menor</translation></message>
+<message><source>close other programs</source><translation>feche outros programas</translation></message>
 <message><source>this is a web page (HTML), not a scan</source><translation>é uma página web (HTML), não uma varredura</translation></message>
 <message><source>this is a JPEG picture, not a scan</source><translation>é uma imagem JPEG, não uma varredura</translation></message>
 <message><source>this is a picture or film, not a scan</source><translation>é uma imagem ou um filme, não uma varredura</translation></message>

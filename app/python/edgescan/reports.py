@@ -160,8 +160,8 @@ class _Rock(TypedDict):
     finer_share: float
     confidence: float
     by_hand: bool
-    apart_m: Optional[float]
     note: str
+    apart_m: Optional[float]
 
 
 class Rock(_Rock, total=False):

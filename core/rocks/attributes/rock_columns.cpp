@@ -85,9 +85,9 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
          [](Row r) -> RockValue { return thousandths(r.rock->confidence); },
          [](Row r) { return (r.rock->confidence < kSureConfidence ? "▲ " : "") + fixed(r.rock->confidence, kHundredths); }, true},
         {"by_hand", nullptr, "It was called a rock by hand", [](Row r) -> RockValue { return r.rock->byHand; }, nullptr, false},
+        {"note", nullptr, "What every rock is", [](Row) -> RockValue { return kRockCaveat; }, nullptr, false},
         {"apart_m", nullptr, "It was merged by hand of parts that do not touch: the widest gap between their nearest cells",
          [](Row r) -> RockValue { return r.rock->gaps.empty() ? RockValue() : RockValue(millimetres(r.rock->apartM())); }, nullptr, false},
-        {"note", nullptr, "What every rock is", [](Row) -> RockValue { return kRockCaveat; }, nullptr, false},
     }};
     // clang-format on
 }

@@ -113,7 +113,7 @@ CellMarks Targets::marks() const {
         marks.measures.push_back({ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
                                             : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
                                   inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
-                                  (warned ? "▲ " : "") + (now != nullptr ? shownText(inspect::measureText(*now)) : QString("–")),
+                                  (warned ? "▲ " : "") + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
                                   {measure.clicked.begin(), measure.clicked.end()}});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
@@ -126,7 +126,7 @@ std::vector<QString> Targets::measuresInWords() const {
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
         words.push_back(tr(inspect::traitsOf(measure.kind).label) + "  " +
-                        (now != nullptr ? shownText(inspect::measureText(*now)) : tr("a cell of it has no range")));
+                        (now != nullptr ? coreWords(inspect::measureText(*now)) : tr("a cell of it has no range")));
     }
     return words;
 }

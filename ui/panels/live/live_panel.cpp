@@ -267,7 +267,7 @@ void LivePanel::offerOthers(const QStringList& sweeps, const QString& help) {
 }
 
 void LivePanel::askOther() {
-    follow_->setChecked(false); // it is no switch now
+    follow_->setChecked(false); // not a switch now
     if (others_.size() == 1) return emit otherRequested(0);
     otherMenu_->clear();
     for (int n = 0; n < others_.size(); ++n)
