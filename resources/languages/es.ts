@@ -185,6 +185,7 @@
 <message><source>the file holds %1 scans, and number %2 was asked for</source><translation>el archivo contiene %1 escaneos y se pidió el número %2</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>el escaneo %1 de este archivo E57 no contiene puntos</translation></message>
 <message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
+<message><source>choose another scan</source><translation>elija otro escaneo</translation></message>
 <message><source>choose another file</source><translation>elija otro archivo</translation></message>
 <message><source>the points are said to begin at byte %1, which is not in the file</source><translation>los puntos empezarían en el byte %1, que no está en el archivo</translation></message>
 <message><source>no list of points begins where the E57 file says</source><translation>ninguna lista de puntos empieza donde indica el archivo E57</translation></message>

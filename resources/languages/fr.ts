@@ -185,6 +185,7 @@
 <message><source>the file holds %1 scans, and number %2 was asked for</source><translation>le fichier contient %1 scans, et le numéro %2 était demandé</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>le scan %1 de ce fichier E57 ne contient aucun point</translation></message>
 <message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
+<message><source>choose another scan</source><translation>choisissez un autre scan</translation></message>
 <message><source>choose another file</source><translation>choisissez un autre fichier</translation></message>
 <message><source>the points are said to begin at byte %1, which is not in the file</source><translation>les points commenceraient à l'octet %1, qui n'est pas dans le fichier</translation></message>
 <message><source>no list of points begins where the E57 file says</source><translation>aucune liste de points ne commence là où le fichier E57 l'indique</translation></message>

@@ -185,6 +185,7 @@
 <message><source>the file holds %1 scans, and number %2 was asked for</source><translation>o arquivo contém %1 varreduras e foi pedido o número %2</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>a varredura %1 deste arquivo E57 não contém pontos</translation></message>
 <message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
+<message><source>choose another scan</source><translation>escolha outra varredura</translation></message>
 <message><source>choose another file</source><translation>escolha outro arquivo</translation></message>
 <message><source>the points are said to begin at byte %1, which is not in the file</source><translation>os pontos começariam no byte %1, que não está no arquivo</translation></message>
 <message><source>no list of points begins where the E57 file says</source><translation>nenhuma lista de pontos começa onde o arquivo E57 indica</translation></message>

@@ -10,11 +10,8 @@
 #include "core/rocks/selection/rock_settings.h"
 #include "core/scan/grid/reading_options.h"
 #include "core/scanner/cola/link.h"
-#include "core/scanner/emulator/emulator.h"
-#include "core/scanner/emulator/telegram.h"
 #include "tests/support/folders.h"
 #include "tests/support/scans.h"
-#include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/core_words.h"
 #include "ui/base/count_text.h"
@@ -22,17 +19,11 @@
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/files/file_filters.h"
-#include "ui/controllers/files/placing.h"
 #include "ui/panels/dialogs/export_dialog.h"
-#include "ui/panels/dialogs/place_dialog.h"
-#include "ui/panels/dialogs/sheets.h"
-#include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/live/live_panel.h"
-#include "ui/panels/section/section_card.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/status_line.h"
-#include "ui/window/cab_mode.h"
 #include "ui/window/view_choices.h"
 
 #include <QAbstractButton>
@@ -47,7 +38,6 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QRegularExpression>
-#include <QTextBrowser>
 #include <QToolButton>
 
 #include <algorithm>
@@ -131,74 +121,6 @@ bool laidOut(WindowFixture& on, const std::string& scan) {
                return on.viewer.targets.settled() && on.viewer.rocks.picture() != nullptr && on.viewer.confidence.made() != nullptr &&
                       on.viewer.comparing.settled();
            });
-}
-
-/// The same of each task, one after the other: why, section, measurement, rocks, removal, properties, place, cab, live. Numbers are "#".
-QSet<QString> everyTextOfTheTasks(WindowFixture& on, const std::string& scan, std::uint16_t port) {
-    QSet<QString> texts;
-    static const QRegularExpression number("[0-9][0-9.,]*");
-    const auto look = [&](const QWidget& widget) {
-        for (QString text : everyTextIn(widget)) texts << text.replace(number, "#");
-        for (const QTextBrowser* page : widget.findChildren<QTextBrowser*>()) {
-            for (QString line : page->toPlainText().split(QRegularExpression("[\\n\\xa0\\x{fdd0}]+")))
-                texts << line.trimmed().replace(number, "#");
-        }
-    };
-    if (!laidOut(on, scan)) return {};
-    Viewer& viewer = on.viewer;
-    look(on.window);
-    const auto meant = [&](int line, int beam) { return static_cast<std::uint32_t>(*viewer.views.cellAt(line, beam)); };
-    viewer.explanation.explainMarked();
-    inspect::StoredMeasure measure;
-    measure.kind = inspect::MeasureKind::Angle;
-    measure.cells = {meant(50, 60), meant(50, 61), meant(51, 60)}; // not resolved
-    viewer.targets.keepMeasure(measure);
-    measure.kind = inspect::MeasureKind::Distance;
-    measure.cells = {meant(20, 30), meant(60, 80)};
-    viewer.targets.keepMeasure(measure);
-    viewer.sections.throughMeasurement();
-    if (!eventually([&] { return viewer.targets.settled() && on.window.findChild<SectionCard*>() != nullptr; })) return {};
-    if (!viewer.rocks.picture()->study.rocks.empty()) viewer.rocks.lookAtLargest();
-    look(on.window);
-    viewer.targets.removeMeasure(0);
-    look(viewer.notice);
-    viewer.targets.remove(1);
-    look(viewer.notice);
-    viewer.markedEdges.mark(meant(20, 30), true);
-    viewer.markedEdges.clear();
-    look(viewer.notice);
-    Meanwhile read([&] {
-        auto* sheet = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-        if (sheet == nullptr) return false;
-        look(*sheet);
-        sheet->reject();
-        return true;
-    });
-    showScanProperties(&on.window, *on.picture().detection->scan);
-    auto& placing = *on.window.findChild<Placing*>("placing");
-    placing.show();
-    if (placing.dialog() == nullptr) return {};
-    look(*placing.dialog());
-    placing.dialog()->reject();
-    on.window.cab().set(true);
-    look(on.window);
-    scanner::SweepSettings sweep;
-    sweep.expectedLines = 40;
-    viewer.live.connectTo("127.0.0.1", port, sweep);
-    const auto& link = viewer.live.scanner();
-    if (!eventually([&] { return !link.following() && link.health().sweep == 2; })) return {};
-    for (const bool cab : {true, false}) {
-        on.window.cab().set(cab);
-        look(on.window);
-    }
-    viewer.live.scanner().disconnectScanner();
-    if (!eventually([&] { return !link.others().empty(); })) return {};
-    look(on.window);
-    viewer.live.connectTo("127.0.0.1", 1, sweep); // no program listens there
-    if (!eventually([&] { return !link.health().sentence.empty(); })) return {};
-    look(on.window);
-    viewer.live.scanner().disconnectScanner();
-    return texts;
 }
 
 } // namespace
@@ -342,45 +264,6 @@ private slots:
         for (const QString& text : everyTextIn(on.window)) {
             const bool alike = english.contains(text) && word.match(text).hasMatch();
             if (alike && !meantAlike.contains(QString(text).remove('&').remove(keyOrCount)) && !name.match(text).hasMatch()) left << text;
-        }
-        left.sort();
-        QVERIFY2(left.isEmpty(), qPrintable("in English: " + left.join(" | ")));
-    }
-
-    void nothingIsLeftInEnglishInAnyTask_data() { everyTextHasItsTranslation_data(); }
-    void nothingIsLeftInEnglishInAnyTask() {
-        QFETCH(QString, code);
-        const auto bell = test::simulatedBell(40, 181);
-        QVERIFY(bell);
-        auto telegrams = scanner::telegramsOf(*bell);
-        QVERIFY(telegrams);
-        scanner::EmulatedScannerSettings settings;
-        settings.linesPerSecond = 60;
-        const auto texts = [&](const QString& language) {
-            useLanguage(language, kTexts);
-            auto copy = *telegrams;
-            auto emulated = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(copy)), settings);
-            if (!emulated) qFatal("the emulated scanner did not start");
-            WindowFixture on;
-            return everyTextOfTheTasks(on, scan_, (*emulated)->port());
-        };
-        const QSet<QString> english = texts("en");
-        const QSet<QString> here = texts(code);
-        QVERIFY(english.size() > 500 && here.size() > 500);
-        Catalogue catalogue;
-        QVERIFY(catalogue.read(kTexts + "/" + code + ".ts"));
-        QSet<QString> meantAlike;
-        for (auto text = catalogue.texts().begin(); text != catalogue.texts().end(); ++text) {
-            if (QString(text.key()).remove('&') != QString(text.value()).remove('&')) continue;
-            for (const QString& line : QString(text.key()).remove('&').split('\n')) meantAlike << line.trimmed();
-        }
-        static const QRegularExpression word("[A-Za-z]{3,}"), key(R"( +\([^)]*\)$)");
-        static const QRegularExpression name(
-            R"(^(Español|Français|Português|English|EdgeScan.*|edgescan.*|.*boxes.*|.*llvmpipe.*|.*LLVM.*|qt_.*|Canny.*|Roberts|Sobel|Prewitt|Kirsch|Robinson|UTC|#? ?points|.*[.]json.*|.*LMS.*|ws:.*|/.*|[0-9a-f#]{20,})$)");
-        QStringList left;
-        for (const QString& text : here) {
-            if (!english.contains(text) || !word.match(text).hasMatch() || name.match(text).hasMatch()) continue;
-            if (!meantAlike.contains(QString(text).remove('&').remove(key))) left << text;
         }
         left.sort();
         QVERIFY2(left.isEmpty(), qPrintable("in English: " + left.join(" | ")));

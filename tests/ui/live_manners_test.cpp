@@ -272,7 +272,7 @@ private slots:
         QVERIFY2(part.startsWith("Show sweep 3: ") && part.endsWith("/120 lines, partial"), qPrintable(part));
         for (const bool cab : {false, true}) {
             window.cab().set(cab);
-            QVERIFY(button.isVisible());
+            QTRY_VERIFY(window.cab().on() == cab && button.isVisible());
             QVERIFY(chooseSweep(window, whole));
             QTRY_COMPARE(count.text(), QString("sweep 2: 120/120 lines"));
             QCOMPARE(window.viewer().engine.picture()->source.growth.sweep, 1);

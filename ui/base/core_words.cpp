@@ -187,6 +187,7 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "the file holds %1 scans, and number %2 was asked for"),
     QT_TRANSLATE_NOOP("QObject", "scan %1 of this E57 file holds no points"),
     QT_TRANSLATE_NOOP("QObject", "choose another scan or file"),
+    QT_TRANSLATE_NOOP("QObject", "choose another scan"),
     QT_TRANSLATE_NOOP("QObject", "choose another file"),
     QT_TRANSLATE_NOOP("QObject", "the points are said to begin at byte %1, which is not in the file"),
     QT_TRANSLATE_NOOP("QObject", "no list of points begins where the E57 file says"),
