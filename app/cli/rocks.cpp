@@ -63,7 +63,7 @@ std::string summary(const rocks::Study& study, const std::string& file) {
     const rocks::RegionCounts fines = rocks::regionCounts(study.map, rocks::RegionKind::Fines);
     std::string text = printable(file) + ": " + std::to_string(study.rocks.size()) + " rocks (" + rocks::kRockCaveat + ")";
     if (curve.rocks() > 0)
-        text += ", visible width P20 " + fixedText(curve.p20M, 2) + " P50 " + fixedText(curve.p50M, 2) + " P80 " +
+        text += ", visible width b: P20 " + fixedText(curve.p20M, 2) + " P50 " + fixedText(curve.p50M, 2) + " P80 " +
                 fixedText(curve.p80M, 2) + " largest " + fixedText(curve.topM, 2) + " m";
     return text + ", " + std::to_string(fines.regions) + " pieces of fines";
 }

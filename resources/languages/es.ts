@@ -45,6 +45,7 @@
 <message><source>lined up by their poses</source><translation>alineados por sus poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alineados por las posiciones conocidas del escáner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sin pose: alineados por sus superficies</translation></message>
+<message><source>not resolved</source><translation>no resuelto</translation></message>
 <message><source>sweep %1</source><translation>barrido %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>campana de demostración tras la tronadura</translation></message>
 <message><source>demo draw-bell</source><translation>campana de demostración</translation></message>
@@ -83,12 +84,34 @@
 <message><source>choose a file inside it</source><translation>elija un archivo dentro de ella</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>no hay memoria suficiente para este escaneo</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>cierre otros programas o abra un escaneo más pequeño</translation></message>
+<message><source>there is not enough memory to show the scan in its place</source><translation>no hay memoria suficiente para mostrar el escaneo en su lugar</translation></message>
+<message><source>there is not enough memory for this layer</source><translation>no hay memoria suficiente para esta capa</translation></message>
+<message><source>there is not enough memory for a second picture</source><translation>no hay memoria suficiente para una segunda imagen</translation></message>
+<message><source>there is not enough memory for a second scan</source><translation>no hay memoria suficiente para un segundo escaneo</translation></message>
+<message><source>there is not enough memory for these scans</source><translation>no hay memoria suficiente para estos escaneos</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>no hay memoria suficiente para esta nube</translation></message>
+<message><source>there is not enough memory to play this recording</source><translation>no hay memoria suficiente para reproducir esta grabación</translation></message>
+<message><source>hide or remove other layers, or choose a smaller scan</source><translation>oculte o quite otras capas, o elija un escaneo más pequeño</translation></message>
+<message><source>close other programs or choose a smaller scan</source><translation>cierre otros programas o elija un escaneo más pequeño</translation></message>
+<message><source>close other programs or choose a smaller one</source><translation>cierre otros programas o elija uno más pequeño</translation></message>
+<message><source>close other programs or use fewer scans</source><translation>cierre otros programas o use menos escaneos</translation></message>
+<message><source>close other programs or use a smaller scan</source><translation>cierre otros programas o use un escaneo más pequeño</translation></message>
+<message><source>another program has changed this file, so it was not removed</source><translation>otro programa cambió este archivo, así que no se quitó</translation></message>
+<message><source>open the scan again to see its edits</source><translation>abra el escaneo de nuevo para ver sus cambios</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>el archivo no se puede quitar (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>compruebe los permisos de su carpeta</translation></message>
+<message><source>it could not be opened (%1)</source><translation>no se pudo abrir (%1)</translation></message>
+<message><source>auto is not a number</source><translation>auto no es un número</translation></message>
+<message><source>tick auto next to the box</source><translation>marque auto junto al campo</translation></message>
+<message><source>the layer has another content than when it was placed</source><translation>la capa tiene otro contenido que cuando se colocó</translation></message>
+<message><source>remove it and add it again</source><translation>quítela y añádala de nuevo</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>se canceló, así que no se escribió nada</translation></message>
 <message><source>save it again</source><translation>guárdelo otra vez</translation></message>
 <message><source>the file cannot be read: </source><translation>no se puede leer el archivo: </translation></message>
 <message><source>check the disk and the path</source><translation>compruebe el disco y la ruta</translation></message>
 <message><source>there is not enough memory for this file</source><translation>no hay memoria suficiente para este archivo</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>cierre otros programas o abra un archivo más pequeño</translation></message>
+<message><source>close other programs</source><translation>cierre otros programas</translation></message>
 <message><source>this is a web page (HTML), not a scan</source><translation>es una página web (HTML), no un escaneo</translation></message>
 <message><source>this is a JPEG picture, not a scan</source><translation>es una imagen JPEG, no un escaneo</translation></message>
 <message><source>this is a picture or film, not a scan</source><translation>es una imagen o una película, no un escaneo</translation></message>
@@ -162,6 +185,7 @@
 <message><source>the file holds %1 scans, and number %2 was asked for</source><translation>el archivo contiene %1 escaneos y se pidió el número %2</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>el escaneo %1 de este archivo E57 no contiene puntos</translation></message>
 <message><source>choose another scan or file</source><translation>elija otro escaneo o archivo</translation></message>
+<message><source>choose another scan</source><translation>elija otro escaneo</translation></message>
 <message><source>choose another file</source><translation>elija otro archivo</translation></message>
 <message><source>the points are said to begin at byte %1, which is not in the file</source><translation>los puntos empezarían en el byte %1, que no está en el archivo</translation></message>
 <message><source>no list of points begins where the E57 file says</source><translation>ninguna lista de puntos empieza donde indica el archivo E57</translation></message>
@@ -249,6 +273,7 @@
 <message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
+<message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Más</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Doble clic: en lugar de la nube, y de vuelta</translation></message>
@@ -396,6 +421,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ not read</source><translation>▲ no leída</translation></message>
 <message><source>being read</source><translation>leyendo</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ sin colocar respecto a la activa</translation></message>
+<message><source>sweep %1: %2 lines</source><translation>barrido %1: %2 líneas</translation></message>
+<message><source>sweep %1: %2/%3 lines, complete</source><translation>barrido %1: %2/%3 líneas, completo</translation></message>
+<message><source>sweep %1: %2/%3 lines, partial</source><translation>barrido %1: %2/%3 líneas, parcial</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
@@ -406,10 +434,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra el barrido %2, que crece ahora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>El barrido %1 es parcial: %2 de %3 líneas.</translation></message>
-<message><source>Show %1 lines</source><translation>Mostrar %1 líneas</translation></message>
-<message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>El barrido %1 tiene %2 líneas en la pantalla; al pulsar se muestra con %3 líneas.</translation></message>
-<message><source>Show sweep %1</source><translation>Mostrar el barrido %1</translation></message>
-<message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>El barrido %1 está en la pantalla; al pulsar se muestra el barrido %2, que tiene %3 líneas.</translation></message>
+<message><source>On the screen: %1</source><translation>En la pantalla: %1</translation></message>
 <message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 estaba retenido con %2 líneas cuando terminó la conexión.</translation></message>
 <message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 es parcial: %2 de %3 líneas. El escáner estaba en medio de este barrido cuando EdgeScan se conectó. El barrido siguiente lo sustituye.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
@@ -578,7 +603,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aquí</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Pared, no es una roca</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar las rocas…</translation></message>
-<message><source>This is the smallest rock.</source><translation>Es la roca más pequeña.</translation></message>
+<message><source>No rock has a smaller visible width b.</source><translation>Ninguna roca tiene un ancho visible b menor.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sesiones de EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Archivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La sesión no se guarda (%1).</translation></message>
@@ -604,7 +629,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta celda no se marcó: ya hay %1 marcas, borre antes algunas.</translation></message>
 <message><source>Mark as an Edge</source><translation>Marca de borde</translation></message>
 <message><source>Mark as Not an Edge</source><translation>Marca de no borde</translation></message>
+<message><source>the mark “edge” at line %1, beam %2</source><translation>la marca «borde» en la línea %1, haz %2</translation></message>
+<message><source>the mark “not an edge” at line %1, beam %2</source><translation>la marca «sin borde» en la línea %1, haz %2</translation></message>
 <message><source>Clear the Marks</source><translation>Borrar las marcas</translation></message>
+<message><source>all marks, %1 “edge” and %2 “not an edge”</source><translation>todas las marcas, %1 «borde» y %2 «sin borde»</translation></message>
+<message><source>Removed: %1.</source><translation>Quitado: %1.</translation></message>
 <message><source>✓ edge</source><translation>✓ borde</translation></message>
 <message><source>✕ not an edge</source><translation>✕ sin borde</translation></message>
 <message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Todavía no hay nada marcado: haga clic derecho en una celda y márquela como borde o como no borde.</translation></message>
@@ -666,8 +695,12 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>Pin %1</source><translation>Fijar %1</translation></message>
+<message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>El objetivo %1 está bloqueado y se queda: desbloquéelo en su ficha para quitarlo.</translation></message>
 <message><source>Remove %1</source><translation>Quitar %1</translation></message>
+<message><source>Target %1</source><translation>Objetivo %1</translation></message>
 <message><source>Remove All</source><translation>Quitar todos</translation></message>
+<message><source>Targets %1</source><translation>Objetivos %1</translation></message>
+<message><source>Locked targets stay: %1.</source><translation>Quedan objetivos bloqueados: %1.</translation></message>
 <message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nombre del objetivo %1, que está en esta roca:</translation></message>
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nombre de esta roca. Un nuevo objetivo sobre ella, número %1, lleva el nombre:</translation></message>
@@ -679,6 +712,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
+<message><source>rock %1</source><translation>roca %1</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
@@ -1001,6 +1035,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Follow</source><translation>Seguir</translation></message>
 <message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>La imagen de la pantalla está retenida mientras el escáner continúa; al pulsar se muestra lo que el escáner mide ahora.</translation></message>
 <message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>La imagen de la pantalla crece con el escáner; al pulsar se retiene mientras el escáner continúa.</translation></message>
+<message><source>Show %1</source><translation>Mostrar: %1</translation></message>
+<message><source>Show another sweep…</source><translation>Mostrar otro barrido…</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
@@ -1039,6 +1075,9 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1 y %2 más.</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1.</translation></message>
+<message><source>Rocks %1 and %2 do not touch: their nearest cells are %3 m apart.</source><translation>Las rocas %1 y %2 no se tocan: sus celdas más próximas están a %3 m una de otra.</translation></message>
+<message><source>Rock %1 and a part that was not a rock do not touch: their nearest cells are %2 m apart.</source><translation>La roca %1 y una parte que no era una roca no se tocan: sus celdas más próximas están a %2 m una de otra.</translation></message>
+<message><source>They are merged as rock %1.</source><translation>Están fusionadas como roca %1.</translation></message>
 <message><source>at least %1</source><translation>al menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que no es una roca</translation></message>
 <message><source>none seen</source><translation>nada a la vista</translation></message>
@@ -1065,7 +1104,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Esto es una pared, un piso u otra cosa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>Sí es una roca (N)</translation></message>
 <message><source>Rock %1</source><translation>Roca %1</translation></message>
-<message><source>visible spans</source><translation>extensiones visibles</translation></message>
+<message><source>visible spans a × b</source><translation>extensiones visibles a × b</translation></message>
 <message><source>distance</source><translation>distancia</translation></message>
 <message><source>visible area</source><translation>área visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
@@ -1078,7 +1117,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>confidence p</source><translation>confianza p</translation></message>
 <message><source>Not a rock</source><translation>No es roca</translation></message>
 <message><source>because</source><translation>porque</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 m · a %5 m</translation></message>
+<message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que no se tocan, a %2 m</translation></message>
+<message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incierto</translation></message>
 <message><source>1 rock</source><translation>1 roca</translation></message>
 <message><source>%1 rocks</source><translation>%1 rocas</translation></message>
@@ -1104,7 +1144,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
-<message><source>rock %1</source><translation>roca %1</translation></message>
 <message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
@@ -1147,7 +1186,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
-<message><source>Target %1</source><translation>Objetivo %1</translation></message>
 <message><source>Target %1: %2</source><translation>Objetivo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sin pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1157,7 +1195,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Rock, visible</source><translation>Roca, visible</translation></message>
 <message><source>none here</source><translation>ninguna aquí</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
-<message><source>Length and width of its visible part. Hidden parts are not included.</source><translation>Largo y ancho de su parte visible. Las partes ocultas no están incluidas.</translation></message>
+<message><source>Length a and width b of its visible part. Hidden parts are not included.</source><translation>Largo a y ancho b de su parte visible. Las partes ocultas no cuentan.</translation></message>
 <message><source>Resolves</source><translation>Resolución</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
 <message><source>Surface</source><translation>Superficie</translation></message>
@@ -1206,6 +1244,9 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>contando las celdas de borde …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
+<message><source>Without %1:</source><translation>Sin %1:</translation></message>
+<message><source>Without %1 classes:</source><translation>Sin %1 clases:</translation></message>
+<message><source>other classes take the cells</source><translation>otras clases toman las celdas</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
@@ -1321,14 +1362,14 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Images</source><translation>Imágenes</translation></message>
-<message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Inicial</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
-<message><source>Rock %1, visible</source><translation>Roca %1, visible</translation></message>
+<message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
+<message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
@@ -1445,8 +1486,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar los ajustes pre&amp;determinados</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rocas</translation></message>
-<message><source>&amp;Largest Rock</source><translation>Roca más gr&amp;ande</translation></message>
-<message><source>Next Sm&amp;aller Rock</source><translation>&amp;Siguiente roca menor</translation></message>
+<message><source>&amp;Largest Rock by Width b</source><translation>Roca con el m&amp;ayor ancho b</translation></message>
+<message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Siguiente roca de menor ancho b</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionar las rocas seleccionadas</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir en el próximo clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
@@ -1650,8 +1691,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Los trozos de menos celdas medidas son finos y no rocas.</translation></message>
 <message><source>Farthest rock</source><translation>Roca más lejana</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>Lo que está más lejos no es una roca.</translation></message>
-<message><source>Largest size expected</source><translation>Mayor tamaño esperado</translation></message>
-<message><source>Larger pieces need better evidence that they are rocks and not walls.</source><translation>Los trozos más grandes necesitan mejores señales de ser una roca y no una pared.</translation></message>
+<message><source>Largest length expected</source><translation>Mayor largo esperado</translation></message>
+<message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Los trozos más largos necesitan mejores señales de ser una roca y no una pared. El largo es aproximadamente el largo visible a.</translation></message>
 <message><source>Oversize</source><translation>Sobretamaño</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>Se indica la proporción de rocas cuyo ancho visible es mayor; 0 no indica ninguna.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Ángulo del primer haz [grados]</translation></message>

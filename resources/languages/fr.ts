@@ -45,6 +45,7 @@
 <message><source>lined up by their poses</source><translation>alignés par leurs poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alignés par les positions connues du scanner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>pas de pose : alignés par leurs surfaces</translation></message>
+<message><source>not resolved</source><translation>non résolu</translation></message>
 <message><source>sweep %1</source><translation>balayage %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>cloche de démonstration après le tir</translation></message>
 <message><source>demo draw-bell</source><translation>cloche de démonstration</translation></message>
@@ -83,12 +84,34 @@
 <message><source>choose a file inside it</source><translation>choisissez un fichier à l'intérieur</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>il n'y a pas assez de mémoire pour ce scan</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>fermez d'autres programmes ou ouvrez un scan plus petit</translation></message>
+<message><source>there is not enough memory to show the scan in its place</source><translation>il n'y a pas assez de mémoire pour montrer le scan à sa place</translation></message>
+<message><source>there is not enough memory for this layer</source><translation>il n'y a pas assez de mémoire pour cette couche</translation></message>
+<message><source>there is not enough memory for a second picture</source><translation>il n'y a pas assez de mémoire pour une deuxième image</translation></message>
+<message><source>there is not enough memory for a second scan</source><translation>il n'y a pas assez de mémoire pour un deuxième scan</translation></message>
+<message><source>there is not enough memory for these scans</source><translation>il n'y a pas assez de mémoire pour ces scans</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>il n'y a pas assez de mémoire pour ce nuage</translation></message>
+<message><source>there is not enough memory to play this recording</source><translation>il n'y a pas assez de mémoire pour lire cet enregistrement</translation></message>
+<message><source>hide or remove other layers, or choose a smaller scan</source><translation>masquez ou retirez d'autres couches, ou choisissez un scan plus petit</translation></message>
+<message><source>close other programs or choose a smaller scan</source><translation>fermez d'autres programmes ou choisissez un scan plus petit</translation></message>
+<message><source>close other programs or choose a smaller one</source><translation>fermez d'autres programmes ou choisissez-en un plus petit</translation></message>
+<message><source>close other programs or use fewer scans</source><translation>fermez d'autres programmes ou utilisez moins de scans</translation></message>
+<message><source>close other programs or use a smaller scan</source><translation>fermez d'autres programmes ou utilisez un scan plus petit</translation></message>
+<message><source>another program has changed this file, so it was not removed</source><translation>un autre programme a modifié ce fichier, il n'a donc pas été supprimé</translation></message>
+<message><source>open the scan again to see its edits</source><translation>ouvrez le scan de nouveau pour voir ses modifications</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>le fichier ne peut pas être supprimé (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>vérifiez les droits de son dossier</translation></message>
+<message><source>it could not be opened (%1)</source><translation>il n'a pas pu être ouvert (%1)</translation></message>
+<message><source>auto is not a number</source><translation>auto n'est pas un nombre</translation></message>
+<message><source>tick auto next to the box</source><translation>cochez auto à côté du champ</translation></message>
+<message><source>the layer has another content than when it was placed</source><translation>la couche a un autre contenu que lorsqu'elle a été placée</translation></message>
+<message><source>remove it and add it again</source><translation>retirez-la et ajoutez-la de nouveau</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>c'était annulé, donc rien n'a été écrit</translation></message>
 <message><source>save it again</source><translation>enregistrez-le de nouveau</translation></message>
 <message><source>the file cannot be read: </source><translation>le fichier ne peut pas être lu : </translation></message>
 <message><source>check the disk and the path</source><translation>vérifiez le disque et le chemin</translation></message>
 <message><source>there is not enough memory for this file</source><translation>la mémoire ne suffit pas pour ce fichier</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>fermez d'autres programmes ou ouvrez un fichier plus petit</translation></message>
+<message><source>close other programs</source><translation>fermez d'autres programmes</translation></message>
 <message><source>this is a web page (HTML), not a scan</source><translation>c'est une page web (HTML), pas un scan</translation></message>
 <message><source>this is a JPEG picture, not a scan</source><translation>c'est une image JPEG, pas un scan</translation></message>
 <message><source>this is a picture or film, not a scan</source><translation>c'est une image ou un film, pas un scan</translation></message>
@@ -162,6 +185,7 @@
 <message><source>the file holds %1 scans, and number %2 was asked for</source><translation>le fichier contient %1 scans, et le numéro %2 était demandé</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>le scan %1 de ce fichier E57 ne contient aucun point</translation></message>
 <message><source>choose another scan or file</source><translation>choisissez un autre scan ou fichier</translation></message>
+<message><source>choose another scan</source><translation>choisissez un autre scan</translation></message>
 <message><source>choose another file</source><translation>choisissez un autre fichier</translation></message>
 <message><source>the points are said to begin at byte %1, which is not in the file</source><translation>les points commenceraient à l'octet %1, qui n'est pas dans le fichier</translation></message>
 <message><source>no list of points begins where the E57 file says</source><translation>aucune liste de points ne commence là où le fichier E57 l'indique</translation></message>
@@ -249,6 +273,7 @@
 <message><source>%1 earlier</source><translation>%1 avant</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
+<message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
 <message><source>More</source><translation>Plus</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
@@ -396,6 +421,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ not read</source><translation>▲ non lue</translation></message>
 <message><source>being read</source><translation>en cours de lecture</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ non placée par rapport à l'active</translation></message>
+<message><source>sweep %1: %2 lines</source><translation>balayage %1 : %2 lignes</translation></message>
+<message><source>sweep %1: %2/%3 lines, complete</source><translation>balayage %1 : %2/%3 lignes, complet</translation></message>
+<message><source>sweep %1: %2/%3 lines, partial</source><translation>balayage %1 : %2/%3 lignes, partiel</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
@@ -406,10 +434,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre le balayage %2, qui croît maintenant.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>Le balayage %1 est partiel : %2 lignes sur %3.</translation></message>
-<message><source>Show %1 lines</source><translation>Montrer %1 lignes</translation></message>
-<message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>Le balayage %1 a %2 lignes à l'écran ; un appui le montre avec %3 lignes.</translation></message>
-<message><source>Show sweep %1</source><translation>Montrer le balayage %1</translation></message>
-<message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>Le balayage %1 est à l'écran ; un appui montre le balayage %2, qui a %3 lignes.</translation></message>
+<message><source>On the screen: %1</source><translation>À l'écran : %1</translation></message>
 <message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 était figé avec %2 lignes quand la connexion s'est terminée.</translation></message>
 <message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 est partiel : %2 lignes sur %3. Le scanner était au milieu de ce balayage quand EdgeScan s'est connecté. Le balayage suivant le remplace.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
@@ -578,7 +603,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Split Here</source><translation>&amp;Diviser ici</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Paroi, pas un bloc</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
-<message><source>This is the smallest rock.</source><translation>C'est le plus petit bloc.</translation></message>
+<message><source>No rock has a smaller visible width b.</source><translation>Aucun bloc n'a une largeur visible b plus petite.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessions EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Fichiers JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>La session n'est pas enregistrée (%1).</translation></message>
@@ -604,7 +629,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Cette cellule n'a pas été marquée : il y a déjà %1 marques, effacez-en d'abord.</translation></message>
 <message><source>Mark as an Edge</source><translation>Marque d’arête</translation></message>
 <message><source>Mark as Not an Edge</source><translation>Marque de non-arête</translation></message>
+<message><source>the mark “edge” at line %1, beam %2</source><translation>la marque « arête » à la ligne %1, faisceau %2</translation></message>
+<message><source>the mark “not an edge” at line %1, beam %2</source><translation>la marque « pas d'arête » à la ligne %1, faisceau %2</translation></message>
 <message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
+<message><source>all marks, %1 “edge” and %2 “not an edge”</source><translation>toutes les marques, %1 « arête » et %2 « pas d'arête »</translation></message>
+<message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
 <message><source>✓ edge</source><translation>✓ arête</translation></message>
 <message><source>✕ not an edge</source><translation>✕ pas d'arête</translation></message>
 <message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Rien n'est encore marqué : clic droit sur une cellule, puis marquez-la comme arête ou comme non-arête.</translation></message>
@@ -666,8 +695,12 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>Pin %1</source><translation>Épingler %1</translation></message>
+<message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>La cible %1 est verrouillée et reste : déverrouillez-la sur sa fiche pour la retirer.</translation></message>
 <message><source>Remove %1</source><translation>Supprimer %1</translation></message>
+<message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>Remove All</source><translation>Tout supprimer</translation></message>
+<message><source>Targets %1</source><translation>Cibles %1</translation></message>
+<message><source>Locked targets stay: %1.</source><translation>Des cibles verrouillées restent : %1.</translation></message>
 <message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
@@ -679,6 +712,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
+<message><source>rock %1</source><translation>bloc %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
@@ -1001,6 +1035,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Follow</source><translation>Suivre</translation></message>
 <message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>L'image à l'écran est figée pendant que le scanner continue ; un appui montre ce que le scanner mesure maintenant.</translation></message>
 <message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>L'image à l'écran croît avec le scanner ; un appui la fige pendant que le scanner continue.</translation></message>
+<message><source>Show %1</source><translation>Montrer : %1</translation></message>
+<message><source>Show another sweep…</source><translation>Montrer un autre balayage…</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
@@ -1039,6 +1075,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
+<message><source>Rocks %1 and %2 do not touch: their nearest cells are %3 m apart.</source><translation>Les blocs %1 et %2 ne se touchent pas : leurs cellules les plus proches sont à %3 m l'une de l'autre.</translation></message>
+<message><source>Rock %1 and a part that was not a rock do not touch: their nearest cells are %2 m apart.</source><translation>Le bloc %1 et une partie qui n'était pas un bloc ne se touchent pas : leurs cellules les plus proches sont à %2 m l'une de l'autre.</translation></message>
+<message><source>They are merged as rock %1.</source><translation>Ils sont fusionnés comme bloc %1.</translation></message>
 <message><source>at least %1</source><translation>au moins %1</translation></message>
 <message><source>something that is not a rock</source><translation>quelque chose qui n'est pas un bloc</translation></message>
 <message><source>none seen</source><translation>rien de visible</translation></message>
@@ -1065,7 +1104,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>C'est une paroi, un sol ou autre chose (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>C'est un bloc tout de même (N)</translation></message>
 <message><source>Rock %1</source><translation>Bloc %1</translation></message>
-<message><source>visible spans</source><translation>étendues visibles</translation></message>
+<message><source>visible spans a × b</source><translation>étendues visibles a × b</translation></message>
 <message><source>distance</source><translation>distance</translation></message>
 <message><source>visible area</source><translation>surface visible</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
@@ -1078,7 +1117,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>confidence p</source><translation>confiance p</translation></message>
 <message><source>Not a rock</source><translation>Pas un bloc</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visible %2 × %3 m ± %4 m · à %5 m</translation></message>
+<message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 parties qui ne se touchent pas, à %2 m</translation></message>
+<message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visible : %2 × %3 m ± %4 m · à %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contour incertain</translation></message>
 <message><source>1 rock</source><translation>1 bloc</translation></message>
 <message><source>%1 rocks</source><translation>%1 blocs</translation></message>
@@ -1104,7 +1144,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
-<message><source>rock %1</source><translation>roche %1</translation></message>
 <message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
@@ -1147,7 +1186,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Deux écarts-types du bruit de ce scan le long du faisceau. Les erreurs que le scanner fait partout n'y sont pas comprises.</translation></message>
 <message><source>Locked</source><translation>Verrouillée</translation></message>
-<message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>Target %1: %2</source><translation>Cible %1 : %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sans pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1157,7 +1195,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
 <message><source>none here</source><translation>aucun ici</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
-<message><source>Length and width of its visible part. Hidden parts are not included.</source><translation>Longueur et largeur de sa partie visible. Les parties cachées ne sont pas comprises.</translation></message>
+<message><source>Length a and width b of its visible part. Hidden parts are not included.</source><translation>Longueur a et largeur b de sa partie visible. Les parties cachées ne sont pas comprises.</translation></message>
 <message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
 <message><source>Surface</source><translation>Surface</translation></message>
@@ -1206,6 +1244,9 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>comptage des cellules d'arête …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
+<message><source>Without %1:</source><translation>Sans %1 :</translation></message>
+<message><source>Without %1 classes:</source><translation>Sans %1 classes :</translation></message>
+<message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
@@ -1321,14 +1362,14 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
-<message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
 <message><source>Take the last point back</source><translation>Reprendre le dernier point</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
-<message><source>Rock %1, visible</source><translation>Bloc %1, visible</translation></message>
+<message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
+<message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
@@ -1445,8 +1486,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Rétablir les réglages par &amp;défaut</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
-<message><source>&amp;Largest Rock</source><translation>&amp;Bloc le plus grand</translation></message>
-<message><source>Next Sm&amp;aller Rock</source><translation>Bloc suivant, p&amp;lus petit</translation></message>
+<message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
+<message><source>Next Sm&amp;aller Rock by Width b</source><translation>Bloc suivant, &amp;largeur b plus petite</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionner les blocs sélectionnés</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
@@ -1650,8 +1691,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Les morceaux de moins de cellules mesurées sont des fines et non des blocs.</translation></message>
 <message><source>Farthest rock</source><translation>Bloc le plus éloigné</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>Ce qui est plus loin n'est pas un bloc.</translation></message>
-<message><source>Largest size expected</source><translation>Plus grande taille attendue</translation></message>
-<message><source>Larger pieces need better evidence that they are rocks and not walls.</source><translation>Les morceaux plus grands demandent de meilleurs signes d'être un bloc et non une paroi.</translation></message>
+<message><source>Largest length expected</source><translation>Plus grande longueur attendue</translation></message>
+<message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Les morceaux plus longs demandent de meilleurs signes d'être un bloc et non une paroi. La longueur est à peu près la longueur visible a.</translation></message>
 <message><source>Oversize</source><translation>Hors gabarit</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>La part des blocs dont la largeur visible est plus grande est indiquée ; 0 n'en indique aucune.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Angle du premier faisceau [degrés]</translation></message>

@@ -45,6 +45,7 @@
 <message><source>lined up by their poses</source><translation>alinhados pelas suas poses</translation></message>
 <message><source>lined up by the known places of the scanner</source><translation>alinhados pelas posições conhecidas do scanner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sem pose: alinhados pelas suas superfícies</translation></message>
+<message><source>not resolved</source><translation>não resolvido</translation></message>
 <message><source>sweep %1</source><translation>varredura %1</translation></message>
 <message><source>demo draw-bell after the blast</source><translation>sino de demonstração após o desmonte</translation></message>
 <message><source>demo draw-bell</source><translation>sino de demonstração</translation></message>
@@ -83,12 +84,34 @@
 <message><source>choose a file inside it</source><translation>escolha um arquivo dentro dela</translation></message>
 <message><source>there is not enough memory for this scan</source><translation>não há memória suficiente para esta varredura</translation></message>
 <message><source>close other programs or open a smaller scan</source><translation>feche outros programas ou abra uma varredura menor</translation></message>
+<message><source>there is not enough memory to show the scan in its place</source><translation>não há memória suficiente para mostrar a varredura no seu lugar</translation></message>
+<message><source>there is not enough memory for this layer</source><translation>não há memória suficiente para esta camada</translation></message>
+<message><source>there is not enough memory for a second picture</source><translation>não há memória suficiente para uma segunda imagem</translation></message>
+<message><source>there is not enough memory for a second scan</source><translation>não há memória suficiente para uma segunda varredura</translation></message>
+<message><source>there is not enough memory for these scans</source><translation>não há memória suficiente para estas varreduras</translation></message>
+<message><source>there is not enough memory for this cloud</source><translation>não há memória suficiente para esta nuvem</translation></message>
+<message><source>there is not enough memory to play this recording</source><translation>não há memória suficiente para reproduzir esta gravação</translation></message>
+<message><source>hide or remove other layers, or choose a smaller scan</source><translation>oculte ou remova outras camadas, ou escolha uma varredura menor</translation></message>
+<message><source>close other programs or choose a smaller scan</source><translation>feche outros programas ou escolha uma varredura menor</translation></message>
+<message><source>close other programs or choose a smaller one</source><translation>feche outros programas ou escolha uma menor</translation></message>
+<message><source>close other programs or use fewer scans</source><translation>feche outros programas ou use menos varreduras</translation></message>
+<message><source>close other programs or use a smaller scan</source><translation>feche outros programas ou use uma varredura menor</translation></message>
+<message><source>another program has changed this file, so it was not removed</source><translation>outro programa mudou este arquivo, por isso não foi removido</translation></message>
+<message><source>open the scan again to see its edits</source><translation>abra a varredura de novo para ver as suas alterações</translation></message>
+<message><source>the file cannot be removed (%1)</source><translation>o arquivo não pode ser removido (%1)</translation></message>
+<message><source>check the rights of its folder</source><translation>verifique as permissões da sua pasta</translation></message>
+<message><source>it could not be opened (%1)</source><translation>não pôde ser aberto (%1)</translation></message>
+<message><source>auto is not a number</source><translation>auto não é um número</translation></message>
+<message><source>tick auto next to the box</source><translation>marque auto ao lado do campo</translation></message>
+<message><source>the layer has another content than when it was placed</source><translation>a camada tem outro conteúdo do que quando foi colocada</translation></message>
+<message><source>remove it and add it again</source><translation>remova-a e adicione-a de novo</translation></message>
 <message><source>it was cancelled, so nothing was written</source><translation>foi cancelado, por isso nada foi escrito</translation></message>
 <message><source>save it again</source><translation>salve outra vez</translation></message>
 <message><source>the file cannot be read: </source><translation>o arquivo não pode ser lido: </translation></message>
 <message><source>check the disk and the path</source><translation>verifique o disco e o caminho</translation></message>
 <message><source>there is not enough memory for this file</source><translation>não há memória suficiente para este arquivo</translation></message>
 <message><source>close other programs or open a smaller file</source><translation>feche outros programas ou abra um arquivo menor</translation></message>
+<message><source>close other programs</source><translation>feche outros programas</translation></message>
 <message><source>this is a web page (HTML), not a scan</source><translation>é uma página web (HTML), não uma varredura</translation></message>
 <message><source>this is a JPEG picture, not a scan</source><translation>é uma imagem JPEG, não uma varredura</translation></message>
 <message><source>this is a picture or film, not a scan</source><translation>é uma imagem ou um filme, não uma varredura</translation></message>
@@ -162,6 +185,7 @@
 <message><source>the file holds %1 scans, and number %2 was asked for</source><translation>o arquivo contém %1 varreduras e foi pedido o número %2</translation></message>
 <message><source>scan %1 of this E57 file holds no points</source><translation>a varredura %1 deste arquivo E57 não contém pontos</translation></message>
 <message><source>choose another scan or file</source><translation>escolha outra varredura ou arquivo</translation></message>
+<message><source>choose another scan</source><translation>escolha outra varredura</translation></message>
 <message><source>choose another file</source><translation>escolha outro arquivo</translation></message>
 <message><source>the points are said to begin at byte %1, which is not in the file</source><translation>os pontos começariam no byte %1, que não está no arquivo</translation></message>
 <message><source>no list of points begins where the E57 file says</source><translation>nenhuma lista de pontos começa onde o arquivo E57 indica</translation></message>
@@ -249,6 +273,7 @@
 <message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
+<message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Mais</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Duplo clique: no lugar da nuvem, e de volta</translation></message>
@@ -396,6 +421,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ not read</source><translation>▲ não lida</translation></message>
 <message><source>being read</source><translation>sendo lida</translation></message>
 <message><source>▲ not placed against the active one</source><translation>▲ não posicionada em relação à ativa</translation></message>
+<message><source>sweep %1: %2 lines</source><translation>varredura %1: %2 linhas</translation></message>
+<message><source>sweep %1: %2/%3 lines, complete</source><translation>varredura %1: %2/%3 linhas, completa</translation></message>
+<message><source>sweep %1: %2/%3 lines, partial</source><translation>varredura %1: %2/%3 linhas, parcial</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Não é possível ligar a %1: escreva o nome ou o endereço do scanner, ou ws://ROBOT para um robô com ROS.</translation></message>
@@ -406,10 +434,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>A varredura %1 está retida na tela. Seguir mostra a varredura %2, que cresce agora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>A varredura %1 é parcial: %2 de %3 linhas.</translation></message>
-<message><source>Show %1 lines</source><translation>Mostrar %1 linhas</translation></message>
-<message><source>Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.</source><translation>A varredura %1 tem %2 linhas na tela; um toque a mostra com %3 linhas.</translation></message>
-<message><source>Show sweep %1</source><translation>Mostrar a varredura %1</translation></message>
-<message><source>Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.</source><translation>A varredura %1 está na tela; um toque mostra a varredura %2, que tem %3 linhas.</translation></message>
+<message><source>On the screen: %1</source><translation>Na tela: %1</translation></message>
 <message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 estava retida com %2 linhas quando a conexão terminou.</translation></message>
 <message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 é parcial: %2 de %3 linhas. O scanner estava no meio desta varredura quando o EdgeScan se conectou. A varredura seguinte a substitui.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
@@ -578,7 +603,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aqui</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Parede, não é uma rocha</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar as rochas…</translation></message>
-<message><source>This is the smallest rock.</source><translation>É a menor rocha.</translation></message>
+<message><source>No rock has a smaller visible width b.</source><translation>Nenhuma rocha tem uma largura visível b menor.</translation></message>
 <message><source>EdgeScan sessions (*%1)</source><translation>Sessões do EdgeScan (*%1)</translation></message>
 <message><source>JSON files (*.json)</source><translation>Arquivos JSON (*.json)</translation></message>
 <message><source>The session is not saved (%1).</source><translation>A sessão não é salva (%1).</translation></message>
@@ -604,7 +629,11 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>This cell was not marked: there are %1 marks, clear some first.</source><translation>Esta célula não foi marcada: já há %1 marcas, apague algumas primeiro.</translation></message>
 <message><source>Mark as an Edge</source><translation>Marca de borda</translation></message>
 <message><source>Mark as Not an Edge</source><translation>Marca de não borda</translation></message>
+<message><source>the mark “edge” at line %1, beam %2</source><translation>a marca “borda” na linha %1, feixe %2</translation></message>
+<message><source>the mark “not an edge” at line %1, beam %2</source><translation>a marca “sem borda” na linha %1, feixe %2</translation></message>
 <message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
+<message><source>all marks, %1 “edge” and %2 “not an edge”</source><translation>todas as marcas, %1 “borda” e %2 “sem borda”</translation></message>
+<message><source>Removed: %1.</source><translation>Removido: %1.</translation></message>
 <message><source>✓ edge</source><translation>✓ borda</translation></message>
 <message><source>✕ not an edge</source><translation>✕ sem borda</translation></message>
 <message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Nada está marcado ainda: clique com o botão direito em uma célula e marque-a como borda ou como não borda.</translation></message>
@@ -666,8 +695,12 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>Pin %1</source><translation>Fixar %1</translation></message>
+<message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>O alvo %1 está bloqueado e fica: desbloqueie-o na sua ficha para removê-lo.</translation></message>
 <message><source>Remove %1</source><translation>Remover %1</translation></message>
+<message><source>Target %1</source><translation>Alvo %1</translation></message>
 <message><source>Remove All</source><translation>Remover todos</translation></message>
+<message><source>Targets %1</source><translation>Alvos %1</translation></message>
+<message><source>Locked targets stay: %1.</source><translation>Ficam alvos bloqueados: %1.</translation></message>
 <message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nome do alvo %1, que está nesta rocha:</translation></message>
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nome desta rocha. Um novo alvo sobre ela, número %1, leva o nome:</translation></message>
@@ -679,6 +712,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
+<message><source>rock %1</source><translation>rocha %1</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
@@ -1001,6 +1035,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Follow</source><translation>Seguir</translation></message>
 <message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>A imagem na tela está retida enquanto o scanner continua; um toque mostra o que o scanner mede agora.</translation></message>
 <message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>A imagem na tela cresce com o scanner; um toque a retém enquanto o scanner continua.</translation></message>
+<message><source>Show %1</source><translation>Mostrar: %1</translation></message>
+<message><source>Show another sweep…</source><translation>Mostrar outra varredura…</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
@@ -1039,6 +1075,9 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1 e mais %2.</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1.</translation></message>
+<message><source>Rocks %1 and %2 do not touch: their nearest cells are %3 m apart.</source><translation>As rochas %1 e %2 não se tocam: as suas células mais próximas estão a %3 m uma da outra.</translation></message>
+<message><source>Rock %1 and a part that was not a rock do not touch: their nearest cells are %2 m apart.</source><translation>A rocha %1 e uma parte que não era rocha não se tocam: as suas células mais próximas estão a %2 m uma da outra.</translation></message>
+<message><source>They are merged as rock %1.</source><translation>Estão mescladas como rocha %1.</translation></message>
 <message><source>at least %1</source><translation>pelo menos %1</translation></message>
 <message><source>something that is not a rock</source><translation>algo que não é uma rocha</translation></message>
 <message><source>none seen</source><translation>nada à vista</translation></message>
@@ -1065,7 +1104,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>This is a wall, a floor or something else (N)</source><translation>Isto é uma parede, um piso ou outra coisa (N)</translation></message>
 <message><source>This is a rock (N)</source><translation>É uma rocha, sim (N)</translation></message>
 <message><source>Rock %1</source><translation>Rocha %1</translation></message>
-<message><source>visible spans</source><translation>extensões visíveis</translation></message>
+<message><source>visible spans a × b</source><translation>extensões visíveis a × b</translation></message>
 <message><source>distance</source><translation>distância</translation></message>
 <message><source>visible area</source><translation>área visível</translation></message>
 <message><source>%1 m²</source><translation>%1 m²</translation></message>
@@ -1078,7 +1117,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>confidence p</source><translation>confiança p</translation></message>
 <message><source>Not a rock</source><translation>Não é rocha</translation></message>
 <message><source>because</source><translation>porque</translation></message>
-<message><source>%1 · visible %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · visível %2 × %3 m ± %4 m · a %5 m</translation></message>
+<message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que não se tocam, a %2 m</translation></message>
+<message><source>%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m</source><translation>%1 · a × b visível: %2 × %3 m ± %4 m · a %5 m</translation></message>
 <message><source> · ▲ uncertain outline</source><translation> · ▲ contorno incerto</translation></message>
 <message><source>1 rock</source><translation>1 rocha</translation></message>
 <message><source>%1 rocks</source><translation>%1 rochas</translation></message>
@@ -1104,7 +1144,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
-<message><source>rock %1</source><translation>rocha %1</translation></message>
 <message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
@@ -1147,7 +1186,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Remove this target</source><translation>Remover este alvo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dois desvios padrão do ruído desta varredura ao longo do feixe. Os erros que o scanner comete em toda parte não estão incluídos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>
-<message><source>Target %1</source><translation>Alvo %1</translation></message>
 <message><source>Target %1: %2</source><translation>Alvo %1: %2</translation></message>
 <message><source>▲ no pose</source><translation>▲ sem pose</translation></message>
 <message><source>X, Y, Z</source><translation>X, Y, Z</translation></message>
@@ -1157,7 +1195,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
 <message><source>none here</source><translation>nenhuma aqui</translation></message>
 <message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
-<message><source>Length and width of its visible part. Hidden parts are not included.</source><translation>Comprimento e largura da parte visível. As partes ocultas não estão incluídas.</translation></message>
+<message><source>Length a and width b of its visible part. Hidden parts are not included.</source><translation>Comprimento a e largura b da sua parte visível. As partes escondidas não contam.</translation></message>
 <message><source>Resolves</source><translation>Resolução</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
 <message><source>Surface</source><translation>Superfície</translation></message>
@@ -1206,6 +1244,9 @@ RL %3 m</translation></message>
 <message><source>counting the edge cells …</source><translation>contando as células de borda …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
+<message><source>Without %1:</source><translation>Sem %1:</translation></message>
+<message><source>Without %1 classes:</source><translation>Sem %1 classes:</translation></message>
+<message><source>other classes take the cells</source><translation>outras classes tomam as células</translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
@@ -1321,14 +1362,14 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Images</source><translation>Imagens</translation></message>
-<message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Padrão</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
-<message><source>Rock %1, visible</source><translation>Rocha %1, visível</translation></message>
+<message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
+<message><source>Rock, visible a × b</source><translation>Rocha, a × b visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
@@ -1445,8 +1486,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar os ajustes pa&amp;drão</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rochas</translation></message>
-<message><source>&amp;Largest Rock</source><translation>M&amp;aior rocha</translation></message>
-<message><source>Next Sm&amp;aller Rock</source><translation>&amp;Próxima rocha menor</translation></message>
+<message><source>&amp;Largest Rock by Width b</source><translation>Rocha com a m&amp;aior largura b</translation></message>
+<message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Próxima rocha com largura b menor</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>M&amp;esclar as rochas selecionadas</translation></message>
 <message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir no próximo clique</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
@@ -1650,8 +1691,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Pieces with fewer measured cells are fines, not rocks.</source><translation>Os pedaços de menos células medidas são finos e não rochas.</translation></message>
 <message><source>Farthest rock</source><translation>Rocha mais distante</translation></message>
 <message><source>A region farther away is not a rock.</source><translation>O que está mais longe não é uma rocha.</translation></message>
-<message><source>Largest size expected</source><translation>Maior tamanho esperado</translation></message>
-<message><source>Larger pieces need better evidence that they are rocks and not walls.</source><translation>Os pedaços maiores precisam de melhores sinais de ser uma rocha e não uma parede.</translation></message>
+<message><source>Largest length expected</source><translation>Maior comprimento esperado</translation></message>
+<message><source>Longer pieces need better evidence that they are rocks and not walls. The length is about the visible length a.</source><translation>Os pedaços mais longos precisam de melhores sinais de ser uma rocha e não uma parede. O comprimento é aproximadamente o comprimento visível a.</translation></message>
 <message><source>Oversize</source><translation>Sobretamanho</translation></message>
 <message><source>The share of rocks whose visible width is larger is reported; 0 reports none.</source><translation>É indicada a proporção de rochas cuja largura visível é maior; 0 não indica nenhuma.</translation></message>
 <message><source>Angle of the first beam [degrees]</source><translation>Ângulo do primeiro feixe [graus]</translation></message>

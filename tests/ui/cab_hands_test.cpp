@@ -3,6 +3,7 @@
 #include "tests/ui/sized_window.h"
 #include "tests/ui/whole_widgets.h"
 #include "ui/base/language/languages.h"
+#include "ui/base/notice_bar.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
@@ -178,10 +179,12 @@ private slots:
         QMenu* menu = opened(remove);
         QVERIFY(menu != nullptr);
         QCOMPARE(menu->actions().size(), 2);
-        QVERIFY2(menu->actions()[0]->text().startsWith("Target 1"), qPrintable(menu->actions()[0]->text()));
+        const QString words = menu->actions()[0]->text();
+        QVERIFY2(words.startsWith("Target 1 · ") && words.contains(" m") && words.contains("x "), qPrintable(words));
         QVERIFY2(menu->actions()[1]->text().startsWith("Distance"), qPrintable(menu->actions()[1]->text()));
         choose(menu, 1);
         QTRY_VERIFY(on.viewer.targets.notebook().measures.empty());
+        QVERIFY(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("Removed: Distance"));
         menu = opened(remove);
         choose(menu, 0);
         QTRY_VERIFY(on.viewer.targets.notebook().targets.empty() && !remove->isEnabled());

@@ -269,6 +269,32 @@ private slots:
         QVERIFY2(left.isEmpty(), qPrintable("in English: " + left.join(" | ")));
     }
 
+    // Errors that the window makes itself, without the core.
+    void everyErrorOfTheWindowIsTranslated() {
+        static const QRegularExpression error(R"(Error\{([^}]*)\})"), text("\"((?:[^\"\\\\\n]|\\\\.)*)\""), words("[a-z]{2,} [a-z]{2,}");
+        int found = 0;
+        for (const char* language : {"fr", "es", "pt"}) {
+            QVERIFY(useLanguage(language, kTexts));
+            for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(test::sourceFolder()) / "ui")) {
+                if (entry.path().extension() != ".cpp") continue;
+                const auto source = readWholeFile(entry.path());
+                QVERIFY(bool(source));
+                const QString code = QString::fromUtf8(textOf(*source).data(), static_cast<int>(source->size()));
+                for (auto errors = error.globalMatch(code); errors.hasNext();) {
+                    for (auto all = text.globalMatch(errors.next().captured(1)); all.hasNext();) {
+                        const QString sentence = all.next().captured(1);
+                        if (!words.match(sentence).hasMatch()) continue;
+                        ++found;
+                        const QString whole = sentence.endsWith('(') ? sentence + "x)" : sentence;
+                        QVERIFY2(coreSentence(whole) != whole, qPrintable(whole));
+                    }
+                }
+            }
+        }
+        QVERIFY(found > 30);
+        useLanguage("en");
+    }
+
     void theChoiceIsKeptAndUsedAtTheNextStart() {
         const QString ini = QString::fromStdString((folder_ / "memory.ini").string());
         {

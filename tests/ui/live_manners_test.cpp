@@ -69,6 +69,32 @@ class LiveMannersTest : public QObject {
         return eventually([&on] { return lines(on.window) > 5; });
     }
 
+    /// What the button offers after Stop, where there are several.
+    static QMenu* openSweeps(MainWindow& window) {
+        press(window, "live-follow");
+        auto* menu = window.viewer().live.panel().findChild<QMenu*>("live-others");
+        return eventually([menu] { return menu->isVisible(); }) ? menu : nullptr;
+    }
+    static QStringList offered(MainWindow& window) {
+        QStringList words;
+        QMenu* menu = openSweeps(window);
+        if (menu == nullptr) return words;
+        for (const QAction* each : menu->actions()) words << each->text();
+        menu->close();
+        return words;
+    }
+    static bool chooseSweep(MainWindow& window, const QString& words) {
+        QMenu* menu = openSweeps(window);
+        if (menu == nullptr) return false;
+        for (QAction* each : menu->actions()) {
+            if (each->text() != words) continue;
+            QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(each).center());
+            return true;
+        }
+        menu->close();
+        return false;
+    }
+
 private slots:
     void initTestCase() {
         const auto bell = test::simulatedBell(kLines, 381);
@@ -175,20 +201,23 @@ private slots:
         press(window, "live-connect"); // Stop
         const auto& button = *window.viewer().live.panel().findChild<QPushButton*>("live-follow");
         const auto& count = *window.viewer().live.panel().findChild<QLabel*>("live-lines");
-        QTRY_COMPARE(button.text(), QString("Show sweep 2"));
+        QTRY_VERIFY2(button.text().startsWith("Show sweep 2: "), qPrintable(button.text()));
+        const QString second = button.text();
+        QVERIFY2(second.endsWith("/120 lines, partial"), qPrintable(second));
         QVERIFY(button.isVisible() && button.isEnabled());
         QCOMPARE(count.text(), QString("sweep 1: 120/120 lines"));
         QCOMPARE(scanner.health().sweep, 1);
-        QVERIFY(button.toolTip().startsWith("Sweep 1 is on the screen;"));
+        QCOMPARE(button.toolTip(), QString("On the screen: sweep 1: 120/120 lines, complete"));
         press(window, "live-follow");
-        QTRY_COMPARE(button.text(), QString("Show sweep 1"));
+        QTRY_COMPARE(button.text(), QString("Show sweep 1: 120/120 lines, complete"));
+        QCOMPARE(second, QString("Show sweep 2: %1/120 lines, partial").arg(lines(window)));
         QCOMPARE(window.viewer().engine.picture()->source.growth.sweep, 1);
         QVERIFY(lines(window) < kLines);
         QCOMPARE(scanner.health().sweep, 2);
         QCOMPARE(count.text(), QString("sweep 2: INCOMPLETE %1/120 lines").arg(lines(window)));
-        QVERIFY(button.toolTip().startsWith("Sweep 2 is on the screen;"));
+        QVERIFY(button.toolTip().startsWith("On the screen: sweep 2: "));
         press(window, "live-follow");
-        QTRY_COMPARE(button.text(), QString("Show sweep 2"));
+        QTRY_COMPARE(button.text(), second);
         QTRY_COMPARE(lines(window), kLines);
         // With gloves on, the fields of the address leave their room to the picture until Connect asks for them.
         const auto& host = *window.viewer().live.panel().findChild<QLineEdit*>("live-host");
@@ -216,10 +245,69 @@ private slots:
         QVERIFY(held < kLines);
         press(window, "live-connect"); // Stop
         const auto& button = *window.viewer().live.panel().findChild<QPushButton*>("live-follow");
-        QTRY_COMPARE(button.text(), QString("Show 120 lines"));
+        QTRY_COMPARE(button.text(), QString("Show another sweep…"));
         QTRY_COMPARE(window.viewer().notice.text(), QString("sweep 1 was held with %1 lines when the connection ended.").arg(held));
-        press(window, "live-follow");
+        QVERIFY2(chooseSweep(window, "Show sweep 1: 120/120 lines, complete"), qPrintable(offered(window).join(", ")));
         QTRY_COMPARE(lines(window), kLines);
+    }
+
+    // A picture is held for more than a sweep, and Stop comes in the middle of the third: each sweep that is held is offered by its name,
+    // and strip, count and picture are of the one that was chosen.
+    void afterStopEverySweepThatIsHeldIsOffered() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        const ScannerLink& scanner = window.viewer().live.scanner();
+        QTRY_VERIFY_WITH_TIMEOUT(!scanner.following() && scanner.health().sweep == 3 && scanner.health().row > 10, 30000);
+        press(window, "live-connect"); // Stop
+        const auto& button = *window.viewer().live.panel().findChild<QPushButton*>("live-follow");
+        const auto& count = *window.viewer().live.panel().findChild<QLabel*>("live-lines");
+        QTRY_COMPARE(button.text(), QString("Show another sweep…"));
+        QStringList sweeps = offered(window);
+        QCOMPARE(sweeps.size(), 2);
+        const QString whole = "Show sweep 2: 120/120 lines, complete", part = sweeps[1];
+        QCOMPARE(sweeps[0], whole);
+        QVERIFY2(part.startsWith("Show sweep 3: ") && part.endsWith("/120 lines, partial"), qPrintable(part));
+        for (const bool cab : {false, true}) {
+            window.cab().set(cab);
+            QTRY_VERIFY(window.cab().on() == cab && button.isVisible());
+            QVERIFY(chooseSweep(window, whole));
+            QTRY_COMPARE(count.text(), QString("sweep 2: 120/120 lines"));
+            QCOMPARE(window.viewer().engine.picture()->source.growth.sweep, 1);
+            QCOMPARE(lines(window), kLines);
+            QCOMPARE(offered(window), QStringList({"Show sweep 1: 120/120 lines, complete", part}));
+            QVERIFY(chooseSweep(window, part));
+            QTRY_COMPARE(window.viewer().engine.picture()->source.growth.sweep, 2);
+            QTRY_COMPARE(count.text(), QString("sweep 3: INCOMPLETE %1/120 lines").arg(lines(window)));
+            QCOMPARE(offered(window), QStringList({"Show sweep 1: 120/120 lines, complete", whole}));
+        }
+        window.cab().set(false);
+    }
+
+    // The finished sweep that a growing one replaced is offered too.
+    void afterStopOfAGrowingSweepTheOneBeforeItIsOffered() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        const ScannerLink& scanner = window.viewer().live.scanner();
+        QTRY_VERIFY_WITH_TIMEOUT(!scanner.following(), 30000);
+        press(window, "live-follow");
+        QTRY_VERIFY(window.viewer().engine.picture()->source.growth.sweep == 1 && lines(window) < 100);
+        press(window, "live-connect"); // Stop
+        const auto& button = *window.viewer().live.panel().findChild<QPushButton*>("live-follow");
+        const auto& count = *window.viewer().live.panel().findChild<QLabel*>("live-lines");
+        QTRY_COMPARE(button.text(), QString("Show sweep 1: 120/120 lines, complete"));
+        QTRY_COMPARE(count.text(), QString("sweep 2: INCOMPLETE %1/120 lines").arg(lines(window)));
+        press(window, "live-follow");
+        QTRY_COMPARE(count.text(), QString("sweep 1: 120/120 lines"));
+        QCOMPARE(lines(window), kLines);
+        QTRY_VERIFY2(button.text().startsWith("Show sweep 2: "), qPrintable(button.text()));
     }
 
     // A finger that taps again where a button was must not press its neighbour.

@@ -62,6 +62,24 @@ private slots:
         QVERIFY(bool(files::saveScan(sim::simulate(settings)->scan, slot_)));
     }
 
+    void removedMarksAreNamedAndComeBackByTheirNotice() {
+        WindowFixture on;
+        QVERIFY(showWith(on, bell_));
+        const std::size_t cell = 20 * 190 + 30;
+        on.viewer.markedEdges.mark(cell, true);
+        on.viewer.markedEdges.mark(cell + 1, false);
+        const edges::EdgeMarks before = on.viewer.markedEdges.part();
+        auto& undo = *on.viewer.notice.findChild<QToolButton*>("notice-action");
+        on.viewer.markedEdges.mark(cell, true); // once more: no mark
+        QVERIFY2(on.viewer.notice.text().contains("line 20, beam 30"), qPrintable(on.viewer.notice.text()));
+        QTest::mouseClick(&undo, Qt::LeftButton);
+        QVERIFY(on.viewer.markedEdges.part() == before && on.viewer.notice.isHidden());
+        on.viewer.markedEdges.clear();
+        QVERIFY2(on.viewer.notice.text().contains("1 “edge” and 1 “not an edge”"), qPrintable(on.viewer.notice.text()));
+        QTest::mouseClick(&undo, Qt::LeftButton);
+        QVERIFY(on.viewer.markedEdges.part() == before);
+    }
+
     void marksBecomeSettingsThatAgree() {
         WindowFixture on;
         QVERIFY(showWith(on, bell_));

@@ -668,6 +668,77 @@ private slots:
     }
 
     // The name of a rock goes to the target on it; without one, a target comes with the name and not with the question.
+    // It is done with a notice that names both, the row and the card mark it, and it is split again like any other.
+    void rocksThatDoNotTouchAreMergedWithANotice() {
+        for (const bool cab : {false, true}) {
+            WindowFixture on;
+            QVERIFY(showRocks(on));
+            const std::uint32_t a = 1;
+            std::uint32_t b = 0;
+            for (const rocks::Rock& rock : picture(on).study.rocks) {
+                const rocks::Rock& first = *picture(on).rock(a);
+                const double apart = (rock.centreM - first.centreM).norm();
+                if (b == 0 && apart > rock.longestCaliperM + first.longestCaliperM + 0.5) b = rock.label;
+            }
+            QVERIFY(b != 0);
+            const std::size_t cellA = picture(on).rock(a)->cell, cellB = picture(on).rock(b)->cell;
+            const Grid<std::uint32_t> before = picture(on).labels;
+            const auto one = [&] { return picture(on).regionAt(cellA) == picture(on).regionAt(cellB); };
+            const auto merge = [&] {
+                on.window.cab().set(cab);
+                on.viewer.rocks.select({cellA, cellB});
+                on.viewer.rocks.mergeSelected();
+                return settled(on) && one();
+            };
+            QVERIFY(merge());
+            const QString text = on.viewer.notice.text();
+            QVERIFY2(text.contains(QString("Rocks %1 and %2 do not touch: their nearest cells are ").arg(a).arg(b)), qPrintable(text));
+            QVERIFY(on.viewer.notice.isVisible() && on.viewer.notice.kind() == NoticeBar::Kind::Warning);
+            const rocks::Rock& merged = *picture(on).rockAt(cellA);
+            QCOMPARE(merged.apart.size(), std::size_t{1});
+            QVERIFY(picture(on).labelAt(cellA) != 0 && merged.apart.front().distanceM > merged.toleranceM);
+            const QString parts = QString("▲ 2 parts that do not touch, %1 m apart").arg(merged.apart.front().distanceM, 0, 'f', 2);
+            QVERIFY2(on.viewer.rocksPanel.card().text().contains(parts), qPrintable(on.viewer.rocksPanel.card().text()));
+            const auto row = on.viewer.rockTable.findChild<QTableView*>()->model()->index(0, 0);
+            QStringList marked;
+            for (int n = 0; n < row.model()->rowCount(); ++n) {
+                const QModelIndex index = row.sibling(n, 0);
+                if (index.data().toString().contains("▲")) marked << index.data().toString() << index.data(Qt::ToolTipRole).toString();
+            }
+            QCOMPARE(marked, QStringList({QString("%1 ▲").arg(merged.label), parts}));
+            // The button of the notice takes it back.
+            auto& undo = *on.viewer.notice.findChild<QToolButton*>("notice-action");
+            QVERIFY(undo.isVisible());
+            QTest::mouseClick(&undo, Qt::LeftButton);
+            QVERIFY(settled(on));
+            QVERIFY(picture(on).labels == before && on.viewer.notice.isHidden());
+            QVERIFY(merge());
+            on.window.cab().set(false);
+            QVERIFY(settled(on));
+            on.viewer.rocks.useTool(RockTool::Split);
+            const QPoint pixel = pixelOf(on.viewer.views.gray(), on.viewer.views.placeOf(cellB));
+            QTest::mouseClick(&on.viewer.views.gray(), Qt::LeftButton, Qt::NoModifier, pixel);
+            QVERIFY(settled(on));
+            QVERIFY2(!one(), qPrintable(on.viewer.notice.text()));
+            QVERIFY(picture(on).labels == before);
+        }
+    }
+
+    void rocksThatTouchAreMergedWithoutANotice() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        std::uint32_t a = 0, b = 0;
+        for (const rocks::RegionBorder& border : picture(on).study.map.borders) {
+            if (a == 0 && border.a != 0 && border.b <= picture(on).study.map.rocks && rocks::touch(border)) a = border.a, b = border.b;
+        }
+        QVERIFY(a != 0);
+        on.viewer.rocks.select({picture(on).rock(a)->cell, picture(on).rock(b)->cell});
+        on.viewer.rocks.mergeSelected();
+        QVERIFY(settled(on));
+        QVERIFY2(!on.viewer.notice.text().contains("touch"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(std::ranges::all_of(picture(on).study.rocks, [](const rocks::Rock& rock) { return rock.apart.empty(); }));
+    }
+
     void aRockIsNamedByTheTargetOnIt() {
         WindowFixture on;
         QVERIFY(showRocks(on));

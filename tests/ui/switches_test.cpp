@@ -132,11 +132,18 @@ private slots:
         QVERIFY(on.settled());
         QCOMPARE(on.viewer.engine.settings().classes, edges::Settings{}.classes & ~edges::kClassConvex);
         QVERIFY(!legend.classSwitch(1)->isChecked());
+        const auto& taken = *legend.findChild<QLabel*>("legend-taken");
+        QVERIFY2(taken.isVisible() && taken.text().contains("other classes take the cells"), qPrintable(taken.text()));
         QVERIFY2(legend.classSwitch(1)->toolTip().contains("the other numbers change too"), "a cell has one class");
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(on.settled());
-        QVERIFY(legend.classSwitch(1)->isChecked());
+        QVERIFY(legend.classSwitch(1)->isChecked() && taken.isHidden());
+        press(legend.classSwitch(static_cast<int>(kRimClass))); // its cells are free: the data border, which may have them, is off
+        QVERIFY(on.settled());
+        QVERIFY(!legend.classSwitch(static_cast<int>(kRimClass))->isChecked() && taken.isHidden());
+        press(legend.classSwitch(static_cast<int>(kRimClass)));
+        QVERIFY(on.settled());
         press(legend.byClass());
         QVERIFY(on.viewer.views.cloud().edgesByClass());
         QTest::keyClick(&on.window, Qt::Key_C);

@@ -16,6 +16,7 @@
 #include "ui/panels/section/section_card.h"
 #include "ui/panels/section/section_plot.h"
 #include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/target_words.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/point_pick.h"
@@ -166,6 +167,50 @@ private slots:
         QVERIFY(targets(on)[0].locked);
         QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
+    }
+
+    // What is removed is named as in the list, and the notice brings it back; the next step takes the notice away.
+    void whatIsRemovedIsNamedAndComesBackByItsNotice() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        click(on.viewer.views.gray(), 20, 30);
+        click(on.viewer.views.gray(), 60, 80);
+        on.viewer.targets.rename(2, "Big & old");
+        inspect::StoredMeasure measure;
+        measure.cells = {targets(on)[0].cell, targets(on)[1].cell};
+        on.viewer.targets.keepMeasure(measure);
+        QVERIFY(known(on));
+        const inspect::Notebook before = on.viewer.targets.notebook();
+        auto& undo = *on.viewer.notice.findChild<QToolButton*>("notice-action");
+        const auto comesBack = [&](const QStringList& names) {
+            const QString text = on.viewer.notice.text();
+            for (const QString& name : names) {
+                if (!text.contains(name)) return qWarning("%s is not in \"%s\"", qPrintable(name), qPrintable(text)), false;
+            }
+            if (!on.viewer.notice.isVisible() || !undo.isVisible() || undo.text() != "Undo") return false;
+            if (on.viewer.targets.notebook() == before) return false;
+            QTest::mouseClick(&undo, Qt::LeftButton);
+            return on.viewer.targets.notebook() == before && on.viewer.notice.isHidden();
+        };
+        const QString place = on.viewer.targetsPanel.targets()->item(1)->text().section('\n', 1).simplified();
+        QVERIFY2(place.startsWith("x "), qPrintable(place));
+        const QString distance = distanceText(on.viewer.targets.known().targets.at(targets(on)[1].cell));
+        QTest::keyClick(&on.window, Qt::Key_Delete);
+        QVERIFY(comesBack({"Target 2", "Big & old", distance, place}));
+        QTest::mouseClick(on.viewer.targetsPanel.removeAllButton(), Qt::LeftButton);
+        QVERIFY(comesBack({"Targets 1, 2  Big & old"}));
+        const QString words = on.viewer.targets.measuresInWords().front().simplified();
+        on.viewer.targetsPanel.measures()->setCurrentRow(0);
+        QTest::mouseClick(on.viewer.targetsPanel.removeMeasure(), Qt::LeftButton);
+        QVERIFY(comesBack({words}));
+        // The notice is about the newest step only.
+        on.viewer.targets.remove(1);
+        QVERIFY(undo.isVisible());
+        on.viewer.targets.rename(2, "B");
+        QVERIFY(on.viewer.notice.isHidden());
+        on.viewer.targets.lock(2, true);
+        on.viewer.targets.remove(2);
+        QVERIFY2(on.viewer.notice.text().contains("Target 2 is locked") && !undo.isVisible(), qPrintable(on.viewer.notice.text()));
     }
 
     // A void with a wall 13 m behind it: clicks just inside its rim mean the rim, in every tool.

@@ -14,6 +14,7 @@
 #include <QHideEvent>
 #include <QLabel>
 #include <QToolButton>
+#include <QUndoStack>
 #include <QUrl>
 
 #include <algorithm>
@@ -95,24 +96,25 @@ void NoticeBar::showNotice(Kind kind, const QString& text) {
 
 void NoticeBar::showHint(const QString& text) {
     showNotice(Kind::Warning, text);
-    isHint_ = true;
+    passes_ = true;
 }
 
 void NoticeBar::endPassing() {
-    if (isHidden() || (kind_ != Kind::Done && !isHint_) || !action_->isHidden()) return; // "Saved" has a button
+    const bool lasts = kind_ != Kind::Done || !action_->isHidden(); // "Saved" has a button
+    if (isHidden() || (lasts && !passes_)) return;
     earlier_.empty() ? hide() : showEarlier();
 }
 
-/// Hints are not stored for "earlier", nor confirmations without a button.
+/// What passes is not stored for "earlier", nor confirmations without a button.
 void NoticeBar::keepShown() {
-    if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || isHint_ || text_->text().isEmpty()) return;
+    if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || passes_ || text_->text().isEmpty()) return;
     earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_});
     if (earlier_.size() > kMostEarlier) earlier_.pop_front();
 }
 
 void NoticeBar::put(const Note& note) {
     kind_ = note.kind;
-    isHint_ = false;
+    passes_ = false;
     sign_->setText(kind_ == Kind::Error ? "✕ " + tr("Error") : kind_ == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
     paintKind();
     text_->setText(note.text);
@@ -161,6 +163,11 @@ void NoticeBar::offer(const QString& label, std::function<void()> action) {
     action_->show();
     layout()->activate();
     offerMore();
+}
+
+void NoticeBar::offerUndo(QUndoStack& stack) {
+    offer(tr("Undo"), [&stack] { stack.undo(); });
+    passes_ = true;
 }
 
 void NoticeBar::unfold(bool on) {

@@ -12,6 +12,7 @@
 
 class QLabel;
 class QToolButton;
+class QUndoStack;
 
 namespace edgescan::ui {
 
@@ -35,6 +36,8 @@ public:
     void showSaved(const QString& path, const QString& content = {}, const QString& more = {});
     /// Adds a button to the notice, until the next notice.
     void offer(const QString& label, std::function<void()> action);
+    /// Adds a button that takes back the newest step of the stack; the notice passes with the next step.
+    void offerUndo(QUndoStack& stack);
     [[nodiscard]] QString text() const;
     /// Hides the Copy button; for windows with large buttons.
     void setBrief(bool on);
@@ -62,7 +65,7 @@ private:
     void offerMore();
 
     Kind kind_ = Kind::Done;
-    bool isHint_ = false;
+    bool passes_ = false;      // with the next step
     std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;
     ElidedLabel* line_; // the text in one line

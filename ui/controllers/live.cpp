@@ -36,6 +36,15 @@ scanner::SweepSettings rememberedSweep(const Preferences& preferences) {
     return scanner::settingsOf(metadata).settings; // values that are not stored are assumed
 }
 
+/// "sweep 2: 63/120 lines, partial".
+QString sweepName(const scanner::SweepProgress& sweep) {
+    if (sweep.expected == 0) return Live::tr("sweep %1: %2 lines").arg(sweep.number + 1).arg(sweep.received);
+    return (sweep.complete() ? Live::tr("sweep %1: %2/%3 lines, complete") : Live::tr("sweep %1: %2/%3 lines, partial"))
+        .arg(sweep.number + 1)
+        .arg(sweep.received)
+        .arg(sweep.expected);
+}
+
 QString mountingQuestion() {
     return Live::tr("How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.");
 }
@@ -98,7 +107,7 @@ void Live::connectPanel() {
     connect(&panel_, &LivePanel::recordRequested, this, &Live::record);
     connect(&panel_, &LivePanel::keepRequested, this, &Live::keepLastMinute);
     connect(&panel_, &LivePanel::sweepRequested, this, &Live::useSweep);
-    connect(&panel_, &LivePanel::otherRequested, &scanner_, &ScannerLink::showOther);
+    connect(&panel_, &LivePanel::otherRequested, this, [this](int place) { scanner_.showOther(static_cast<std::size_t>(place)); });
     connect(&panel_, &LivePanel::followRequested, this, [this](bool on) {
         scanner_.follow(on);
         panel_.setFollowing(scanner_.following());
@@ -176,7 +185,7 @@ void Live::showHealth() {
     const bool held = scanner_.connected() && !scanner_.following() && shown && own;
     // After Stop there may be two sweeps, and by Undo the picture is not that of the count: the count has the number of its sweep.
     const bool otherSweep =
-        !scanner_.connected() && shown && own && (scanner_.other() || shown->source.growth.sweep + 1 != scanner_.health().sweep);
+        !scanner_.connected() && shown && own && (!scanner_.others().empty() || shown->source.growth.sweep + 1 != scanner_.health().sweep);
     panel_.showHealth(scanner_.health(),
                       !own                 ? HealthStrip::Picture::Other
                       : held || otherSweep ? HealthStrip::Picture::Held
@@ -203,18 +212,9 @@ QString Live::note(bool held) const {
 
 void Live::offerOther() {
     showHealth();
-    const auto& other = scanner_.other();
-    if (!other) return panel_.offerOther({}, {});
-    const scanner::SweepProgress &next = other->progress, &now = scanner_.shown();
-    const int sweep = next.number + 1;
-    if (next.number == now.number)
-        panel_.offerOther(
-            tr("Show %1 lines").arg(next.lines),
-            tr("Sweep %1 has %2 lines on the screen; a press shows it with %3 lines.").arg(sweep).arg(now.lines).arg(next.lines));
-    else
-        panel_.offerOther(
-            tr("Show sweep %1").arg(sweep),
-            tr("Sweep %1 is on the screen; a press shows sweep %2, which has %3 lines.").arg(now.number + 1).arg(sweep).arg(next.lines));
+    QStringList sweeps;
+    for (const scanner::SweepState& other : scanner_.others()) sweeps << sweepName(other.progress);
+    panel_.offerOthers(sweeps, sweeps.isEmpty() ? QString() : tr("On the screen: %1").arg(sweepName(scanner_.shown())));
 }
 
 void Live::reportSweepEnd() {

@@ -36,7 +36,8 @@ QString sizeOf(const rocks::Rock& rock) {
 }
 
 QString sizeRemarkOf(const rocks::Rock& rock) {
-    return CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2)) + " · " + QObject::tr(rocks::kRockCaveat);
+    return CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2)) + " · " +
+           (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
 }
 
 // A menu of the menu bar, in every language: the entries are those of the menu, not a second list.
@@ -141,10 +142,9 @@ void CabMode::addSideButtons() {
 void CabMode::fillRemoval(QMenu& menu) const {
     menu.clear();
     Targets& targets = window_.viewer().targets;
-    if (const inspect::PinnedTarget* target = targets.active()) {
-        const TargetNumbers shown = numbers();
-        menu.addAction(shown.title + "   " + shown.distance, &targets, [&targets, number = target->number] { targets.remove(number); });
-    }
+    if (const inspect::PinnedTarget* target = targets.active())
+        menu.addAction(tr("Target %1").arg(targets.inWords(*target)).replace('&', "&&"), &targets,
+                       [&targets, number = target->number] { targets.remove(number); });
     const std::vector<QString> measures = targets.measuresInWords();
     const int last = static_cast<int>(measures.size()) - 1;
     for (int n = last; n >= 0 && n > last - kMostRemovals; --n)
@@ -211,7 +211,7 @@ TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
     values.title = tr("Rock %1").arg(rock.label);
     values.place = others > 0 ? tr("and %1 more selected").arg(others) : QString();
     values.distance = tr("%1 m").arg(rock.distanceM, 0, 'f', 2);
-    values.rock = tr("Rock %1, visible").arg(rock.label);
+    values.rock = tr("Rock %1, visible a × b").arg(rock.label);
     values.size = sizeOf(rock);
     values.sizeRemark = sizeRemarkOf(rock);
     return values;
@@ -236,10 +236,10 @@ TargetNumbers CabMode::numbers() const {
     const TargetSurroundings around = targets.around(target->cell);
     values.distance = distanceText(cell);
     values.tolerance = toleranceText(cell);
-    values.rock = tr("Rock, visible");
+    values.rock = tr("Rock, visible a × b");
     values.size = QStringLiteral("–");
     if (around.rock != nullptr) {
-        values.rock = tr("Rock %1, visible").arg(around.rock->label);
+        values.rock = tr("Rock %1, visible a × b").arg(around.rock->label);
         values.size = sizeOf(*around.rock);
         values.sizeRemark = sizeRemarkOf(*around.rock);
     } else {

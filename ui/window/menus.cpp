@@ -289,9 +289,9 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
     return submenu("&Rocks", {
                                  following(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
                                            rocks, &Rocks::shownChanged),
-                                 linked(command("&Largest Rock", "", [&rocks] { rocks.lookAtLargest(); }),
+                                 linked(command("&Largest Rock by Width b", "", [&rocks] { rocks.lookAtLargest(); }),
                                         [](QAction& action) { action.setObjectName("rocks-largest"); }),
-                                 command("Next Sm&aller Rock", "", [&rocks] { rocks.lookAtNextSmaller(); }),
+                                 command("Next Sm&aller Rock by Width b", "", [&rocks] { rocks.lookAtNextSmaller(); }),
                                  kLine,
                                  command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
                                  tool("S&plit at Next Click", "S", RockTool::Split),

@@ -161,6 +161,7 @@ class _Rock(TypedDict):
     confidence: float
     by_hand: bool
     note: str
+    apart_m: Optional[float]
 
 
 class Rock(_Rock, total=False):

@@ -152,7 +152,11 @@ std::string tableOf(const rocks::Study& study) {
            "a and b: visible spans across the line of sight; hidden parts are not counted. Distance: from the scanner. Area: visible, "
            "across the beams. In front: share of the outline where the "
            "rock is the nearer side. Contacts and free height: at least. Arch: largest angle at the rock between two that it touches; "
-           "↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched.</p>\n";
+           "↓ it hangs below the line between them. p: chance that the outline is right; ▲ below 0.85, hatched." +
+           (std::ranges::any_of(study.rocks, [](const rocks::Rock& rock) { return !rock.apart.empty(); })
+                ? " Number with ▲: merged by hand of parts that do not touch."
+                : "") +
+           "</p>\n";
 }
 
 std::string countsOf(const rocks::Study& study, const rocks::SizeCurve& curve) {
@@ -225,7 +229,7 @@ std::string rockSection(const edges::Detection& detection, const rocks::Study& s
     std::string html = "<h2>Rocks</h2>\n" + countsOf(study, curve);
     html += picturesOf(detection, study, faces);
     if (curve.rocks() > 0) html += "<h2>Sizes of the visible rocks</h2>\n" + sizeDrawing(curve);
-    return html + "<h2>The largest rocks</h2>\n" + tableOf(study);
+    return html + "<h2>The rocks with the largest visible width b</h2>\n" + tableOf(study);
 }
 
 Json rockFaceData(const rocks::Study& study) {

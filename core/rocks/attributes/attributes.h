@@ -20,6 +20,14 @@ inline constexpr double kSureConfidence = 0.85;
 /// Uncertainty of an arch angle, degrees.
 inline constexpr double kArchToleranceDeg = 25.0;
 
+/// Two parts of a rock that do not touch, at their nearest cells.
+struct PartDistance {
+    std::uint32_t a = 0, b = 0; ///< one cell of each part
+    double distanceM = 0.0;
+
+    bool operator==(const PartDistance&) const = default;
+};
+
 /// One row of the table per rock. Lengths in metres; spans and areas are those of the visible part, never of the whole rock.
 struct Rock {
     std::uint32_t label = 0;                           ///< as in rockLabels()
@@ -43,7 +51,10 @@ struct Rock {
     double confidence = 0.0;                 ///< p, 0..1 (Region::confidence)
     double score = 0.0;                      ///< R, log odds (Region::score)
     bool byHand = false;
+    std::vector<PartDistance> apart; ///< between parts that were merged by hand and do not touch: one fewer than such parts
 
+    /// The largest of these distances; 0 without one.
+    [[nodiscard]] double apartM() const;
     bool operator==(const Rock&) const = default;
 };
 

@@ -9,7 +9,7 @@
 namespace edgescan::rocks {
 namespace {
 
-constexpr std::size_t kColumns = 25;
+constexpr std::size_t kColumns = 26;
 constexpr int kWhole = 0, kHundredths = 2;
 
 double millimetres(double metres) { return rounded(metres, 1000); }
@@ -35,7 +35,7 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
     // clang-format off
     return {{
         {"rock", "Rock", "The label: 1 is the largest visible area",
-         [](Row r) -> RockValue { return r.rock->label; }, [](Row r) { return std::to_string(r.rock->label); }, true},
+         [](Row r) -> RockValue { return r.rock->label; }, [](Row r) { return std::to_string(r.rock->label) + (r.rock->apart.empty() ? "" : " ▲"); }, true},
         {"line", nullptr, "Scan line of the measured cell closest to its centre",
          [](Row r) -> RockValue { return static_cast<std::uint32_t>(r.line); }, nullptr, false},
         {"beam", nullptr, "Beam of that cell",
@@ -86,6 +86,8 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
          [](Row r) { return (r.rock->confidence < kSureConfidence ? "▲ " : "") + fixed(r.rock->confidence, kHundredths); }, true},
         {"by_hand", nullptr, "It was called a rock by hand", [](Row r) -> RockValue { return r.rock->byHand; }, nullptr, false},
         {"note", nullptr, "What every rock is", [](Row) -> RockValue { return kRockCaveat; }, nullptr, false},
+        {"apart_m", nullptr, "It was merged by hand of parts that do not touch: the largest distance between their nearest cells",
+         [](Row r) -> RockValue { return r.rock->apart.empty() ? RockValue() : RockValue(millimetres(r.rock->apartM())); }, nullptr, false},
     }};
     // clang-format on
 }

@@ -1,6 +1,8 @@
 // Runs the stages of rock detection, and skips those whose inputs are unchanged.
 #include "core/rocks/attributes/study.h"
 
+#include "core/rocks/attributes/part_distances.h"
+
 #include <optional>
 
 namespace edgescan::rocks {
@@ -21,6 +23,7 @@ Study studyRocks(const Inputs& inputs, const RockSettings& settings, const std::
     study.map = rocksAt(segments, *study.tree, settings, rockCallsOf(segments, edits));
     const std::optional<EarlierRows> rows = sameSegments ? std::optional(EarlierRows{before->map, before->rocks}) : std::nullopt;
     study.rocks = rockRows(segments, study.map, rows ? &*rows : nullptr);
+    addPartDistances(segments, study.map, edits, study.rocks);
     return study;
 }
 

@@ -236,7 +236,8 @@ Calibrating::Answer Calibrating::run(const Question& question, const Progress& p
         answer.seam = seamOf(*question.shown, (*answer.found)->errors);
         answer.inputs = inputs.claims();
     } catch (const std::bad_alloc&) {
-        answer.found = Error{"there is not enough memory", question.shown->scan->path, "close other programs or use fewer scans"};
+        answer.found =
+            Error{"there is not enough memory for these scans", question.shown->scan->path, "close other programs or use fewer scans"};
     }
     return answer;
 }

@@ -90,6 +90,9 @@ void Rocks::pushEdits(const QString& name, std::vector<rocks::Edit> edits) {
     pushOperatorEdits(name, {std::move(edits), settings_.region});
 }
 
+/// Undo takes back the newest edit.
+bool Rocks::isNewestStep() const { return undo_.index() > 0 && undo_.command(undo_.index() - 1) == newestEdit_; }
+
 /// A step that changed no rock is taken back. Else it is said which rocks have another number now, and which part is not a rock.
 void Rocks::judgeEdit() {
     if (!judgedFrom_ || picture_->study.edits != edits_ || picture_->study.edits == judgedFrom_->study.edits) return;
@@ -98,13 +101,19 @@ void Rocks::judgeEdit() {
     const rocks::RegionChanges changes =
         rocks::regionChanges(*before->study.segmentation, before->study.map, *picture_->study.segmentation, picture_->study.map);
     if (!changes.any) {
-        if (undo_.index() == 0 || undo_.command(undo_.index() - 1) != newestEdit_) return;
+        if (!isNewestStep()) return;
         newestEdit_->undo();            // the stack calls undo() of no obsolete step,
         newestEdit_->setObsolete(true); // which it only removes
         undo_.undo();
         return notice_.showHint(tr("No rock changed, so nothing is to be undone: click or draw on another part of the rock."));
     }
     const QString words = changeWords(changes, *picture_);
+    const bool merges = !edits_.empty() && edits_.back().kind == rocks::EditKind::Join && edits_.size() > before->study.edits.size();
+    if (const QString gaps = merges ? apartWords(edits_.back().cells, *before, *picture_) : QString(); !gaps.isEmpty()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, words.isEmpty() ? gaps : gaps + " " + words);
+        if (isNewestStep()) notice_.offerUndo(undo_);
+        return;
+    }
     if (!changes.lost.empty()) return notice_.showHint(words); // until the next step, which may be its undo
     if (!words.isEmpty()) notice_.showNotice(NoticeBar::Kind::Done, words);
 }

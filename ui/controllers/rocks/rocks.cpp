@@ -341,7 +341,7 @@ void Rocks::lookAtNextSmaller() {
     for (const rocks::Rock& each : picture_->study.rocks) {
         if (order(each) > order(*now) && (next == nullptr || order(each) < order(*next))) next = &each;
     }
-    if (next == nullptr) return notice_.showHint(tr("This is the smallest rock."));
+    if (next == nullptr) return notice_.showHint(tr("No rock has a smaller visible width b."));
     lookAt(next->label);
 }
 

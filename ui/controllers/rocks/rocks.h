@@ -141,6 +141,7 @@ private:
     void pushEdits(const QString& name, std::vector<rocks::Edit> edits);
     void pushOperatorEdits(const QString& name, OperatorEdits after);
     void judgeEdit();
+    [[nodiscard]] bool isNewestStep() const;
     void takePreset(const rocks::Preset& preset);
     void takeStroke(const std::vector<QPoint>& cells);
     void takeJoin(const rocks::CutLine& stroke);

@@ -48,15 +48,31 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
     std::vector<std::uint32_t>& these = isEdge ? after.wanted : after.unwanted;
     std::vector<std::uint32_t>& others = isEdge ? after.unwanted : after.wanted;
     std::erase(others, k);
-    if (std::erase(these, k) == 0) these.push_back(k);
+    const bool removes = std::erase(these, k) > 0;
+    if (!removes) these.push_back(k);
     if (after.wanted.size() > edges::kMostMarks || after.unwanted.size() > edges::kMostMarks) {
         notice_.showHint(tr("This cell was not marked: there are %1 marks, clear some first.").arg(edges::kMostMarks));
         return;
     }
     change(isEdge ? stepName("Mark as an Edge") : stepName("Mark as Not an Edge"), after);
+    const QPoint at = views_.placeOf(k);
+    if (removes)
+        reportRemoved((isEdge ? tr("the mark “edge” at line %1, beam %2") : tr("the mark “not an edge” at line %1, beam %2"))
+                          .arg(at.y())
+                          .arg(at.x()));
 }
 
-void MarkedEdges::clear() { change(stepName("Clear the Marks"), {}); }
+void MarkedEdges::clear() {
+    if (marks_.empty()) return;
+    const edges::EdgeMarks gone = marks_;
+    change(stepName("Clear the Marks"), {});
+    reportRemoved(tr("all marks, %1 “edge” and %2 “not an edge”").arg(gone.wanted.size()).arg(gone.unwanted.size()));
+}
+
+void MarkedEdges::reportRemoved(const QString& what) {
+    notice_.showNotice(NoticeBar::Kind::Done, tr("Removed: %1.").arg(what));
+    notice_.offerUndo(undo_);
+}
 
 void MarkedEdges::setPart(const edges::EdgeMarks& marks) { change(stepName("Open Session"), marks); }
 

@@ -37,7 +37,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
     connect(&views_, &LinkedViews::pinRemoved, this, [this](std::size_t cell) {
         const auto target = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
-        if (target != notebook_.targets.end() && !target->locked) remove(target->number);
+        if (target != notebook_.targets.end()) remove(target->number);
     });
     connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
         auto* rock = menu.findChild<QMenu*>(kRockMenu);
@@ -45,8 +45,8 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
         rock->addAction(tr("Na&me…"), this, [this, click] { askName(click); });
         rock->addAction(tr("Meas&ure from Here"), this, [this, click] { emit measureRequested(click.cell); });
     });
-    connect(&rocks_, &Rocks::rocksShown, this, &Targets::showCard);
-    connect(&rocks_, &Rocks::shownChanged, this, &Targets::showCard);
+    connect(&rocks_, &Rocks::rocksShown, this, &Targets::show);
+    connect(&rocks_, &Rocks::shownChanged, this, &Targets::show);
     connect(&store_, &TargetStore::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connectPanel();
 }
@@ -157,15 +157,33 @@ void Targets::pin(std::size_t cell) {
 }
 
 void Targets::remove(int number) {
+    const inspect::PinnedTarget* target = numbered(notebook_, number);
+    if (target == nullptr) return;
+    if (target->locked) return notice_.showHint(tr("Target %1 is locked and stays: unlock it on its card to remove it.").arg(number));
+    const QString words = inWords(*target);
     inspect::Notebook after = notebook_;
-    std::erase_if(after.targets, [&](const inspect::PinnedTarget& target) { return target.number == number && !target.locked; });
-    if (after != notebook_) change(stepName("Remove %1", number), std::move(after));
+    std::erase_if(after.targets, [&](const inspect::PinnedTarget& each) { return each.number == number; });
+    change(stepName("Remove %1", number), std::move(after));
+    reportRemoved(tr("Target %1").arg(words));
 }
 
 void Targets::removeAll() {
     inspect::Notebook after = notebook_;
+    QStringList names;
+    for (const inspect::PinnedTarget& target : notebook_.targets) {
+        if (!target.locked) names << nameOf(target);
+    }
+    if (names.isEmpty()) return;
     std::erase_if(after.targets, [](const inspect::PinnedTarget& target) { return !target.locked; });
-    if (after != notebook_) change(stepName("Remove All"), std::move(after));
+    const std::size_t locked = after.targets.size();
+    change(stepName("Remove All"), std::move(after));
+    reportRemoved(tr("Targets %1").arg(names.join(", ")), locked > 0 ? tr("Locked targets stay: %1.").arg(locked) : QString());
+}
+
+/// What is gone has its name, and comes back by the button.
+void Targets::reportRemoved(const QString& what, const QString& more) {
+    notice_.showNotice(NoticeBar::Kind::Done, tr("Removed: %1.").arg(what) + (more.isEmpty() ? QString() : " " + more));
+    notice_.offerUndo(undo_);
 }
 
 /// The target on the rock at this cell that has its name, else any target on it; null: the rock has no target.
@@ -227,9 +245,11 @@ void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
 
 void Targets::removeMeasure(std::size_t place) {
     if (place >= notebook_.measures.size()) return;
+    const QString words = measuresInWords()[place];
     inspect::Notebook after = notebook_;
     after.measures.erase(after.measures.begin() + static_cast<std::ptrdiff_t>(place));
     change(stepName("Remove Measurement"), std::move(after));
+    reportRemoved(words.simplified());
 }
 
 inspect::TargetsPart Targets::part() const {

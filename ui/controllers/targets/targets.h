@@ -78,6 +78,8 @@ public:
     void lock(int number, bool on);
     void keepMeasure(const inspect::StoredMeasure& measure);
     void removeMeasure(std::size_t place);
+    /// "3 Big one · 12.340 m · rock 4 · E ... N ... RL ... m": what the list shows of it, in one line.
+    [[nodiscard]] QString inWords(const inspect::PinnedTarget& target) const;
     /// Kind and length of each measurement, in the order of the notebook.
     [[nodiscard]] std::vector<QString> measuresInWords() const;
     [[nodiscard]] inspect::TargetsPart part() const;
@@ -121,6 +123,9 @@ private:
     void show();
     void showCard();
     void keepConfidence();
+    void reportRemoved(const QString& what, const QString& more = {});
+    [[nodiscard]] static QString nameOf(const inspect::PinnedTarget& target); ///< "3  Big one"
+    [[nodiscard]] QStringList wordsOf(const inspect::PinnedTarget& target) const;
     [[nodiscard]] QString keyOf(const Picture& picture) const;
     [[nodiscard]] static QString leftBehind(std::size_t entries);
     [[nodiscard]] const inspect::PinnedTarget* onRockAt(std::size_t cell) const;

@@ -73,6 +73,24 @@ QString Targets::tagOf(const inspect::PinnedTarget& target) const {
     return tag;
 }
 
+QString Targets::nameOf(const inspect::PinnedTarget& target) {
+    return QString::number(target.number) + (target.name.empty() ? QString() : "  " + shownName(exactText(target.name)));
+}
+
+/// Number and name, distance, rock: what is known of it.
+QStringList Targets::wordsOf(const inspect::PinnedTarget& target) const {
+    QStringList words{nameOf(target)};
+    if (const inspect::CellTarget* now = knownOf(target.cell)) words << distanceText(*now);
+    if (const rocks::Rock* rock = around(target.cell).rock) words << tr("rock %1").arg(rock->label);
+    return words;
+}
+
+QString Targets::inWords(const inspect::PinnedTarget& target) const {
+    const inspect::CellTarget* now = knownOf(target.cell);
+    const QString place = now != nullptr ? positionText(*now).simplified() : QString();
+    return (wordsOf(target) + (place.isEmpty() ? QStringList() : QStringList(place))).join(" · ");
+}
+
 QString Targets::clickOf(const inspect::PinnedTarget& target) const {
     if (!engine_.picture()) return {};
     const std::uint32_t clicked = target.clicked.value_or(target.cell);
@@ -95,7 +113,7 @@ CellMarks Targets::marks() const {
         marks.measures.push_back({ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
                                             : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
                                   inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
-                                  (warned ? "▲ " : "") + (now != nullptr ? shownText(inspect::measureText(*now)) : QString("–")),
+                                  (warned ? "▲ " : "") + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
                                   {measure.clicked.begin(), measure.clicked.end()}});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
@@ -108,7 +126,7 @@ std::vector<QString> Targets::measuresInWords() const {
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
         words.push_back(tr(inspect::traitsOf(measure.kind).label) + "  " +
-                        (now != nullptr ? shownText(inspect::measureText(*now)) : tr("a cell of it has no range")));
+                        (now != nullptr ? coreWords(inspect::measureText(*now)) : tr("a cell of it has no range")));
     }
     return words;
 }
@@ -121,8 +139,7 @@ void Targets::show() {
     for (const inspect::PinnedTarget& target : notebook_.targets) {
         if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
         const inspect::CellTarget* now = knownOf(target.cell);
-        QString words = QString::number(target.number) + (target.name.empty() ? QString() : "  " + shownName(exactText(target.name)));
-        if (now != nullptr) words += "   " + distanceText(*now);
+        QString words = wordsOf(target).join("   ");
         if (target.locked) words += "   " + tr("locked");
         if (const QString place = now != nullptr ? positionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
         lines.push_back({words, tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown});

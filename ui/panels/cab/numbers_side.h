@@ -23,7 +23,7 @@ class Stepper;
 struct TargetNumbers {
     QString title, place;                                 ///< "Target 1", "of 3"
     QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
-    QString rock, size, sizeRemark;                       ///< "Rock 4, visible", "2.51 × 1.83 m", "± 0.10 m · candidate …"
+    QString rock, size, sizeRemark;                       ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "± 0.10 m · candidate …"
     std::vector<std::pair<QString, QString>> coordinates; ///< in large type as well
     QString pose;                                         ///< "▲ no pose"; empty if the scan has a pose
     std::vector<std::pair<QString, QString>> rows;

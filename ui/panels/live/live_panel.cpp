@@ -57,7 +57,8 @@ LivePanel::LivePanel(QWidget* parent)
       sweepButton_(new QToolButton), sweepDialog_(new QDialog(this)), sweep_(new SweepForm), topics_(new TopicMenu),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, unchanged, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
-      follow_(button("live-follow", tr("Hold"), QString())), scanner_(new ElidedLabel), strip_(new HealthStrip) {
+      follow_(button("live-follow", tr("Hold"), QString())), scanner_(new ElidedLabel), strip_(new HealthStrip),
+      otherMenu_(new QMenu(this)) {
     setObjectName("live-panel");
     host_->setObjectName("live-host");
     host_->setPlaceholderText(tr("scanner, or ws://ROBOT"));
@@ -72,6 +73,7 @@ LivePanel::LivePanel(QWidget* parent)
     addSweepDialog();
     for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
     scanner_->setObjectName("live-scanner");
+    otherMenu_->setObjectName("live-others");
 
     auto* head = new QWidget;
     auto* row = buttons_ = new FlowLayout(head);
@@ -97,7 +99,7 @@ LivePanel::LivePanel(QWidget* parent)
     });
     connect(record_, &QPushButton::clicked, this, &LivePanel::recordRequested);
     connect(keep_, &QPushButton::clicked, this, &LivePanel::keepRequested);
-    connect(follow_, &QPushButton::clicked, this, [this](bool hold) { connected_ ? emit followRequested(!hold) : emit otherRequested(); });
+    connect(follow_, &QPushButton::clicked, this, [this](bool hold) { connected_ ? emit followRequested(!hold) : askOther(); });
     // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
     // meaning by then.
     for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
@@ -171,7 +173,7 @@ void LivePanel::setConnected(bool connected) {
     host_->setEnabled(!connected);
     followAddress();
     for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
-    other_.clear();
+    others_.clear();
     asking_ = false;
     if (!connected) {
         setRecording(false);
@@ -202,11 +204,11 @@ void LivePanel::setBrief(bool on) {
 
 /// What the state needs; with gloves on, only what a connected scanner needs, and after Stop the other sweep.
 void LivePanel::showFields() {
-    const bool few = brief_ && (connected_ || (!other_.isEmpty() && !asking_));
+    const bool few = brief_ && (connected_ || (!others_.isEmpty() && !asking_));
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_ || few);
     for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(few);
     record_->setHidden(!connected_);
-    follow_->setHidden(!connected_ && other_.isEmpty());
+    follow_->setHidden(!connected_ && others_.isEmpty());
     topics_->setHidden(!connected_ || !bridge_ || brief_);
     keep_->setHidden(brief_ || !connected_); // it is in the menu
 }
@@ -243,16 +245,25 @@ void LivePanel::setFollowing(bool following) {
     follow_->setPalette(colours);
 }
 
-void LivePanel::offerOther(const QString& words, const QString& help) {
+void LivePanel::offerOthers(const QStringList& sweeps, const QString& help) {
     if (connected_) return;
-    other_ = words;
+    others_ = sweeps;
     follow_->setChecked(false);
-    follow_->setEnabled(!words.isEmpty());
-    follow_->setText(words);
+    follow_->setEnabled(!sweeps.isEmpty());
+    follow_->setText(sweeps.size() == 1 ? tr("Show %1").arg(sweeps.front()) : tr("Show another sweep…"));
     follow_->setIcon(toolIcon("play"));
     follow_->setToolTip(help);
     showFields();
-    if (!words.isEmpty()) show();
+    if (!sweeps.isEmpty()) show();
+}
+
+void LivePanel::askOther() {
+    follow_->setChecked(false); // not a switch now
+    if (others_.size() == 1) return emit otherRequested(0);
+    otherMenu_->clear();
+    for (int n = 0; n < others_.size(); ++n)
+        otherMenu_->addAction(tr("Show %1").arg(others_[n]), this, [this, n] { emit otherRequested(n); });
+    otherMenu_->popup(follow_->mapToGlobal(follow_->rect().bottomLeft()));
 }
 
 void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture picture, const QString& note) {

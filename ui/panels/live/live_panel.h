@@ -10,6 +10,7 @@ class QDialog;
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QPushButton;
 class QSpinBox;
 class QToolButton;
@@ -45,9 +46,8 @@ public:
     void setBrief(bool on);
     [[nodiscard]] bool brief() const { return brief_; }
     void setFollowing(bool following);
-    /// After Stop: the button shows what the scanner measured while the picture was held. Empty: there is nothing else to show.
-    void offerOther(const QString& words, const QString& help);
-    [[nodiscard]] bool offersOther() const { return !other_.isEmpty(); }
+    /// After Stop: the button shows one of these sweeps, and asks which where there are several. Empty: there is nothing else to show.
+    void offerOthers(const QStringList& sweeps, const QString& help);
     /// `note`: one sentence about the picture on the screen; the strip shows it while the scanner is well.
     void showHealth(const files::LiveHealth& health, HealthStrip::Picture picture, const QString& note = {});
 
@@ -64,7 +64,8 @@ signals:
     void recordRequested(bool on);
     void keepRequested();
     void followRequested(bool on);
-    void otherRequested();
+    /// A place of offerOthers().
+    void otherRequested(int place);
     /// The operator typed mounting or steps while the scanner is connected.
     void sweepRequested();
 
@@ -75,6 +76,7 @@ private:
     void addSweepDialog();
     void reserveWidths();
     void showFields();
+    void askOther();
     void followAddress();
 
     QLabel* title_;
@@ -94,7 +96,8 @@ private:
     QHBoxLayout* stripRow_ = nullptr;
     bool connected_ = false, brief_ = false, bridge_ = false;
     bool asking_ = false; // the operator asked for the fields of the address
-    QString other_;       // on the button after Stop
+    QStringList others_;  // sweeps that the button offers after Stop
+    QMenu* otherMenu_;
 };
 
 } // namespace edgescan::ui

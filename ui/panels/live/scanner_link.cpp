@@ -5,6 +5,7 @@
 #include "ui/engine/worker_bridge/in_background.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -19,6 +20,8 @@ bool beganBefore(const scanner::SweepProgress& sweep) {
     return sweep.number == 0 && before > static_cast<int>(sweep.lost.size()) && sweep.irregular.count(scanner::Irregularity::Gap) == 0;
 }
 
+std::pair<int, int> orderOf(const scanner::SweepState& sweep) { return {sweep.progress.number, sweep.progress.lines}; }
+
 } // namespace
 
 ScannerLink::ScannerLink(Engine& engine, QObject* parent) : QObject(parent), engine_(engine) {
@@ -28,19 +31,22 @@ ScannerLink::ScannerLink(Engine& engine, QObject* parent) : QObject(parent), eng
     // The operator opened another file: the next scan line must not replace it.
     connect(&engine_, &Engine::opened, this, [this] {
         follow(false);
-        if (std::exchange(other_, std::nullopt)) emit otherChanged();
+        held_.clear();
+        emit otherChanged();
     });
 }
 
 ScannerLink::~ScannerLink() = default;
 
 void ScannerLink::followPicture() {
-    if (!awaiting_ || engine_.picture()->source.stream != stream_) return;
-    awaiting_ = false;
-    if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
-    // After each picture the worker is free for the sliders for the time that the picture took.
-    restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
+    if (engine_.picture()->source.stream != stream_) return;
+    if (std::exchange(awaiting_, false)) {
+        if (engine_.picture()->detection->scan == posted_.scan) shown_ = posted_.progress;
+        // After each picture the worker is free for the sliders for the time that the picture took.
+        restMs_ = std::max(kLeastMs, 2 * sincePost_.elapsed());
+    }
     if (feed_) return;
+    shown_ = onScreen().progress; // it may have come back by Undo
     showStopped();
     emit otherChanged(); // which of them is on the screen has changed
 }
@@ -57,8 +63,10 @@ void ScannerLink::connectTo(const scanner::ConnectionSettings& scanner, const sc
     heldNumber_ = -1;
     heldAtStop_ = false;
     finished_.reset();
+    newest_.reset();
     part_.reset();
-    if (std::exchange(other_, std::nullopt)) emit otherChanged();
+    held_.clear();
+    emit otherChanged();
     posted_ = {};
     awaiting_ = recordingErrorReported_ = false;
     restMs_ = 0;
@@ -76,6 +84,7 @@ std::optional<int> ScannerLink::useSweep(const scanner::SweepSettings& sweep) {
     if (!gone) return gone;
     heldNumber_ = -1; // the number of sweeps starts again
     finished_.reset();
+    newest_.reset();
     part_.reset();
     posted_ = {};
     *news_ = true;
@@ -87,7 +96,7 @@ void ScannerLink::disconnectScanner() {
     if (!feed_) return;
     timer_.stop();
     const bool shows = following_;
-    const std::optional<scanner::SweepState> whole = finished_; // ended while the picture was held
+    const std::optional<scanner::SweepState> newest = newest_;
     const std::uint64_t stream = stream_;
     const QString recorded = recording_ ? recordingPath_ : QString();
     const std::shared_ptr<files::LiveFeed> feed = std::exchange(feed_, nullptr);
@@ -97,21 +106,16 @@ void ScannerLink::disconnectScanner() {
     last_.connection.sentence.clear(); // "... is sending." was so until now
     part_.reset();
     showStopped();
-    runInThread([this, feed, shows, whole, stream, recorded]() -> std::function<void()> {
+    runInThread([this, feed, shows, newest, stream, recorded]() -> std::function<void()> {
         feed->stop();
         const Result<files::RecordingState> closed = feed->stopRecording();
-        scanner::SweepState sweep = feed->sweep();
-        if (!shows && whole && whole->scan && whole->progress.lines > sweep.progress.lines) sweep = *whole;
-        return [this, closed, sweep, shows, stream, recorded] {
+        std::vector<scanner::SweepState> sweeps = feed->takeFinished();
+        if (newest) sweeps.insert(sweeps.begin(), *newest);
+        sweeps.push_back(feed->sweep());
+        return [this, closed, sweeps, shows, stream, recorded] {
             if (!recorded.isEmpty() || !closed) reportRecorded(closed, recorded);
             // a file that is being opened meanwhile is wanted more
-            if (stream != stream_ || !sweep.scan || engine_.opening()) return;
-            if (shows) return post(sweep, false);
-            const auto& held = engine_.picture();
-            if (!held || held->source.stream != stream || held->detection->scan == sweep.scan) return;
-            if (shown_.number == sweep.progress.number && shown_.lines == sweep.progress.lines) return;
-            other_ = sweep;
-            emit otherChanged();
+            if (stream == stream_ && !engine_.opening()) takeStopped(sweeps, shows);
         };
     });
     // A picture that was held while its sweep grew stays, but nothing grows any more.
@@ -126,6 +130,44 @@ void ScannerLink::disconnectScanner() {
     if (std::exchange(following_, false)) emit followingChanged(false);
     emit connectedChanged(false);
     emit healthChanged();
+}
+
+/// `sweeps`: ascending, the newest last.
+void ScannerLink::takeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows) {
+    const auto& picture = engine_.picture();
+    const bool own = picture && picture->source.stream == stream_;
+    if (!own && !shows) return;
+    if (!shows) hold(onScreen());
+    for (const scanner::SweepState& sweep : sweeps) hold(sweep);
+    if (shows && sweeps.back().scan) return post(sweeps.back(), false);
+    emit otherChanged();
+}
+
+/// The same lines of a sweep are held once.
+void ScannerLink::hold(const scanner::SweepState& sweep) {
+    const auto at = std::ranges::lower_bound(held_, orderOf(sweep), {}, orderOf);
+    if (sweep.scan && (at == held_.end() || orderOf(*at) != orderOf(sweep))) held_.insert(at, sweep);
+}
+
+scanner::SweepState ScannerLink::onScreen() const {
+    const Picture& picture = *engine_.picture();
+    const std::shared_ptr<const Scan>& scan = picture.detection->scan;
+    if (posted_.scan == scan) return posted_;
+    const auto held = std::ranges::find(held_, scan, &scanner::SweepState::scan);
+    if (held != held_.end()) return *held;
+    scanner::SweepState other{scan, {}}; // by Undo
+    other.progress.number = picture.source.growth.sweep;
+    other.progress.expected = picture.source.growth.expectedLines;
+    other.progress.lines = other.progress.received = scan->lines();
+    return other;
+}
+
+std::vector<scanner::SweepState> ScannerLink::others() const {
+    const auto& picture = engine_.picture();
+    if (feed_ || !picture || picture->source.stream != stream_) return {};
+    std::vector<scanner::SweepState> others = held_;
+    std::erase_if(others, [shown = orderOf(onScreen())](const scanner::SweepState& each) { return orderOf(each) == shown; });
+    return others;
 }
 
 void ScannerLink::follow(bool on) {
@@ -149,18 +191,11 @@ void ScannerLink::showStopped() {
     emit healthChanged();
 }
 
-void ScannerLink::showOther() {
-    const auto& picture = engine_.picture();
-    if (!other_ || feed_ || !picture || picture->source.stream != stream_ || engine_.opening()) return;
-    scanner::SweepState left{picture->detection->scan, shown_};
-    if (const Growth& growth = picture->source.growth; growth.sweep != shown_.number) { // by Undo
-        left.progress = {};
-        left.progress.number = growth.sweep;
-        left.progress.expected = growth.expectedLines;
-        left.progress.lines = left.progress.received = left.scan->lines();
-    }
-    post(*std::exchange(other_, left), false);
-    emit otherChanged();
+void ScannerLink::showOther(std::size_t place) {
+    const std::vector<scanner::SweepState> others = this->others();
+    if (place >= others.size() || awaiting_ || engine_.opening()) return;
+    hold(onScreen());
+    post(others[place], false);
 }
 
 bool ScannerLink::showsStale() const {
@@ -180,6 +215,7 @@ void ScannerLink::tick() {
     health_ = std::move(now);
     for (const scanner::FinishedSweep& sweep : feed_->takeFinished()) {
         if (sweep.progress.number > heldNumber_) finished_ = sweep;
+        newest_ = sweep;
     }
     showSweep();
     if (changed) emit healthChanged();

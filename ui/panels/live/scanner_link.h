@@ -13,6 +13,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace edgescan::ui {
 
@@ -59,11 +60,11 @@ public:
     [[nodiscard]] const std::optional<scanner::SweepProgress>& part() const { return part_; }
     /// The connection ended while the picture was held in the middle of its sweep.
     [[nodiscard]] bool heldAtStop() const { return heldAtStop_; }
-    /// After the connection ended while a picture was held: of what the scanner had measured since, the newest sweep, or the last whole
-    /// one if that has more lines. Null: nothing.
-    [[nodiscard]] const std::optional<scanner::SweepState>& other() const { return other_; }
-    /// Shows it; what was on the screen becomes the other.
-    void showOther();
+    /// After the connection ended: the sweeps that are held besides that on the screen, ascending. They are the newest that was under way,
+    /// the newest that was finished before it, and what was on the screen meanwhile.
+    [[nodiscard]] std::vector<scanner::SweepState> others() const;
+    /// Shows one of them.
+    void showOther(std::size_t place);
     /// Progress of the sweep on the screen, as far as the picture shows it.
     [[nodiscard]] const scanner::SweepProgress& shown() const { return shown_; }
 
@@ -85,6 +86,9 @@ signals:
 private:
     void tick();
     void showStopped();
+    void takeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows);
+    void hold(const scanner::SweepState& sweep);
+    [[nodiscard]] scanner::SweepState onScreen() const;
     void showSweep();
     void showFinal(const scanner::SweepState& sweep);
     void post(const scanner::SweepState& sweep, bool growing);
@@ -106,14 +110,15 @@ private:
     bool recordingClosed_ = false;
     QString recordingPath_;
     bool recordingErrorReported_ = false;
-    int heldNumber_ = -1; // number of the newest sweep that was shown complete
-    std::optional<scanner::SweepState> finished_;
+    int heldNumber_ = -1;                         // number of the newest sweep that was shown complete
+    std::optional<scanner::SweepState> finished_; // waits to be shown
+    std::optional<scanner::SweepState> newest_;   // finished, shown or not
     std::optional<scanner::SweepProgress> part_;
-    std::optional<scanner::SweepState> other_;
-    files::LiveStatus last_;       // of the connection that has ended
-    scanner::SweepState posted_;   // the newest state that was passed to the session
-    bool again_ = false;           // it is to be passed once more
-    scanner::SweepProgress shown_; // the progress that the picture on the screen shows
+    std::vector<scanner::SweepState> held_; // after the connection ended, that on the screen too; ascending
+    files::LiveStatus last_;                // of the connection that has ended
+    scanner::SweepState posted_;            // the newest state that was passed to the session
+    bool again_ = false;                    // it is to be passed once more
+    scanner::SweepProgress shown_;          // the progress that the picture on the screen shows
     QElapsedTimer sincePost_;
     qint64 restMs_ = 0; // pause between two posts
     bool awaiting_ = false;

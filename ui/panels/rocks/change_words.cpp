@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QStringList>
 
+#include <algorithm>
+
 namespace edgescan::ui {
 namespace {
 
@@ -50,6 +52,27 @@ QString changeWords(const rocks::RegionChanges& changes, const RockPicture& pict
                          .arg(more);
     else if (!pairs.isEmpty())
         sentences << QObject::tr("Numbers follow the visible area, so other rocks have new ones: %1.").arg(pairs.join(", "));
+    return sentences.join(' ');
+}
+
+QString apartWords(const std::vector<std::uint32_t>& cells, const RockPicture& before, const RockPicture& after) {
+    const rocks::Rock* merged = cells.empty() ? nullptr : after.rockAt(cells.front());
+    if (merged == nullptr) return {};
+    QStringList sentences;
+    for (const rocks::PartDistance& parts : merged->apart) {
+        if (before.regionAt(parts.a) == before.regionAt(parts.b)) continue; // of an earlier merge
+        const std::uint32_t a = before.labelAt(parts.a), b = before.labelAt(parts.b);
+        const QString apart = QString::number(parts.distanceM, 'f', 2);
+        sentences << (a != 0 && b != 0
+                          ? QObject::tr("Rocks %1 and %2 do not touch: their nearest cells are %3 m apart.")
+                                .arg(std::min(a, b))
+                                .arg(std::max(a, b))
+                                .arg(apart)
+                          : QObject::tr("Rock %1 and a part that was not a rock do not touch: their nearest cells are %2 m apart.")
+                                .arg(std::max(a, b))
+                                .arg(apart));
+    }
+    if (!sentences.isEmpty()) sentences << QObject::tr("They are merged as rock %1.").arg(merged->label);
     return sentences.join(' ');
 }
 

@@ -11,4 +11,7 @@ namespace edgescan::ui {
 /// Parts that are not rocks, with the control that shows them; rocks with another number. `picture`: after the edit. Empty: nothing to say.
 [[nodiscard]] QString changeWords(const rocks::RegionChanges& changes, const RockPicture& picture);
 
+/// Rocks that were merged by a join with these cells although they do not touch, by their numbers before it. Empty: all of them touch.
+[[nodiscard]] QString apartWords(const std::vector<std::uint32_t>& cells, const RockPicture& before, const RockPicture& after);
+
 } // namespace edgescan::ui

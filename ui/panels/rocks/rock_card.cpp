@@ -139,6 +139,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     if (cells.size() > 1) title_->setText(tr("%1, and %2 more selected").arg(title_->text()).arg(cells.size() - 1));
     QString state = stale ? tr("▲ of the picture before; being computed again") : QString();
     if (isRock_ && isDoubtful(*rock)) state += (state.isEmpty() ? QString() : "\n") + tr("▲ uncertain outline: hatched");
+    if (isRock_ && !rock->apart.empty()) state += (state.isEmpty() ? QString() : "\n") + partsText(*rock);
     if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("marked by hand as a rock");
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
@@ -155,7 +156,7 @@ void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock) {
     title_->setText(tr("Rock %1").arg(rock.label));
     spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
     spans_->show();
-    setRow(0, tr("visible spans"), tr("± %1").arg(metres(shownTolerance(rock.toleranceM, 2))));
+    setRow(0, tr("visible spans a × b"), tr("± %1").arg(metres(shownTolerance(rock.toleranceM, 2))));
     setRow(1, tr("distance"), metres(rock.distanceM));
     setRow(2, tr("visible area"), tr("%1 m²").arg(rock.areaM2, 0, 'f', 2));
     setRow(3, tr("in front"), tr("%1 % of its outline").arg(100.0 * rock.unoccluded, 0, 'f', 0));

@@ -114,14 +114,20 @@ RockOutline outlineOf(const Grid<std::uint32_t>& labels, std::uint32_t label) {
 
 bool isDoubtful(const rocks::Rock& rock) { return rock.confidence < rocks::kSureConfidence; }
 
+QString partsText(const rocks::Rock& rock) {
+    if (rock.apart.empty()) return {};
+    return QObject::tr("▲ %1 parts that do not touch, %2 m apart").arg(rock.apart.size() + 1).arg(rock.apartM(), 0, 'f', 2);
+}
+
 QString rockTip(const rocks::Rock& rock) {
-    QString tip = QObject::tr("%1 · visible %2 × %3 m ± %4 m · at %5 m")
+    QString tip = QObject::tr("%1 · visible a × b: %2 × %3 m ± %4 m · at %5 m")
                       .arg(rock.label)
                       .arg(rock.longestCaliperM, 0, 'f', 2)
                       .arg(rock.shortestCaliperM, 0, 'f', 2)
                       .arg(shownTolerance(rock.toleranceM, 2), 0, 'f', 2)
                       .arg(rock.distanceM, 0, 'f', 2);
     if (isDoubtful(rock)) tip += QObject::tr(" · ▲ uncertain outline");
+    if (!rock.apart.empty()) tip += " · " + partsText(rock);
     return tip;
 }
 

@@ -70,7 +70,11 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     const rocks::Rock& rock = picture_->study.rocks[static_cast<std::size_t>(index.row())];
     const rocks::RockColumn& column = columns()[static_cast<std::size_t>(index.column())];
     const QString name = index.column() == 0 && (role == Qt::DisplayRole || role == Qt::ToolTipRole) ? nameOf(rock.label) : QString();
-    if (role == Qt::ToolTipRole && !name.isEmpty()) return name;
+    if (role == Qt::ToolTipRole && index.column() == 0) {
+        const QString parts = partsText(rock);
+        const QString tip = name + (name.isEmpty() || parts.isEmpty() ? "" : "\n") + parts;
+        if (!tip.isEmpty()) return tip;
+    }
     if (role == Qt::DisplayRole) return shownText(column.text({&rock})) + (name.isEmpty() ? QString() : " " + name);
     if (role == kNumberRole) return rocks::sortingNumber(column.value({&rock}));
     if (role == Qt::TextAlignmentRole) return static_cast<int>(index.column() == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;

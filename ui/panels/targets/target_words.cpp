@@ -44,7 +44,7 @@ TargetRow rockRow(const TargetSurroundings& around) {
             QObject::tr("no. %1: %2 × %3 ± %4 m")
                 .arg(rock.label)
                 .arg(fixed(rock.longestCaliperM, 2), fixed(rock.shortestCaliperM, 2), fixed(shownTolerance(rock.toleranceM, 2), 2)),
-            QObject::tr("Length and width of its visible part. Hidden parts are not included.")};
+            QObject::tr("Length a and width b of its visible part. Hidden parts are not included.")};
 }
 
 TargetRow resolvesRow(const inspect::CellTarget& target) {

@@ -14,6 +14,8 @@
 #include <QPixmap>
 #include <QToolButton>
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace edgescan::ui {
@@ -22,6 +24,25 @@ namespace {
 constexpr int kForGloves = 48; // px
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
+
+constexpr std::size_t kOfRocks = 3; // jump, convex, concave
+/// The order in which the classes take cells: the first three by strength, each other class what is left.
+constexpr std::array<std::size_t, kEdgeClasses> kTakes{0, 1, 2, 4, 5, 3};
+
+QString classLabel(std::size_t n) { return QObject::tr(edges::findParameter("classes")->choices[n].label); }
+
+/// Classes that are off and whose cells can count in another class.
+QString takenWords(int classes) {
+    QStringList off;
+    for (std::size_t place = 0; place < kTakes.size(); ++place) {
+        const auto takers = std::span(kTakes).subspan(place < kOfRocks ? 0 : place);
+        const auto isOn = [classes](std::size_t n) { return (classes & bitOf(n)) != 0; };
+        if (!isOn(kTakes[place]) && std::ranges::any_of(takers, isOn)) off << classLabel(kTakes[place]);
+    }
+    if (off.isEmpty()) return {};
+    return (off.size() == 1 ? EdgeLegend::tr("Without %1:").arg(off.front()) : EdgeLegend::tr("Without %1 classes:").arg(off.size())) +
+           '\n' + EdgeLegend::tr("other classes take the cells");
+}
 
 } // namespace
 
@@ -58,14 +79,17 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         adjustSize();
     });
     for (std::size_t n = 0; n < rows_.size(); ++n) {
-        const QString name = QObject::tr(edges::findParameter("classes")->choices[n].label);
-        rows_[n] = addRow(*grid, name, nullptr);
+        rows_[n] = addRow(*grid, classLabel(n), nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
         rows_[n].box->setToolTip(QObject::tr(edges::findParameter("classes")->help) + "\n" +
                                  tr("Without one class the other numbers change too: a cell has one class, and a weak cell counts where it "
                                     "continues a strong one of any class."));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
     }
+    taken_ = new QLabel;
+    taken_->setObjectName("legend-taken");
+    taken_->hide();
+    grid->addWidget(taken_, grid->rowCount(), 0, 1, 2);
     const Row byClass = addRow(*grid, tr("Colours by class"), "legend-by-class");
     byClass.count->hide(); // uses no row while the switch is hidden
     byClass_ = byClass.box;
@@ -114,6 +138,7 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
     }
     known_ = known;
     isFilled_ = detection.filled != nullptr;
+    taken_->setText(chosen && known ? takenWords(classes) : QString());
     showRows();
     if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(countText(detection.filled->cells.size())));
     show();
@@ -122,7 +147,6 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 }
 
 void EdgeLegend::showRows() {
-    constexpr std::size_t kOfRocks = 3; // jump, convex, concave
     const bool open = !low_ && (!brief_ || unfold_->isChecked());
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const QString count = rows_[n].count->text();
@@ -134,6 +158,7 @@ void EdgeLegend::showRows() {
     unfold_->setVisible(known_ && brief_ && !low_);
     covered_->setVisible(isCovered_ && (open || !brief_));
     filled_->setVisible(isFilled_ && (open || !brief_));
+    taken_->setVisible(!taken_->text().isEmpty() && open);
 }
 
 void EdgeLegend::showCovered(bool on) {

@@ -65,6 +65,7 @@ private:
     bool isCovered_ = false, isFilled_ = false;
     QLabel* covered_ = nullptr;
     QToolButton* unfold_ = nullptr; // visible in a cab only
+    QLabel* taken_ = nullptr;       // where the cells of a class that is off went; empty: nowhere
     bool showing_ = false;
 };
 
