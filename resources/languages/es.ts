@@ -1891,9 +1891,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 celdas de ellos</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>sus extremos están como máximo a %1 celdas de los clics</translation></message>
+<message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ más allá, la garganta se estrecha hasta %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
 <message><source>clicks %1 cells away find %2 to %3 m</source><translation>clics a %1 celdas de ahí encuentran de %2 a %3 m</translation></message>
-<message><source>farther along, the throat narrows to %1 m</source><translation>más allá, la garganta se estrecha hasta %1 m</translation></message>
 <message><source>no narrower way next to it</source><translation>sin paso más estrecho a su lado</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>

@@ -1891,9 +1891,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 cellules</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>ses extrémités sont à %1 cellules des clics au plus</translation></message>
+<message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ plus loin, le goulot se resserre à %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
 <message><source>clicks %1 cells away find %2 to %3 m</source><translation>des clics à %1 cellules de là trouvent %2 à %3 m</translation></message>
-<message><source>farther along, the throat narrows to %1 m</source><translation>plus loin, le goulot se resserre à %1 m</translation></message>
 <message><source>no narrower way next to it</source><translation>pas de passage plus étroit à côté</translation></message>
 <message><source>at %1 m</source><translation>à %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>

@@ -1891,9 +1891,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 células deles</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>suas pontas estão a até %1 células dos cliques</translation></message>
+<message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ mais adiante, a garganta estreita-se até %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
 <message><source>clicks %1 cells away find %2 to %3 m</source><translation>cliques a %1 células dali encontram de %2 a %3 m</translation></message>
-<message><source>farther along, the throat narrows to %1 m</source><translation>mais adiante, a garganta estreita-se até %1 m</translation></message>
 <message><source>no narrower way next to it</source><translation>sem passagem mais estreita ao lado</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>

@@ -78,6 +78,40 @@ private slots:
         }
     }
 
+    // In a crowd each tag is next to its own mark, or a line leads to it.
+    void aTagThatIsAwayFromItsMarkHasALineToIt() {
+        QImage picture(284, 200, QImage::Format_RGB32);
+        picture.fill(QColor(60, 60, 60));
+        QPainter painter(&picture);
+        ScreenMarks marks;
+        const std::vector<QPointF> places{{113, 90}, {122, 80}, {140, 122}, {146, 67}, {118, 98}, {130, 88}, {126, 104}};
+        for (const QPointF& at : places) marks.targets.push_back({{at}, "4", false});
+        std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+        std::ranges::reverse(tags);
+        QCOMPARE(tags.size(), places.size());
+        int lines = 0;
+        for (std::size_t n = 0; n < tags.size(); ++n) {
+            const QPointF end(std::clamp(places[n].x(), tags[n].left(), tags[n].right()),
+                              std::clamp(places[n].y(), tags[n].top(), tags[n].bottom()));
+            if (QLineF(places[n], end).length() <= 24.0) continue;
+            ++lines;
+            int lightest = 0; // just before the tag, where rings of others end
+            for (double along = 0.5; along < 1.0; along += 0.01)
+                lightest = std::max(lightest, qGray(picture.pixel(QLineF(places[n], end).pointAt(along).toPoint())));
+            QVERIFY2(lightest > 150, qPrintable(QString("%1: %2").arg(n).arg(lightest)));
+        }
+        QVERIFY2(lines > 0, "the test can fail: there is no room for all next to their marks");
+    }
+
+    // A length in a small image has its line only: its label would cover the image, and the cloud has it.
+    void aSmallViewHasNoLabelsOfLengths() {
+        const CellMarks marks{{}, {{{1, 2}, {{0, 1}}, "1.402 m"}}};
+        const auto placeOf = [](std::size_t cell) { return std::optional(MarkPlace{QPointF(10.0 * static_cast<double>(cell), 5.0)}); };
+        QCOMPARE(screenMarks(marks, placeOf).measures.front().label, QString("1.402 m"));
+        QVERIFY(screenMarks(marks, placeOf, true).measures.front().label.isEmpty());
+        QCOMPARE(screenMarks(marks, placeOf, true).measures.front().lines.size(), std::size_t{1});
+    }
+
     // In a view without room for all tags that of the target on the card is over the others.
     void theTagOfTheActiveTargetIsOverTheOthers() {
         QImage picture(150, 40, QImage::Format_RGB32);

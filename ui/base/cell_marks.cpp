@@ -23,7 +23,7 @@ QFont boldFont(const QPainter& painter) {
     return bold;
 }
 
-/// Places tags so that they cover neither each other nor a plate: next to their mark, else on its other side, else below or above.
+/// Places tags so that they cover neither each other nor a plate: as near to their mark as can be. A line joins a tag that is away from it.
 class Tags {
 public:
     Tags(QPainter& painter, const QRect& place, const std::vector<QRectF>& taken) : painter_(painter), place_(place), taken_(taken) {
@@ -42,10 +42,19 @@ public:
         const QRectF box = freePlace(at, aside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
         taken_.resize(others);
         taken_.push_back(box);
-        placed_.push_back({box, text, active});
+        placed_.push_back({box, text, active, at});
     }
     /// The tag that was placed first is over the others, where they have no room next to each other. Returns their places, as placed.
     std::vector<QRectF> draw() {
+        for (const Placed& tag : placed_) {
+            const QPointF end = nearestOn(tag.box, tag.at);
+            const double away = QLineF(tag.at, end).length();
+            if (away <= kNextTo) continue;
+            const QPointF start = tag.at + (end - tag.at) * (kMarkRing / away);
+            strokeTwice(painter_, QPen(QColor(0, 0, 0, 200), 3.0), QPen(QColor(232, 232, 232), 1.0),
+                        [&] { painter_.drawLine(start, end); });
+        }
+        painter_.setPen(QPen(Qt::black, 1.0));
         for (auto tag = placed_.rbegin(); tag != placed_.rend(); ++tag) {
             painter_.setPen(tag->active ? Qt::black : QColor(232, 232, 232));
             painter_.setBrush(tag->active ? QColor(255, 255, 255, 240) : QColor(27, 29, 31, 225));
@@ -62,7 +71,11 @@ private:
         QRectF box;
         QString text;
         bool active;
+        QPointF at;
     };
+    static QPointF nearestOn(const QRectF& box, const QPointF& at) {
+        return {std::clamp(at.x(), box.left(), box.right()), std::clamp(at.y(), box.top(), box.bottom())};
+    }
     /// Takes the part of a line that a tag of this width at `at` could cover, as small squares.
     void takeLine(const QPointF& at, const QLineF& line, double width) {
         constexpr double kStep = 10.0; // px
@@ -72,21 +85,22 @@ private:
             if (QLineF(here, at).length() <= width + 2.0 * kStep) taken_.emplace_back(here - QPointF(5.0, 5.0), QSizeF(10.0, 10.0));
         }
     }
-    /// The free place nearest to the usual one: at either side of the mark or next to what is taken. The usual one if all are taken.
+    /// The free place nearest to the mark, of equal ones that nearest to the usual place: at either side of the mark, above or below, or
+    /// next to what is taken. The usual one if all are taken.
     [[nodiscard]] QRectF freePlace(const QPointF& at, double aside, double above, const QSizeF& size) const {
         const QPointF usual(at.x() + aside, at.y() - above - size.height());
-        std::vector<double> lefts{usual.x(), at.x() - aside - size.width()}, tops{usual.y()};
+        std::vector<double> lefts{usual.x(), at.x() - aside - size.width()}, tops{usual.y(), at.y() + above, at.y() - size.height() / 2.0};
         for (const QRectF& other : taken_) {
             tops.insert(tops.end(), {other.bottom() + kBetweenTags, other.top() - size.height() - kBetweenTags});
             lefts.insert(lefts.end(), {other.right() + kBetweenTags, other.left() - size.width() - kBetweenTags});
         }
         std::optional<QRectF> nearest;
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t n = 0; n < lefts.size() && (n < 2 || !nearest); ++n) { // next to the mark, if it can be
+        for (std::size_t n = 0; n < lefts.size() && (n < 2 || least > kNextTo); ++n) { // next to the mark, if it can be
             for (const double top : tops) {
                 QRectF box({lefts[n], top}, size);
                 keepWithin(box);
-                const double away = QLineF(box.topLeft(), usual).length();
+                const double away = QLineF(nearestOn(box, at), at).length() + QLineF(box.topLeft(), usual).length() / 8.0;
                 if (away >= least || std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); })) continue;
                 least = away;
                 nearest = box;
@@ -102,6 +116,7 @@ private:
     }
 
     static constexpr double kBetweenTags = 2.0; // px
+    static constexpr double kNextTo = 24.0;     // px from the mark: a tag that is farther away has a line to it
     QPainter& painter_;
     QRectF place_;
     std::vector<QRectF> taken_;
@@ -159,7 +174,7 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
             const auto click = measure.clicked[n] == measure.cells[n] ? std::nullopt : placeOf(measure.clicked[n]);
             if (click && places[n]) shown.moves.emplace_back(click->at, places[n]->at);
         }
-        drawn.label = measure.label;
+        if (!small) drawn.label = measure.label;
         if (!drawn.ends.empty()) shown.measures.push_back(std::move(drawn));
     }
     for (const TargetMark& target : marks.targets) {

@@ -74,12 +74,13 @@ struct ScreenMarks {
 };
 
 /// `placeOf` returns an empty value for a cell out of view. A line is drawn only if both its ends are in view. `small`: the view has little
-/// space for text.
+/// space for text, so lengths are without their labels.
 [[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t cell)>& placeOf,
                                       bool small = false);
 
-/// White rings with black outline, centre dot and tag; lines with their labels. Tags stay inside `place`, do not overlap, and keep off the
-/// rings, the `plates` over the view and its `texts`; a mark outside `place` or under a plate has none. Returns the places of the tags.
+/// White rings with black outline, centre dot and tag; lines with their labels; a thin line from a tag that is away from its mark. Tags
+/// stay inside `place`, do not overlap, and keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under
+/// a plate has none. Returns the places of the tags.
 std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& plates = {},
                                     const std::vector<QRectF>& texts = {});
 

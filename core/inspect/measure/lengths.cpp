@@ -289,14 +289,13 @@ std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     for (std::size_t n = 0; n < measured.rangesM.size(); ++n) ranges += (n == 0 ? "" : ", ") + fixedText(measured.rangesM[n], 2);
     std::vector<std::string> parts;
     if (measured.kind == MeasureKind::Throat) {
+        if (measured.narrowsOn()) parts.push_back(say("▲ farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)}));
         parts.push_back(say("narrowest way near the two clicks"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;
         if (dependsOnClicks)
             parts.push_back(say("clicks %1 cells away find %2 to %3 m",
                                 {std::to_string(kClickSpread), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
-        if (measured.narrowerM > 0.0 && (!dependsOnClicks || measured.narrowerM < measured.leastM))
-            parts.push_back(say("farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)}));
-        else if (!dependsOnClicks)
+        else if (!measured.narrowsOn())
             parts.push_back(say("no narrower way next to it"));
     }
     parts.push_back(say("at %1 m", {ranges}));

@@ -63,6 +63,9 @@ struct MeasuredCells {
     double clicksM = 0.0;                ///< only for Throat: distance of the two clicked points; 0: not known
     double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find (throatAt()); 0: not known
     double narrowerM = 0.0;           ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
+
+    /// Only for Throat: true if a way farther along is narrower than all that clicks around these find.
+    [[nodiscard]] bool narrowsOn() const { return narrowerM > 0.0 && (mostM <= 0.0 || narrowerM < leastM); }
 };
 
 /// Covariance of the place of a picked point, m^2, frame of the scan. Along the beam: the noise of the range. Across the beam: the point is

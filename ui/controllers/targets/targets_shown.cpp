@@ -108,7 +108,7 @@ CellMarks Targets::marks() const {
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
         const bool warned = now != nullptr && (mountingAssumed(*known_.picture->detection->scan) || now->behindM > 0.0 ||
-                                               isDoubtful(*known_.picture->detection->scan, measure));
+                                               now->narrowsOn() || isDoubtful(*known_.picture->detection->scan, measure));
         const bool ofSection = measure.kind == inspect::MeasureKind::Section; // its points are shown at the nearest cells
         marks.measures.push_back({ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
                                             : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
