@@ -12,6 +12,7 @@
 #include "ui/panels/section/section_plot.h"
 #include "ui/panels/targets/target_card.h"
 #include "ui/panels/targets/targets_panel.h"
+#include "ui/window/cab_mode.h"
 #include "ui/window/tool_bar.h"
 
 #include <QCheckBox>
