@@ -85,7 +85,7 @@ private slots:
         QPainter painter(&picture);
         ScreenMarks marks;
         const std::vector<QPointF> places{{113, 90}, {122, 80}, {140, 122}, {146, 67}, {118, 98}, {130, 88}, {126, 104}};
-        for (const QPointF& at : places) marks.targets.push_back({{at}, "4", false});
+        for (const QPointF& at : places) marks.targets.push_back({{at}, "12 · 4.91 m", false});
         std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
         std::ranges::reverse(tags);
         QCOMPARE(tags.size(), places.size());
