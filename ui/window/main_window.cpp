@@ -44,7 +44,6 @@
 #include "ui/window/view_choices.h"
 #include "ui/window/warned_picture.h"
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
@@ -105,11 +104,12 @@ std::vector<QWidget*> shownOver(QWidget& below, const QWidget& window) {
     return over;
 }
 
-/// A button that is switched off or hidden passes the keyboard focus on, and the next Space would press another button: "Not a Rock" after
-/// a merge.
+/// Qt passes the keyboard focus of a widget that is switched off or hidden to the next one: what is typed next would press another button
+/// or change a number, "Smallest rock" after "Not a Rock". In the same window only a view may take it over.
 void dropPassedFocus(QWidget* before, QWidget* now) {
-    const bool isGone = before != nullptr && (!before->isEnabled() || !before->isVisible());
-    if (isGone && qobject_cast<QAbstractButton*>(before) != nullptr && qobject_cast<QAbstractButton*>(now) != nullptr) now->clearFocus();
+    if (before == nullptr || now == nullptr || before->window() != now->window()) return;
+    if (before->isEnabled() && before->isVisible()) return;
+    if (qobject_cast<ImageView*>(now) == nullptr && qobject_cast<CloudView*>(now) == nullptr) now->clearFocus();
 }
 
 } // namespace
