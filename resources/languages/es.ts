@@ -1146,7 +1146,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
+<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 puntos quedan fuera: la rueda aleja la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>

@@ -1146,7 +1146,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
+<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 points sont en dehors : la molette dézoome</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>

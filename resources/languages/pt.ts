@@ -1146,7 +1146,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
+<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 pontos estão fora: a roda afasta o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>

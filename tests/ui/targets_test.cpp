@@ -288,6 +288,10 @@ private slots:
         const QPointF one = plot.placeOf({1.0, 0.0}) - plot.placeOf({0.0, 0.0}),
                       other = plot.placeOf({0.0, 1.0}) - plot.placeOf({0.0, 0.0});
         QVERIFY(std::abs(one.x() + other.y()) < 1e-6 && one.x() > 0);
+        // The measured line is in the plot, with its ends, its length and a margin.
+        QCOMPARE(plot.ends().size(), std::size_t{2});
+        QCOMPARE(plot.lengthShown(), gray.marks().measures.back().label);
+        for (const auto* end : plot.ends()) QVERIFY(QRectF(plot.rect()).adjusted(5, 5, -5, -5).contains(plot.placeOf(end->atM)));
         const inspect::SectionVertex vertex = plot.section()->lines[0].front();
         QSignalSpy pointed(&plot, &SectionPlot::hovered);
         move(plot, plot.placeOf(vertex.atM).toPoint(), Qt::NoButton);
