@@ -267,10 +267,10 @@
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que no se cerraron</translation></message>
+<message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Error</source><translation>Error</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Listo</translation></message>
-<message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
@@ -348,6 +348,7 @@
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
 <message><source>Forget A</source><translation>Olvidar A</translation></message>
+<message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>Se olvidó A: la demo y %1 no son de un mismo lugar.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Todavía no hay nada con qué compararla: abra primero el escaneo posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Leyendo %1 como A</translation></message>
 <message><source>the demo</source><translation>la demo</translation></message>
@@ -785,6 +786,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Previous changed region</source><translation>Región cambiada anterior</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
+<message><source>not compared with the scan on the screen</source><translation>sin comparar con el escaneo en pantalla</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada con qué comparar todavía:
 cambie un ajuste o abra otro escaneo</translation></message>
@@ -1144,7 +1146,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
+<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 puntos quedan fuera: la rueda aleja la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>

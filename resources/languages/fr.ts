@@ -267,10 +267,10 @@
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notes venues avant celle-ci et qui n'ont pas été fermées</translation></message>
+<message><source>%1 earlier</source><translation>%1 avant</translation></message>
 <message><source>Error</source><translation>Erreur</translation></message>
 <message><source>Note</source><translation>Remarque</translation></message>
 <message><source>Done</source><translation>Terminé</translation></message>
-<message><source>%1 earlier</source><translation>%1 avant</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
@@ -348,6 +348,7 @@
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
 <message><source>Forget A</source><translation>Oublier A</translation></message>
+<message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>A a été oublié : la démo et %1 ne sont pas d'un même lieu.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Il n'y a encore rien à quoi la comparer : ouvrez d'abord le scan plus récent.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lecture de %1 comme A</translation></message>
 <message><source>the demo</source><translation>la démo</translation></message>
@@ -785,6 +786,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Previous changed region</source><translation>Région modifiée précédente</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
+<message><source>not compared with the scan on the screen</source><translation>pas comparé au scan affiché</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>rien encore à comparer :
 changez un réglage, ou ouvrez un autre scan</translation></message>
@@ -1144,7 +1146,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
+<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 points sont en dehors : la molette dézoome</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>

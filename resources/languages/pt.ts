@@ -267,10 +267,10 @@
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
 <message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que não foram fechadas</translation></message>
+<message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Error</source><translation>Erro</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Concluído</translation></message>
-<message><source>%1 earlier</source><translation>%1 antes</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
@@ -348,6 +348,7 @@
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
 <message><source>Forget A</source><translation>Esquecer A</translation></message>
+<message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>A foi esquecido: a demonstração e %1 não são de um mesmo lugar.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Ainda não há nada com que comparar: abra primeiro a varredura posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lendo %1 como A</translation></message>
 <message><source>the demo</source><translation>a demo</translation></message>
@@ -785,6 +786,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Previous changed region</source><translation>Região alterada anterior</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
+<message><source>not compared with the scan on the screen</source><translation>não comparado com a varredura na tela</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada ainda para comparar:
 mude um ajuste ou abra outra varredura</translation></message>
@@ -1144,7 +1146,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
+<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 pontos estão fora: a roda afasta o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
 <message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>

@@ -278,6 +278,43 @@ private slots:
         QVERIFY2(on.viewer.notice.text().contains("nowhere"), qPrintable(on.viewer.notice.text()));
     }
 
+    // The demo was compared with whatever scan was opened next: OUT OF SPEC, and a picture full of colours.
+    void theDemoAsAEndsWithAnotherScan() {
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        on.viewer.comparing.openDemoPair();
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.comparison() != nullptr; }));
+        QVERIFY(on.open(after_));
+        QTRY_VERIFY(!on.viewer.comparing.pictureA());
+        QVERIFY(!on.viewer.changeLegend.isVisible() && !on.viewer.views.scene().instead);
+        QVERIFY2(on.viewer.notice.text().contains("A was forgotten"), qPrintable(on.viewer.notice.text()));
+        // It comes back by Undo.
+        auto* undo = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QVERIFY(undo->isVisible());
+        QTest::mouseClick(undo, Qt::LeftButton);
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && on.viewer.comparing.pictureA() != nullptr; }));
+    }
+
+    // The operator's own A stays; its notices have a button that ends it, and go with it.
+    void theNoticesOfAComparisonGoWithA() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(other_));
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled() && on.viewer.notice.kind() == NoticeBar::Kind::Error; }));
+        QVERIFY(on.viewer.comparing.pictureA() != nullptr && !on.viewer.comparing.comparison());
+        // The legend and the notice do not contradict each other.
+        const QString how = on.viewer.changeLegend.howText();
+        QVERIFY2(!how.contains("nothing to compare"), qPrintable(how));
+        const QString refusal = on.viewer.notice.text();
+        auto* forget = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QVERIFY(forget->isVisible());
+        QCOMPARE(forget->text(), QString("Forget A"));
+        QTest::mouseClick(forget, Qt::LeftButton);
+        QVERIFY(!on.viewer.comparing.pictureA());
+        QVERIFY(on.viewer.notice.isHidden() || on.viewer.notice.text() != refusal);
+    }
+
     // Two scans of one scanner that did not move, as the demo before and after the blast: nothing is out of spec.
     void twoScansFromOnePlaceAreInSpec() {
         const auto before = earlierPicture(QString::fromStdString(before_), {}, {}),

@@ -20,6 +20,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTextBrowser>
 #include <QTimer>
 #include <QToolTip>
@@ -68,21 +69,27 @@ private slots:
         QVERIFY(files::saveScan(scan, hostile_));
     }
 
-    // "Not a Rock" got the keyboard focus when Merge was switched off, and the next Space marked a rock.
-    void aButtonThatIsSwitchedOffPassesTheFocusToNoButton() {
+    // "Not a Rock" got the keyboard focus when Merge was switched off, and the next Space marked a rock; "Smallest rock" got it when "Not a
+    // Rock" was switched off, and the next 7 changed the number.
+    void aWidgetThatIsSwitchedOffPassesTheFocusToNoOther() {
         WindowFixture on;
         QVERIFY(on.show() && on.activate());
         QWidget pair(&on.window);
-        QPushButton first("first", &pair), second("second", &pair);
+        QPushButton first("first", &pair);
+        QSpinBox second(&pair), third(&pair);
+        QPushButton fourth("fourth", &pair);
         pair.show();
-        for (const bool hides : {false, true}) {
-            first.setEnabled(true);
-            first.show();
-            first.setFocus();
-            QTRY_VERIFY(first.hasFocus());
-            hides ? first.hide() : first.setEnabled(false);
-            QVERIFY(!second.hasFocus());
-            QVERIFY(qobject_cast<QAbstractButton*>(QApplication::focusWidget()) == nullptr);
+        for (QWidget* each : std::initializer_list<QWidget*>{&first, &second, &third, &fourth}) {
+            for (const bool hides : {false, true}) {
+                each->setEnabled(true);
+                each->show();
+                each->setFocus();
+                QTRY_VERIFY(each->hasFocus());
+                hides ? each->hide() : each->setEnabled(false);
+                const QWidget* now = QApplication::focusWidget();
+                QVERIFY2(now == nullptr || qobject_cast<const ImageView*>(now) != nullptr || qobject_cast<const CloudView*>(now) != nullptr,
+                         now == nullptr ? "" : now->metaObject()->className());
+            }
         }
     }
 

@@ -800,10 +800,13 @@ private slots:
         on.viewer.rocks.select({picture(on).rock(1)->cell});
         QCoreApplication::processEvents();
         const QRect one = place();
+        const QWidget& merge = *on.viewer.rocksPanel.card().merge();
+        const int high = merge.y(); // the button does not move under the pointer
         on.viewer.rocks.select({picture(on).rock(1)->cell, picture(on).rock(2)->cell, picture(on).rock(3)->cell});
         QCoreApplication::sendPostedEvents();
         QCoreApplication::processEvents();
         QCOMPARE(place(), one);
+        QCOMPARE(merge.y(), high);
         const RockCard& card = on.viewer.rocksPanel.card();
         QVERIFY2(card.minimumSizeHint().width() <= 240, qPrintable(QString::number(card.minimumSizeHint().width())));
     }

@@ -288,6 +288,10 @@ private slots:
         const QPointF one = plot.placeOf({1.0, 0.0}) - plot.placeOf({0.0, 0.0}),
                       other = plot.placeOf({0.0, 1.0}) - plot.placeOf({0.0, 0.0});
         QVERIFY(std::abs(one.x() + other.y()) < 1e-6 && one.x() > 0);
+        // The measured line is in the plot, with its ends, its length and a margin.
+        QCOMPARE(plot.ends().size(), std::size_t{2});
+        QCOMPARE(plot.lengthShown(), gray.marks().measures.back().label);
+        for (const auto* end : plot.ends()) QVERIFY(QRectF(plot.rect()).adjusted(5, 5, -5, -5).contains(plot.placeOf(end->atM)));
         const inspect::SectionVertex vertex = plot.section()->lines[0].front();
         QSignalSpy pointed(&plot, &SectionPlot::hovered);
         move(plot, plot.placeOf(vertex.atM).toPoint(), Qt::NoButton);
@@ -381,6 +385,33 @@ private slots:
         QCOMPARE(QGuiApplication::clipboard()->text(), card.text());
         QTest::mouseClick(card.why(), Qt::LeftButton);
         QTRY_VERIFY(on.viewer.explanation.card() != nullptr && on.viewer.explanation.card()->isVisible());
+    }
+
+    // From the sixth target on the list took the place of the card: the distance was below the window.
+    void theDistanceIsInSightWithManyTargets() {
+        for (const QSize& size : {QSize(1280, 800), QSize(1366, 768)}) {
+            WindowFixture on;
+            QVERIFY(showWith(on, placed_));
+            QTRY_VERIFY((on.window.resize(size), on.window.size() == size));
+            const auto* distance = on.viewer.targetsPanel.findChild<QLabel*>("target-distance");
+            const auto* list = on.viewer.targetsPanel.targets();
+            const Scan& scan = *on.picture().detection->scan;
+            int count = 0;
+            for (std::uint32_t k = 0; k < scan.cells() && count < 20; k += 97) {
+                if (scan.state[k] != CellState::Valid) continue;
+                on.viewer.views.pin(k);
+                QVERIFY(known(on));
+                if (static_cast<int>(targets(on).size()) == count) continue;
+                ++count;
+                const auto seen = [&] {
+                    const QRect chosen = list->visualItemRect(list->currentItem());
+                    return list->currentItem() != nullptr && list->viewport()->rect().contains(QPoint(1, chosen.center().y())) &&
+                           distance->visibleRegion().boundingRect().height() == distance->height();
+                };
+                QVERIFY2(eventually(seen), qPrintable(QString("%1 targets at %2 x %3").arg(count).arg(size.width()).arg(size.height())));
+            }
+            QCOMPARE(count, 20);
+        }
     }
 
     void withAPoseTheCardHasMineCoordinatesAndDip() {

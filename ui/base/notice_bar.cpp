@@ -105,6 +105,15 @@ void NoticeBar::endPassing() {
     earlier_.empty() ? hide() : showEarlier();
 }
 
+void NoticeBar::withdraw(const QStringList& texts) {
+    std::erase_if(earlier_, [&](const Note& note) { return texts.contains(note.text); });
+    more_->setText(tr("%1 earlier").arg(earlier_.size()));
+    more_->setHidden(earlier_.empty());
+    if (isHidden() || !texts.contains(text())) return;
+    text_->clear(); // not stored for "earlier"
+    earlier_.empty() ? hide() : showEarlier();
+}
+
 /// What passes is not stored for "earlier", nor confirmations without a button.
 void NoticeBar::keepShown() {
     if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || passes_ || text_->text().isEmpty()) return;

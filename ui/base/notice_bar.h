@@ -6,6 +6,7 @@
 #include "ui/base/shown_text.h"
 
 #include <QFrame>
+#include <QStringList>
 
 #include <deque>
 #include <functional>
@@ -32,6 +33,8 @@ public:
     /// A step was made or undone: a hint or a success is no longer about what is on the screen. An earlier note that was not closed is
     /// shown in its place.
     void endPassing();
+    /// These notes are no longer about what is on the screen, nor wait for "earlier".
+    void withdraw(const QStringList& texts);
     /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens its folder, and `more` sentences.
     void showSaved(const QString& path, const QString& content = {}, const QString& more = {});
     /// Adds a button to the notice, until the next notice.

@@ -94,6 +94,7 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
     connect(&legend_, &ChangeLegend::previousRegionRequested, this, &Comparing::previousRegion);
     connect(&engine_, &Engine::streamChanged, this, [this] {
+        forgetDemo();
         if (!std::exchange(pairWanted_, false) || files_.demo() != true) return;
         inspect::EarlierScan before{{}, engine_.settings()};
         before.scan.kind = inspect::SessionScan::Kind::Demo;
@@ -115,6 +116,15 @@ void Comparing::keep() {
 
 void Comparing::forget() {
     if (pictureA_) push(stepName("Forget A"), nullptr, std::nullopt);
+}
+
+/// The demo as A has nothing to do with a scan of the operator.
+void Comparing::forgetDemo() {
+    if (!pictureA_ || !earlier_ || inspect::hasPath(earlier_->scan.kind) || files_.demo()) return;
+    const QString shown = scanName(engine_.picture()->detection->scan->name);
+    forget();
+    notice_.showNotice(NoticeBar::Kind::Warning, tr("A was forgotten: the demo and %1 are not of one place.").arg(shown));
+    notice_.offerUndo(undo_);
 }
 
 void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& after, const std::optional<inspect::EarlierScan>& from) {
@@ -147,6 +157,7 @@ void Comparing::use(std::shared_ptr<const Picture> kept, std::optional<inspect::
     earlier_ = std::move(from);
     bySurfaces_ = false;
     comparison_ = nullptr;
+    endNotes();
     show();
     emit pictureAChanged(pictureA_ != nullptr);
     ask();
@@ -201,6 +212,19 @@ void Comparing::openDemoPair() {
     pairWanted_ = true;
 }
 
+/// Of the comparison that is shown or was refused.
+void Comparing::note(NoticeBar::Kind kind, const QString& sentence) {
+    notice_.showNotice(kind, sentence);
+    notes_ << notice_.text();
+    notice_.offer(tr("Forget A"), [this] { forget(); });
+}
+
+void Comparing::endNotes() {
+    refused_ = false;
+    notice_.withdraw(notes_);
+    notes_.clear();
+}
+
 void Comparing::refuse(NoticeBar::Kind kind, const QString& sentence) {
     notice_.showNotice(kind, sentence);
     emit refused(sentence);
@@ -235,6 +259,7 @@ void Comparing::followPicture() {
     if (!pictureA_) return;
     const auto& now = engine_.picture();
     if (comparison_ && comparison_->asked.now->detection->scan != now->detection->scan) comparison_ = nullptr;
+    refused_ = false;
     if (!comparable()) comparison_ = nullptr;
     show();
     ask();
@@ -267,7 +292,11 @@ std::shared_ptr<const Comparing::Compared> Comparing::compare(const ComparisonAs
 void Comparing::take(const ComparisonAsked& asked, const Compared& made) {
     comparingWork_.reset();
     if (!made) {
-        refuse(NoticeBar::Kind::Error, exactText(made.error().sentence()));
+        const QString sentence = exactText(made.error().sentence());
+        endNotes();
+        note(NoticeBar::Kind::Error, sentence);
+        refused_ = true;
+        emit refused(sentence);
         comparison_ = nullptr; // A stays: the next scan may match it
         if (!asked.bySurfaces && onlyOneIsPlaced(asked)) {
             notice_.offer(tr("Line Up by Surfaces"), [this] {
@@ -278,11 +307,13 @@ void Comparing::take(const ComparisonAsked& asked, const Compared& made) {
     } else {
         const bool otherScans = !comparison_ || comparison_->asked.before != (*made)->asked.before;
         comparison_ = *made;
+        refused_ = false;
         if (otherScans) {
             region_.reset();
+            endNotes();
             QStringList warnings;
             for (const std::string& warning : comparison_->change.earlier.how.warnings) warnings << coreSentence(warning);
-            if (!warnings.isEmpty()) notice_.showNotice(NoticeBar::Kind::Warning, warnings.join('\n'));
+            if (!warnings.isEmpty()) note(NoticeBar::Kind::Warning, warnings.join('\n'));
         }
     }
     show();
@@ -310,7 +341,7 @@ void Comparing::show() {
 void Comparing::showLegend() {
     legend_.setVisible(pictureA_ != nullptr);
     legend_.setRowsShown(shown_);
-    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), comparer_.behind());
+    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), comparer_.behind(), refused_);
 }
 
 void Comparing::flip(bool on) {

@@ -8,6 +8,7 @@
 #include "ui/panels/change/comparison.h"
 
 #include <QObject>
+#include <QStringList>
 
 #include <functional>
 #include <memory>
@@ -93,6 +94,9 @@ private:
     [[nodiscard]] std::shared_ptr<const Compared> compare(const ComparisonAsked& asked); // pool's thread
     void take(const ComparisonAsked& asked, const Compared& made);
     void takeRead(const Reading& asked, const Read& read);
+    void note(NoticeBar::Kind kind, const QString& sentence);
+    void endNotes();
+    void forgetDemo();
     void refuse(NoticeBar::Kind kind, const QString& sentence);
     void use(std::shared_ptr<const Picture> kept, std::optional<inspect::EarlierScan> from);
     void read(const inspect::EarlierScan& from, bool asStep);
@@ -115,6 +119,8 @@ private:
     std::shared_ptr<const Comparison> comparison_;
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;
+    bool refused_ = false;    ///< A and the picture on the screen could not be compared
+    QStringList notes_;       ///< of the comparison, in the notice bar; they go with A
     bool bySurfaces_ = false; ///< the operator lets the surfaces line up A with a scan without a place, or the other way round
     bool byDistance_ = false;
     bool pairWanted_ = false;           ///< the demo after the blast is being opened

@@ -16,6 +16,7 @@
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/section/section_card.h"
 #include "ui/panels/section/section_plot.h"
+#include "ui/views/image/image_view.h"
 
 #include <QDir>
 #include <QMenu>
@@ -105,12 +106,19 @@ void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector
     if (!plane) return notice_.showError(plane.error());
     const CartesianTables points(*engine_.picture()->detection->scan);
     Eigen::AlignedBox2d about;
+    std::vector<Eigen::Vector2d> ends;
     for (const std::uint32_t k : cells) {
         const Eigen::Vector3d way = points.point(k) - plane->originM;
-        if (way.allFinite()) about.extend(Eigen::Vector2d(way.dot(plane->across), way.dot(plane->up)));
+        if (!way.allFinite()) continue;
+        const Eigen::Vector2d at(way.dot(plane->across), way.dot(plane->up));
+        about.extend(at);
+        if (rock == 0) ends.push_back(at);
     }
     const auto rocks = study();
-    sections_.ask({engine_.picture(), *plane, rocks, about, rocks ? SectionRocks{rocks_.picture()->colours, rock} : SectionRocks{}});
+    const auto& lines = views_.gray().marks().measures;
+    const QString length = rock == 0 && !lines.empty() ? lines.back().label : QString();
+    sections_.ask(
+        {engine_.picture(), *plane, rocks, about, rocks ? SectionRocks{rocks_.picture()->colours, rock} : SectionRocks{}, ends, length});
 }
 
 void Sections::take(const Question& question, const std::shared_ptr<const inspect::Section>& section) {
@@ -127,6 +135,10 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     }
     picture_ = question.picture;
     card_->plot().show(section, question.aboutM, heightsOf(*question.picture->detection->scan, section->plane), question.drawn);
+    if (question.endsM.size() == 2) {
+        card_->plot().setEnds(question.endsM[0], question.endsM[1]);
+        card_->plot().setLength(question.length);
+    }
     QString words =
         tr("Vertical plane, true scale. Green points are edges%1.").arg(question.rocks ? tr("; rocks have their colours") : QString());
     if (section->plane.upAssumed) words += " " + tr("▲ no pose: up is the scanner's z");

@@ -49,6 +49,8 @@ private:
         std::shared_ptr<const rocks::Study> rocks; ///< null: rocks are not shown
         Eigen::AlignedBox2d aboutM;                ///< the cells that the section was asked for, across and up
         SectionRocks drawn;                        ///< how
+        std::vector<Eigen::Vector2d> endsM;        ///< of the measurement, across and up; empty: through a rock
+        QString length;                            ///< of the measurement, as in the views
     };
     /// `rock`: label of the rock that these cells are of; 0: they are the ends of a measurement.
     void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock = 0);

@@ -44,7 +44,6 @@
 #include "ui/window/view_choices.h"
 #include "ui/window/warned_picture.h"
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
@@ -64,6 +63,7 @@ namespace {
 
 constexpr int kRememberAfterMs = 300;
 constexpr int kAgeMs = 15000;
+constexpr int kMostBadge = 300; // px
 constexpr QSize kLeastCloud(240, 120);
 
 /// The bar of the badge, right of the tools, which give way: it is visible at every width.
@@ -105,11 +105,12 @@ std::vector<QWidget*> shownOver(QWidget& below, const QWidget& window) {
     return over;
 }
 
-/// A button that is switched off or hidden passes the keyboard focus on, and the next Space would press another button: "Not a Rock" after
-/// a merge.
+/// Qt passes the keyboard focus of a widget that is switched off or hidden to the next one: what is typed next would press another button
+/// or change a number, "Smallest rock" after "Not a Rock". In the same window only a view may take it over.
 void dropPassedFocus(QWidget* before, QWidget* now) {
-    const bool isGone = before != nullptr && (!before->isEnabled() || !before->isVisible());
-    if (isGone && qobject_cast<QAbstractButton*>(before) != nullptr && qobject_cast<QAbstractButton*>(now) != nullptr) now->clearFocus();
+    if (before == nullptr || now == nullptr || before->window() != now->window()) return;
+    if (before->isEnabled() && before->isVisible()) return;
+    if (qobject_cast<ImageView*>(now) == nullptr && qobject_cast<CloudView*>(now) == nullptr) now->clearFocus();
 }
 
 } // namespace
@@ -272,14 +273,23 @@ void MainWindow::showOrigin() {
     const PictureOrigin origin = originOfDrawn(viewer_.engine, viewer_.live.scanner(), viewer_.comparing.drawnA());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(viewer_.origin.text() + "\n" + origin.more);
+    fitBadge();
+    arrange();
+    viewer_.targets.setSource(originOf(viewer_.engine, viewer_.live.scanner()).badge); // also while A is drawn
+    emit originShown();
+}
+
+/// The room of the badge follows from the width of the window alone, so that no text of it moves the buttons.
+void MainWindow::fitBadge() {
     const QWidget& place = *viewer_.origin.parentWidget();
+    const int room = std::min(kMostBadge, width() / 5);
+    viewer_.origin.setMaximumWidth(room);
+    place.layout()->itemAt(0)->spacerItem()->changeSize(std::max(0, room - viewer_.origin.sizeHint().width()), 0, QSizePolicy::Expanding);
+    place.layout()->invalidate();
     const QStyle& looks = *style();
     const int around = 2 * (looks.pixelMetric(QStyle::PM_ToolBarItemMargin) + looks.pixelMetric(QStyle::PM_ToolBarFrameWidth));
     constexpr int kLeastFrame = 8; // px, of its bar
     viewer_.tools.reserve(place.sizeHint().width() + std::max(kLeastFrame, around));
-    arrange();                                                                         // the badge has another width
-    viewer_.targets.setSource(originOf(viewer_.engine, viewer_.live.scanner()).badge); // also while A is drawn
-    emit originShown();
 }
 
 void MainWindow::connectEngine() {

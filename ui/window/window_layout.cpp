@@ -193,6 +193,7 @@ void MainWindow::resetLayout() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
+    fitBadge();
     arrange();
     followFrame();
     rememberTimer_.start();

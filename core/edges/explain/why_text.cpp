@@ -171,10 +171,17 @@ std::string WhyWords::reason() const {
 }
 
 std::string WhyWords::stepText(const DepthStepAtCell& step) const {
-    const std::string limit = whole(step.limitMm()) + " mm = " + label("jump") + " " + whole(step.smallestMm) + " + " + label("growth") +
-                              " " + whole(step.growthMm) + " + " + label("grazing") + " " + whole(step.grazingMm) +
+    double sumMm = 0; // of the parts as they are printed
+    const auto part = [&sumMm](double mm) {
+        const double printed = std::round(10.0 * mm) / 10.0;
+        sumMm += printed;
+        return fixedText(printed, 1);
+    };
+    const std::string parts = label("jump") + " " + part(step.smallestMm) + " + " + label("growth") + " " + part(step.growthMm) + " + " +
+                              label("grazing") + " " + part(step.grazingMm) +
                               (why_.depth->grazingRaised ? say(" (raised: beams are interlaced)") : "") + " + " +
-                              say("relief %1", {whole(step.reliefMm)});
+                              say("relief %1", {part(step.reliefMm)});
+    const std::string limit = fixedText(sumMm, 1) + " mm = " + parts;
     const std::initializer_list<std::string> values{whole(step.stepMm), place(step.line, step.beam), alongName(step.along), limit,
                                                     number(step.strength)};
     return step.cellIsNearer ? say("Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.", values)

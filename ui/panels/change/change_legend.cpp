@@ -193,7 +193,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     hide();
 }
 
-void ChangeLegend::showKept(const QString& before, const Comparison* comparison, bool working) {
+void ChangeLegend::showKept(const QString& before, const Comparison* comparison, bool working, bool refused) {
     before_ = before.size() > kLongestName ? before.left(kLongestName - 1) + "…" : before;
     for (int n = 0; n < kChangeRows; ++n) {
         const bool ofSurfaces = n >= static_cast<int>(ChangeRow::Nearer);
@@ -202,7 +202,9 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
         const bool shown = some && (!ofSurfaces || comparison->isOfTwoScans());
         row.count->setText(shown ? countText(comparison->count(static_cast<ChangeRow>(n))) : QString());
     }
-    QString how = working ? tr("comparing …") : tr("nothing to compare with yet:\nchange a setting, or open another scan");
+    QString how = working   ? tr("comparing …")
+                  : refused ? tr("not compared with the scan on the screen")
+                            : tr("nothing to compare with yet:\nchange a setting, or open another scan");
     if (comparison != nullptr && !working) {
         how = coreWords(inspect::registrationText(*comparison->asked.now->detection->scan, comparison->change.earlier.how))
                   .replace("; ", "\n");

@@ -21,8 +21,8 @@ class ChangeLegend : public ViewPlate {
 public:
     explicit ChangeLegend(QWidget* parent = nullptr);
 
-    /// `before`: the name of A. Null: no comparison yet.
-    void showKept(const QString& before, const Comparison* comparison, bool working);
+    /// `before`: the name of A. Null: no comparison yet. Refused: the two could not be compared; a notice has the reason.
+    void showKept(const QString& before, const Comparison* comparison, bool working, bool refused);
     /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
     /// On: for a cab, without explanations and without rows that count nothing.

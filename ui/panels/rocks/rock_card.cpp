@@ -109,10 +109,10 @@ RockCard::RockCard(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(4);
+    column->addLayout(buttons); // above the texts, which grow and shrink under the pointer
     column->addLayout(head);
     column->addWidget(spans_);
     column->addWidget(state_);
-    column->addLayout(buttons); // above the rows: in sight also where the card must be scrolled
     column->addLayout(lines);
     column->addWidget(caveat_);
 

@@ -126,6 +126,20 @@ void SectionPlot::mark(const std::optional<Eigen::Vector3d>& pointM) {
     update();
 }
 
+void SectionPlot::setEnds(const Eigen::Vector2d& fromM, const Eigen::Vector2d& toM) {
+    ends_.clear();
+    for (const Eigen::Vector2d& end : {fromM, toM}) {
+        const inspect::SectionVertex* best = nullptr;
+        for (const inspect::SectionLine& line : section_->lines) {
+            for (const inspect::SectionVertex& vertex : line) {
+                if (best == nullptr || (vertex.atM - end).norm() < (best->atM - end).norm()) best = &vertex;
+            }
+        }
+        if (best != nullptr) ends_.push_back(best);
+    }
+    update();
+}
+
 void SectionPlot::setLength(const QString& words) {
     length_ = words;
     update();
@@ -219,7 +233,7 @@ std::size_t SectionPlot::outside() const {
 
 void SectionPlot::drawOutside(QPainter& painter) const {
     const std::size_t count = outside();
-    if (count > 0) drawTipAt(painter, rect(), rect().topRight(), tr("%1 points are outside: zoom out").arg(countText(count)));
+    if (count > 0) drawTipAt(painter, rect(), rect().topRight(), tr("%1 points are outside: the wheel zooms out").arg(countText(count)));
 }
 
 void SectionPlot::drawMarks(QPainter& painter) const {

@@ -45,7 +45,10 @@ public:
     /// A ring at the vertex nearest to this point, if it is near the plane; empty: none.
     void mark(const std::optional<Eigen::Vector3d>& pointM);
     [[nodiscard]] const inspect::SectionVertex* marked() const { return marked_; }
-    /// Of the length between the two clicked vertices.
+    /// The vertices nearest to two points are the ends of the length, as if they had been clicked.
+    void setEnds(const Eigen::Vector2d& fromM, const Eigen::Vector2d& toM);
+    [[nodiscard]] const std::vector<const inspect::SectionVertex*>& ends() const { return ends_; }
+    /// Of the length between the two ends.
     void setLength(const QString& words);
     [[nodiscard]] const QString& lengthShown() const { return length_; }
     [[nodiscard]] QPointF placeOf(const Eigen::Vector2d& atM) const;

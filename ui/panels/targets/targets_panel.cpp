@@ -16,7 +16,8 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kMostLines = 5; // of a list before it scrolls
+constexpr int kMostLines =
+    3; // of a list before it scrolls: with a pose a target has three lines, and its card stays in sight at 1280 x 768
 
 // As high as its lines, so that the panel has one scroll bar instead of three. Its own bar follows from the number of lines alone: a bar
 // that comes with the height changes the width, the width the wrapped lines, and these the height, without end.
@@ -25,6 +26,7 @@ void fitHeight(QListWidget& list) {
     int high = list.count() > 0 ? 0 : list.fontMetrics().height();
     for (int n = 0; n < std::min(list.count(), kMostLines); ++n) high += list.visualItemRect(list.item(n)).height();
     list.setFixedHeight(high + 2 * list.frameWidth() + 2);
+    if (list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
 
 } // namespace

@@ -15,6 +15,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <regex>
+#include <string>
 
 namespace edgescan::edges {
 namespace {
@@ -157,6 +159,17 @@ TEST(DepthProbe, TheWinnerIsTheNeighbourAlongTheStrongerWay) {
     EXPECT_EQ(told, 12);
 }
 
+// "114 = 41 + 61 + 3.9 + 7.4" does not add up.
+void expectPrintedSum(const std::string& text) {
+    const std::regex sentence(R"(limit ([0-9.]+) mm = ([^:;]*(?:\(raised: [^)]*\))?[^:;]*): strength)"), number(R"([0-9]+\.[0-9])");
+    for (std::sregex_iterator each(text.begin(), text.end(), sentence), end; each != end; ++each) {
+        const std::string parts = (*each)[2];
+        double sum = 0;
+        for (std::sregex_iterator part(parts.begin(), parts.end(), number); part != end; ++part) sum += std::stod(part->str());
+        EXPECT_NEAR(sum, std::stod((*each)[1]), 1e-6) << each->str();
+    }
+}
+
 TEST(DepthProbe, TextAndReportNameStepFoldNoiseClassAndChain) {
     const auto scan = std::make_shared<const Scan>(smallBell());
     const auto detection = detectEdges(scan, Settings{});
@@ -171,6 +184,7 @@ TEST(DepthProbe, TextAndReportNameStepFoldNoiseClassAndChain) {
         const std::string text = whyText(why, detection->settings);
         EXPECT_NE(text.find(isJump ? "Step in depth: " : "Fold: "), std::string::npos) << text;
         EXPECT_NE(text.find("Range noise used: sigma "), std::string::npos) << text;
+        expectPrintedSum(text);
         EXPECT_NE(text.find("Edge strength"), std::string::npos) << text;
         EXPECT_EQ(text.find("ensitivity"), std::string::npos) << text;
         EXPECT_NE(text.find("Chain: " + std::to_string(why.chainCells)), std::string::npos) << text;
