@@ -715,9 +715,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
-<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>El objetivo %1 está en el portapapeles, como texto.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 objetivos están en el portapapeles, como tabla para una hoja de cálculo.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
@@ -766,9 +766,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Space</source><translation>Espacio</translation></message>
 <message><source>Previous target</source><translation>Objetivo anterior</translation></message>
 <message><source>Next target</source><translation>Objetivo siguiente</translation></message>
-<message><source>Distance</source><translation>Distancia</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
+<message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>1 target</source><translation>1 objetivo</translation></message>
 <message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
@@ -1358,6 +1359,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
@@ -1369,11 +1371,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
+<message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
+<message><source>Measurement</source><translation>Medida</translation></message>
+<message><source>an arrow: back</source><translation>una flecha: volver</translation></message>
 <message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
 <message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>

@@ -715,9 +715,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
-<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>La cible %1 est dans le presse-papiers, sous forme de texte.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 cibles sont dans le presse-papiers, sous forme de tableau pour un tableur.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
@@ -766,9 +766,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Space</source><translation>Espace</translation></message>
 <message><source>Previous target</source><translation>Cible précédente</translation></message>
 <message><source>Next target</source><translation>Cible suivante</translation></message>
-<message><source>Distance</source><translation>Distance</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
+<message><source>Distance</source><translation>Distance</translation></message>
 <message><source>1 target</source><translation>1 cible</translation></message>
 <message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
@@ -1358,6 +1359,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
@@ -1369,11 +1371,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
+<message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
+<message><source>Measurement</source><translation>Mesure</translation></message>
+<message><source>an arrow: back</source><translation>une flèche : retour</translation></message>
 <message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
 <message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>

@@ -715,9 +715,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
 <message><source>rock %1</source><translation>rocha %1</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
-<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>O alvo %1 está na área de transferência, como texto.</translation></message>
 <message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 alvos estão na área de transferência, como tabela para uma planilha.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
@@ -766,9 +766,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Space</source><translation>Espaço</translation></message>
 <message><source>Previous target</source><translation>Alvo anterior</translation></message>
 <message><source>Next target</source><translation>Alvo seguinte</translation></message>
-<message><source>Distance</source><translation>Distância</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
+<message><source>Distance</source><translation>Distância</translation></message>
 <message><source>1 target</source><translation>1 alvo</translation></message>
 <message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
@@ -1358,6 +1359,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
@@ -1369,11 +1371,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
+<message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
+<message><source>Measurement</source><translation>Medida</translation></message>
+<message><source>an arrow: back</source><translation>uma seta: voltar</translation></message>
 <message><source>Rock, visible a × b</source><translation>Rocha, a × b visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
 <message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>

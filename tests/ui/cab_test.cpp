@@ -1,5 +1,6 @@
 // Cab mode in the real window: everything is large enough for gloves and works with one hand, without modifiers or hover; fingers rotate,
 // move, zoom and open menus.
+#include "core/edges/explain/cell_values.h"
 #include "tests/support/scans.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/language/languages.h"
@@ -39,6 +40,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <algorithm>
 #include <functional>
 
 using namespace edgescan;
@@ -659,6 +661,11 @@ private slots:
         QTRY_COMPARE(side.sizeShown(), QString("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
         QCOMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
         QVERIFY(on.viewer.targets.notebook().empty());
+        // Its place is there too.
+        QCOMPARE(side.findChild<QLabel*>("cab-tolerance")->text(), QString("median of its cells"));
+        const QString x = QString::number(edges::probeCell(*on.picture().detection, rock.cell).pointM.x(), 'f', 3);
+        const auto labels = side.findChildren<QLabel*>();
+        QVERIFY2(std::ranges::any_of(labels, [&](const QLabel* each) { return each->isVisible() && each->text() == x; }), qPrintable(x));
         // A touch elsewhere is about the place that was touched.
         CloudView& cloud = on.viewer.views.cloud();
         on.viewer.views.resetView();
@@ -676,6 +683,47 @@ private slots:
         QTRY_COMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QTRY_COMPARE(side.findChild<QLabel*>("cab-target")->text().left(8), QString("Target 1"));
+    }
+
+    // Until a target, a rock or another measurement is chosen; an arrow goes back.
+    void aMeasurementIsShownLarge() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        NumbersSide& side = on.window.cab().frame().side();
+        const auto* title = side.findChild<QLabel*>("cab-target");
+        const auto* kind = side.findChild<QLabel*>("cab-distance-name");
+        const auto* tolerance = side.findChild<QLabel*>("cab-tolerance");
+        const auto measure = [&](std::uint32_t from, std::uint32_t to) {
+            inspect::StoredMeasure made;
+            made.cells = {from, to};
+            on.viewer.targets.keepMeasure(made);
+        };
+        const std::uint32_t a = 60 * 240 + 60, b = 100 * 240 + 120, c = 120 * 240 + 90;
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        QTRY_VERIFY(side.findChild<QLabel*>("cab-hint")->text().startsWith("Tap the ends"));
+        measure(a, b); // without a target or a rock
+        QTRY_COMPARE(title->text().section('\n', 0, 0), QString("Measurement"));
+        QTest::mouseClick(side.findChild<QToolButton*>("cab-previous"), Qt::LeftButton);
+        QCOMPARE(title->text(), QString("No target"));
+        on.viewer.views.pin(b);
+        QTRY_VERIFY(title->text().startsWith("Target 1"));
+        measure(b, c);
+        QTRY_VERIFY(title->text().startsWith("Measurement") && on.viewer.targets.settled());
+        const MeasureWords words = on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back());
+        QTRY_COMPARE(side.distanceShown() + " " + tolerance->text(), words.value);
+        QCOMPARE(kind->text(), words.kind);
+        QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("at "), qPrintable(words.basis));
+        QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
+        QVERIFY(title->text().startsWith("Target 1") && kind->text() == "Distance");
+        measure(a, c);
+        QTRY_VERIFY(title->text().startsWith("Measurement"));
+        on.viewer.rocks.lookAtLargest();
+        QTRY_VERIFY(title->text().startsWith("Rock "));
+        measure(c, a);
+        QTRY_VERIFY(title->text().startsWith("Measurement"));
+        QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton); // it is gone
+        QTRY_VERIFY(title->text().startsWith("Rock "));
     }
 
     void aNoteLeavesTheCornerPictureFree() {

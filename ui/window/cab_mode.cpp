@@ -102,6 +102,7 @@ void CabMode::connectSide() {
             [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
     connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) {
+        if (std::exchange(measure_, std::nullopt)) return showNumbers(); // back to what was shown before
         window_.viewer().targets.goTo(by);
         if (const inspect::PinnedTarget* target = window_.viewer().targets.active()) window_.viewer().rocks.select({target->cell});
     });
@@ -124,8 +125,16 @@ void CabMode::follow() {
         showNumbers();
         showCorner();
     });
+    connect(&window_.viewer().targets, &Targets::measured, this, [this] {
+        measure_ = window_.viewer().targets.notebook().measures.back();
+        showNumbers();
+    });
+    connect(&window_.viewer().measures, &Measures::kindChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showNumbers);
-    connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, &CabMode::showNumbers);
+    connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, [this] {
+        showNumbers();
+        showCorner();
+    });
     connect(&window_.viewer().rocks, &Rocks::shownChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().warnings, &WarningButton::warningsRaised, this, &CabMode::showScan);
     connect(&window_.viewer().warnings, &WarningButton::warningsAcknowledged, this, &CabMode::showScan);
