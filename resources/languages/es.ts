@@ -1354,7 +1354,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
-<message><source>To leave cab mode, hold the button for one second.</source><translation>Para salir del modo cabina, mantenga el botón un segundo.</translation></message>
+<message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>

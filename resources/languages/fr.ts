@@ -1354,7 +1354,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
-<message><source>To leave cab mode, hold the button for one second.</source><translation>Pour quitter le mode cabine, maintenez le bouton une seconde.</translation></message>
+<message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>

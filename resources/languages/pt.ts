@@ -1354,7 +1354,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
-<message><source>To leave cab mode, hold the button for one second.</source><translation>Para sair do modo cabine, segure o botão um segundo.</translation></message>
+<message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
 <message><source>No scan</source><translation>Nenhuma varredura</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>

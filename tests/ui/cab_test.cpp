@@ -3,6 +3,7 @@
 #include "core/edges/explain/cell_values.h"
 #include "tests/support/scans.h"
 #include "tests/ui/sized_window.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/touch.h"
@@ -647,8 +648,14 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         resizeTo(on.window, {1280, 800});
+        const auto* sign = tool(on.window, "cab-rocks")->findChild<QLabel*>("menu-sign");
+        QVERIFY(sign != nullptr && !sign->isVisible()); // a switch
         press(on.window, "cab-rocks");
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
+        QVERIFY(sign->isVisible());
+        for (const char* name : {"cab-menu", "cab-measure", "cab-compare", "cab-remove"})
+            QVERIFY2(tool(on.window, name)->findChild<QLabel*>("menu-sign")->isVisible(), name);
+        QVERIFY(!on.window.findChild<QAction*>("rocks-largest")->isShortcutVisibleInContextMenu());
         press(on.window, "cab-rocks");
         QVERIFY2(on.viewer.rocks.shown() && tool(on.window, "cab-rocks")->isChecked(), "the second touch hides nothing");
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
@@ -683,6 +690,26 @@ private slots:
         QTRY_COMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QTRY_COMPARE(side.findChild<QLabel*>("cab-target")->text().left(8), QString("Target 1"));
+    }
+
+    // In two lines, before "More" is needed.
+    void theNoteOfLeavingIsWhole() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useLanguage(language.code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+                resizeTo(on.window, size);
+                press(on.window, "cab-leave"); // too short
+                const auto* line = static_cast<const ElidedLabel*>(on.viewer.notice.findChild<QLabel*>("notice-line"));
+                QTRY_VERIFY(on.viewer.notice.isVisible() && line->height() >= line->heightForWidth(line->width()));
+                QTRY_VERIFY2(!line->shown().endsWith("…"),
+                             qPrintable(QString("%1 %2: %3").arg(language.code).arg(size.width()).arg(line->shown())));
+                on.viewer.notice.hide();
+            }
+        }
+        useLanguage("en");
     }
 
     // Until a target, a rock or another measurement is chosen; an arrow goes back.

@@ -63,7 +63,10 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     follow();
 }
 
-CabMode::~CabMode() { useTouchWords(false); }
+CabMode::~CabMode() {
+    useTouchWords(false);
+    QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, false);
+}
 
 void CabMode::connectHead() {
     CabHead& head = frame_->head();
@@ -82,7 +85,7 @@ void CabMode::connectHead() {
     connect(head.cancel(), &QToolButton::clicked, &window_.viewer().engine.works(), &Works::cancel);
     connect(head.leave(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.leave(), &HoldButton::releasedEarly, this,
-            [this] { window_.viewer().notice.showHint(tr("To leave cab mode, hold the button for one second.")); });
+            [this] { window_.viewer().notice.showHint(tr("Hold it for one second to leave.")); });
     cancelSoon_.setSingleShot(true);
     cancelSoon_.setInterval(kCancelAfterMs);
     connect(&cancelSoon_, &QTimer::timeout, this, &CabMode::showWork);
@@ -147,7 +150,8 @@ void CabMode::set(bool on) {
     if (std::exchange(on_, on) == on) return;
     if (swapped_) swap();
     useTouchWords(on);
-    window_.viewer().measures.show(); // the prompts of the tool in use
+    QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, on); // here all menus are such: there are no keys
+    window_.viewer().measures.show();                                           // the prompts of the tool in use
     window_.viewer().rocks.useTool(window_.viewer().rocks.tool());
     const QSize size = window_.size();
     auto& application = *qobject_cast<QApplication*>(QApplication::instance());

@@ -88,13 +88,17 @@ void CabMode::addTools() {
     followTool();
     QToolButton* rocks = column.add("cab-rocks", "rocks", tr("Rocks"));
     rocks->setCheckable(true);
-    connect(rocks, &QToolButton::clicked, this, [this, rocks] { // the first touch shows them, the next one offers what is done with them
+    connect(rocks, &QToolButton::clicked, this, [this, rocks] { // the first tap shows them, the next one offers what is done with them
         Rocks& shown = window_.viewer().rocks;
         rocks->setChecked(true);
         if (!shown.shown()) return shown.setShown(true);
         if (QMenu* menu = menuWith(window_, "rocks-largest")) openNextTo(*menu, *rocks);
     });
-    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, &QToolButton::setChecked);
+    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, [rocks](bool on) {
+        rocks->setChecked(on);
+        showMenuSign(*rocks, on);
+    });
+    showMenuSign(*rocks, window_.viewer().rocks.shown());
     QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
     connect(compare, &QToolButton::clicked, this, [this, compare] {
         if (QMenu* menu = menuWith(window_, "compare-keep")) openNextTo(*menu, *compare);
@@ -127,6 +131,7 @@ void CabMode::addTools() {
     column.setFoot(undo);
     const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
     for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
+    for (QToolButton* each : {measure, compare, remove_, frame_->head().menu()}) showMenuSign(*each);
     addSideButtons();
 }
 
