@@ -719,7 +719,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>El objetivo %1 está en el portapapeles, como texto.</translation></message>
-<message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 objetivos están en el portapapeles, como tabla para una hoja de cálculo.</translation></message>
+<message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>En el portapapeles, como tabla para una hoja de cálculo: %1.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagen preliminar de %1 millones de celdas, falta el resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Los bordes llegan con el resto del escaneo</translation></message>
@@ -770,8 +770,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Distance</source><translation>Distancia</translation></message>
-<message><source>1 target</source><translation>1 objetivo</translation></message>
-<message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>más: %1</translation></message>
@@ -1165,7 +1163,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Cab mode</source><translation>Modo cabina</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ no encontrado: se movió, o falta su disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
-<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
+<message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: una campana colgada antes y después de una tronadura.</translation></message>
 <message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
@@ -1229,6 +1227,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>1 target</source><translation>1 objetivo</translation></message>
+<message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>Distance [m]</source><translation>Distancia [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
 <message><source>Beam</source><translation>Haz</translation></message>

@@ -719,7 +719,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>La cible %1 est dans le presse-papiers, sous forme de texte.</translation></message>
-<message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 cibles sont dans le presse-papiers, sous forme de tableau pour un tableur.</translation></message>
+<message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>Dans le presse-papiers, sous forme de tableau pour un tableur : %1.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Image grossière de %1 millions de cellules, le reste arrive</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Les arêtes arrivent avec le reste du scan</translation></message>
@@ -770,8 +770,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Distance</source><translation>Distance</translation></message>
-<message><source>1 target</source><translation>1 cible</translation></message>
-<message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
 <message><source>more: %1</source><translation>plus : %1</translation></message>
@@ -997,7 +995,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
-<message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼ : points au-delà</translation></message>
+<message><source>; ▲ ▼: points beyond it</source><translation> ; ▲ ▼ : points au-delà</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
@@ -1005,7 +1003,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>quitter l'outil, ou ce qui est affiché en dernier</translation></message>
-<message><source>take the last click back</source><translation>reprendre le dernier clic</translation></message>
+<message><source>take the last click back</source><translation>annuler le dernier clic</translation></message>
 <message><source>to the next field</source><translation>vers le champ suivant</translation></message>
 <message><source>to the field before</source><translation>vers le champ précédent</translation></message>
 <message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
@@ -1165,7 +1163,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Cab mode</source><translation>Mode cabine</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ introuvable : déplacé, ou son disque manque. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
-<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
+<message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : un soutirage bloqué avant et après un tir.</translation></message>
 <message><source>Open the demo</source><translation>Ouvrir la démo</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
@@ -1229,6 +1227,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>1 target</source><translation>1 cible</translation></message>
+<message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>Distance [m]</source><translation>Distance [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Beam</source><translation>Faisceau</translation></message>
@@ -1367,7 +1367,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
-<message><source>Take the last point back</source><translation>Reprendre le dernier point</translation></message>
+<message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>

@@ -719,7 +719,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>O alvo %1 está na área de transferência, como texto.</translation></message>
-<message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 alvos estão na área de transferência, como tabela para uma planilha.</translation></message>
+<message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>Na área de transferência, como tabela para uma planilha: %1.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagem grosseira de %1 milhões de células, falta o resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>As arestas chegam com o resto da varredura</translation></message>
@@ -770,8 +770,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
 <message><source>Distance</source><translation>Distância</translation></message>
-<message><source>1 target</source><translation>1 alvo</translation></message>
-<message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>mais: %1</translation></message>
@@ -1165,7 +1163,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Cab mode</source><translation>Modo cabine</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ não encontrado: foi movido, ou falta o disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
-<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 alvos, %3 UTC</translation></message>
+<message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: um sino bloqueado antes e depois de um desmonte.</translation></message>
 <message><source>Open the demo</source><translation>Abrir a demonstração</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
@@ -1229,6 +1227,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>1 target</source><translation>1 alvo</translation></message>
+<message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>Distance [m]</source><translation>Distância [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
 <message><source>Beam</source><translation>Feixe</translation></message>

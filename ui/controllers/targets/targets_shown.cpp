@@ -218,7 +218,7 @@ void Targets::copyAll() {
         rows << tableRow(target.number, shownName(exactText(target.name)), knownOf(target.cell));
     QGuiApplication::clipboard()->setText(rows.join('\n') + "\n");
     notice_.showNotice(NoticeBar::Kind::Done,
-                       tr("%1 targets are on the clipboard, as a table for a spreadsheet.").arg(notebook_.targets.size()));
+                       tr("On the clipboard, as a table for a spreadsheet: %1.").arg(targetCount(notebook_.targets.size())));
 }
 
 } // namespace edgescan::ui

@@ -4,6 +4,7 @@
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
 #include "ui/panels/cab/stepper.h"
+#include "ui/panels/targets/target_words.h"
 
 #include <QFontMetrics>
 #include <QGridLayout>
@@ -216,10 +217,9 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_}) each->setVisible(some);
     distanceName_->setText(numbers.distanceName.isEmpty() ? tr("Distance") : numbers.distanceName);
     for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(numbers.targets > 0 || numbers.stepsBack);
-    title_->setText(some                   ? numbers.title + '\n' + numbers.place
-                    : numbers.targets == 1 ? tr("1 target")
-                    : numbers.targets > 0  ? tr("%1 targets").arg(numbers.targets)
-                                           : tr("No target"));
+    title_->setText(some                  ? numbers.title + '\n' + numbers.place
+                    : numbers.targets > 0 ? targetCount(static_cast<std::size_t>(numbers.targets))
+                                          : tr("No target"));
     distance_->showText(numbers.distance);
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);
