@@ -22,7 +22,6 @@ class Stepper;
 /// The text about a target, a rock or a measurement. Empty title: nothing is chosen.
 struct TargetNumbers {
     QString title, place;                                 ///< "Target 1", "of 3"
-    QString distanceName;                                 ///< "Distance", "Throat Width"
     QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
     QString rock, size, sizeRemark;                       ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "± 0.10 m · candidate …"
     std::vector<std::pair<QString, QString>> coordinates; ///< in large type as well
@@ -31,6 +30,7 @@ struct TargetNumbers {
     int targets = 0;        ///< of the scan
     bool stepsBack = false; ///< an arrow goes back from a measurement to what was shown before
     bool measuring = false; ///< a tap is an end of a measurement
+    QString distanceName{}; ///< "Throat Width"; empty: "Distance"
 };
 
 /// One setting. `key`: its key in the parameter table.
