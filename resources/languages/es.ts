@@ -428,10 +428,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
+<message><source>Nothing was done: the button had just changed to “%1”. Press it again.</source><translation>No se hizo nada: el botón acababa de cambiar a «%1». Púlselo otra vez.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
-<message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Retenido: %1. Pulse Seguir para continuar con el escáner.</translation></message>
+<message><source>Held: %1. Press Follow.</source><translation>Retenido: %1. Pulse Seguir.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra el barrido %2, que crece ahora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>El barrido %1 es parcial: %2 de %3 líneas.</translation></message>
@@ -715,11 +716,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
-<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>El objetivo %1 está en el portapapeles, como texto.</translation></message>
-<message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 objetivos están en el portapapeles, como tabla para una hoja de cálculo.</translation></message>
+<message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>En el portapapeles, como tabla para una hoja de cálculo: %1.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagen preliminar de %1 millones de celdas, falta el resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Los bordes llegan con el resto del escaneo</translation></message>
@@ -766,11 +767,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Space</source><translation>Espacio</translation></message>
 <message><source>Previous target</source><translation>Objetivo anterior</translation></message>
 <message><source>Next target</source><translation>Objetivo siguiente</translation></message>
-<message><source>Distance</source><translation>Distancia</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
-<message><source>1 target</source><translation>1 objetivo</translation></message>
-<message><source>%1 targets</source><translation>%1 objetivos</translation></message>
+<message><source>Distance</source><translation>Distancia</translation></message>
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>más: %1</translation></message>
@@ -1165,7 +1165,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Cab mode</source><translation>Modo cabina</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ no encontrado: se movió, o falta su disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
-<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 objetivos, %3 UTC</translation></message>
+<message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: una campana colgada antes y después de una tronadura.</translation></message>
 <message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
@@ -1229,6 +1229,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>1 target</source><translation>1 objetivo</translation></message>
+<message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>Distance [m]</source><translation>Distancia [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
 <message><source>Beam</source><translation>Haz</translation></message>
@@ -1354,11 +1356,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
-<message><source>To leave cab mode, hold the button for one second.</source><translation>Para salir del modo cabina, mantenga el botón un segundo.</translation></message>
+<message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
@@ -1370,11 +1373,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
+<message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
+<message><source>Measurement</source><translation>Medida</translation></message>
+<message><source>an arrow: back</source><translation>una flecha: volver</translation></message>
 <message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
 <message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>

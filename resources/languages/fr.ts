@@ -428,10 +428,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
+<message><source>Nothing was done: the button had just changed to “%1”. Press it again.</source><translation>Rien n'a été fait : le bouton venait de devenir « %1 ». Appuyez de nouveau.</translation></message>
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
-<message><source>Held: %1. Press Follow to go on with the scanner.</source><translation>Figé : %1. Appuyez sur Suivre pour continuer avec le scanner.</translation></message>
+<message><source>Held: %1. Press Follow.</source><translation>Figé : %1. Appuyez sur Suivre.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre le balayage %2, qui croît maintenant.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>Le balayage %1 est partiel : %2 lignes sur %3.</translation></message>
@@ -715,11 +716,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
+<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
-<message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>La cible %1 est dans le presse-papiers, sous forme de texte.</translation></message>
-<message><source>%1 targets are on the clipboard, as a table for a spreadsheet.</source><translation>%1 cibles sont dans le presse-papiers, sous forme de tableau pour un tableur.</translation></message>
+<message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>Dans le presse-papiers, sous forme de tableau pour un tableur : %1.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Image grossière de %1 millions de cellules, le reste arrive</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Les arêtes arrivent avec le reste du scan</translation></message>
@@ -766,11 +767,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Space</source><translation>Espace</translation></message>
 <message><source>Previous target</source><translation>Cible précédente</translation></message>
 <message><source>Next target</source><translation>Cible suivante</translation></message>
-<message><source>Distance</source><translation>Distance</translation></message>
+<message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
-<message><source>1 target</source><translation>1 cible</translation></message>
-<message><source>%1 targets</source><translation>%1 cibles</translation></message>
+<message><source>Distance</source><translation>Distance</translation></message>
 <message><source>No target</source><translation>Aucune cible</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
 <message><source>more: %1</source><translation>plus : %1</translation></message>
@@ -997,7 +997,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
 <message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
-<message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼ : points au-delà</translation></message>
+<message><source>; ▲ ▼: points beyond it</source><translation> ; ▲ ▼ : points au-delà</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
@@ -1005,7 +1005,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>quitter l'outil, ou ce qui est affiché en dernier</translation></message>
-<message><source>take the last click back</source><translation>reprendre le dernier clic</translation></message>
+<message><source>take the last click back</source><translation>annuler le dernier clic</translation></message>
 <message><source>to the next field</source><translation>vers le champ suivant</translation></message>
 <message><source>to the field before</source><translation>vers le champ précédent</translation></message>
 <message><source>pin the cell at the cursor</source><translation>épingler la cellule sous le curseur</translation></message>
@@ -1165,7 +1165,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Cab mode</source><translation>Mode cabine</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ introuvable : déplacé, ou son disque manque. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
-<message><source>%1, %2 targets, %3 UTC</source><translation>%1, %2 cibles, %3 UTC</translation></message>
+<message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
 <message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : un soutirage bloqué avant et après un tir.</translation></message>
 <message><source>Open the demo</source><translation>Ouvrir la démo</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
@@ -1229,6 +1229,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>1 target</source><translation>1 cible</translation></message>
+<message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>Distance [m]</source><translation>Distance [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Beam</source><translation>Faisceau</translation></message>
@@ -1354,11 +1356,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
-<message><source>To leave cab mode, hold the button for one second.</source><translation>Pour quitter le mode cabine, maintenez le bouton une seconde.</translation></message>
+<message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
@@ -1366,15 +1369,17 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
-<message><source>Take the last point back</source><translation>Reprendre le dernier point</translation></message>
+<message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
+<message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
+<message><source>Measurement</source><translation>Mesure</translation></message>
+<message><source>an arrow: back</source><translation>une flèche : retour</translation></message>
 <message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
 <message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>

@@ -1,7 +1,9 @@
 // Cab mode in the real window: everything is large enough for gloves and works with one hand, without modifiers or hover; fingers rotate,
 // move, zoom and open menus.
+#include "core/edges/explain/cell_values.h"
 #include "tests/support/scans.h"
 #include "tests/ui/sized_window.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/touch.h"
@@ -39,6 +41,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include <algorithm>
 #include <functional>
 
 using namespace edgescan;
@@ -645,8 +648,14 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         resizeTo(on.window, {1280, 800});
+        const auto* sign = tool(on.window, "cab-rocks")->findChild<QLabel*>("menu-sign");
+        QVERIFY(sign != nullptr && !sign->isVisible()); // a switch
         press(on.window, "cab-rocks");
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
+        QVERIFY(sign->isVisible());
+        for (const char* name : {"cab-menu", "cab-measure", "cab-compare", "cab-remove"})
+            QVERIFY2(tool(on.window, name)->findChild<QLabel*>("menu-sign")->isVisible(), name);
+        QVERIFY(!on.window.findChild<QAction*>("rocks-largest")->isShortcutVisibleInContextMenu());
         press(on.window, "cab-rocks");
         QVERIFY2(on.viewer.rocks.shown() && tool(on.window, "cab-rocks")->isChecked(), "the second touch hides nothing");
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
@@ -659,6 +668,11 @@ private slots:
         QTRY_COMPARE(side.sizeShown(), QString("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
         QCOMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
         QVERIFY(on.viewer.targets.notebook().empty());
+        // Its place is there too.
+        QCOMPARE(side.findChild<QLabel*>("cab-tolerance")->text(), QString("median of its cells"));
+        const QString x = QString::number(edges::probeCell(*on.picture().detection, rock.cell).pointM.x(), 'f', 3);
+        const auto labels = side.findChildren<QLabel*>();
+        QVERIFY2(std::ranges::any_of(labels, [&](const QLabel* each) { return each->isVisible() && each->text() == x; }), qPrintable(x));
         // A touch elsewhere is about the place that was touched.
         CloudView& cloud = on.viewer.views.cloud();
         on.viewer.views.resetView();
@@ -676,6 +690,67 @@ private slots:
         QTRY_COMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QTRY_COMPARE(side.findChild<QLabel*>("cab-target")->text().left(8), QString("Target 1"));
+    }
+
+    // In two lines, before "More" is needed.
+    void theNoteOfLeavingIsWhole() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useLanguage(language.code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+                resizeTo(on.window, size);
+                press(on.window, "cab-leave"); // too short
+                const auto* line = static_cast<const ElidedLabel*>(on.viewer.notice.findChild<QLabel*>("notice-line"));
+                QTRY_VERIFY(on.viewer.notice.isVisible() && line->height() >= line->heightForWidth(line->width()));
+                QTRY_VERIFY2(!line->shown().endsWith("…"),
+                             qPrintable(QString("%1 %2: %3").arg(language.code).arg(size.width()).arg(line->shown())));
+                on.viewer.notice.hide();
+            }
+        }
+        useLanguage("en");
+    }
+
+    // Until a target, a rock or another measurement is chosen; an arrow goes back.
+    void aMeasurementIsShownLarge() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        NumbersSide& side = on.window.cab().frame().side();
+        const auto* title = side.findChild<QLabel*>("cab-target");
+        const auto* kind = side.findChild<QLabel*>("cab-distance-name");
+        const auto* tolerance = side.findChild<QLabel*>("cab-tolerance");
+        const auto measure = [&](std::uint32_t from, std::uint32_t to) {
+            inspect::StoredMeasure made;
+            made.cells = {from, to};
+            on.viewer.targets.keepMeasure(made);
+        };
+        const std::uint32_t a = 60 * 240 + 60, b = 100 * 240 + 120, c = 120 * 240 + 90;
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        QTRY_VERIFY(side.findChild<QLabel*>("cab-hint")->text().startsWith("Tap the ends"));
+        measure(a, b); // without a target or a rock
+        QTRY_COMPARE(title->text().section('\n', 0, 0), QString("Measurement"));
+        QTest::mouseClick(side.findChild<QToolButton*>("cab-previous"), Qt::LeftButton);
+        QCOMPARE(title->text(), QString("No target"));
+        on.viewer.views.pin(b);
+        QTRY_VERIFY(title->text().startsWith("Target 1"));
+        measure(b, c);
+        QTRY_VERIFY(title->text().startsWith("Measurement") && on.viewer.targets.settled());
+        const MeasureWords words = on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back());
+        QTRY_COMPARE(side.distanceShown() + " " + tolerance->text(), words.value);
+        QCOMPARE(kind->text(), words.kind);
+        QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("at "), qPrintable(words.basis));
+        QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
+        QVERIFY(title->text().startsWith("Target 1") && kind->text() == "Distance");
+        measure(a, c);
+        QTRY_VERIFY(title->text().startsWith("Measurement"));
+        on.viewer.rocks.lookAtLargest();
+        QTRY_VERIFY(title->text().startsWith("Rock "));
+        measure(c, a);
+        QTRY_VERIFY(title->text().startsWith("Measurement"));
+        QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton); // it is gone
+        QTRY_VERIFY(title->text().startsWith("Rock "));
     }
 
     void aNoteLeavesTheCornerPictureFree() {

@@ -22,6 +22,7 @@
 #include "ui/panels/dialogs/export_dialog.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/targets/target_card.h"
+#include "ui/panels/targets/target_words.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/window/view_choices.h"
@@ -537,6 +538,15 @@ private slots:
         QCOMPARE(coreSentence(QString("combed: --straighten (Scan > Straighten Beams) puts them side by side.")),
                  QString("combed: Scan > Straighten Beams puts them side by side."));
         QVERIFY(coreSentence(QString("give --unit m")).contains("How the Scan Is Read"));
+    }
+
+    // No line ends before the colon, and one target is not several.
+    void frenchSpacesAndSingularsAreRight() {
+        QVERIFY(useLanguage("fr", QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+        QCOMPARE(QObject::tr("Held: %1. Press Follow."), QString("Figé") + QChar(0x00A0) + ": %1. Appuyez sur Suivre.");
+        QCOMPARE(targetCount(1), QString("1 cible"));
+        QCOMPARE(targetCount(2), QString("2 cibles"));
+        useLanguage("en");
     }
 };
 

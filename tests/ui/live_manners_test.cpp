@@ -13,6 +13,7 @@
 #include "ui/panels/live/sweep_bar.h"
 #include "ui/panels/live/timeline.h"
 #include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/count_curve.h"
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/window/cab_mode.h"
 
@@ -28,6 +29,8 @@
 #include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
+
+#include <utility>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -57,6 +60,7 @@ class LiveMannersTest : public QObject {
         return made ? std::move(*made) : nullptr;
     }
     static void press(MainWindow& window, const char* name) {
+        if (!eventually([&] { return window.viewer().live.panel().answers(); })) qFatal("the scanner's panel does not answer");
         QTest::mouseClick(window.viewer().live.panel().findChild<QPushButton*>(name), Qt::LeftButton);
     }
     static int lines(MainWindow& window) {
@@ -308,6 +312,54 @@ private slots:
         QTRY_COMPARE(count.text(), QString("sweep 1: 120/120 lines"));
         QCOMPARE(lines(window), kLines);
         QTRY_VERIFY2(button.text().startsWith("Show sweep 2: "), qPrintable(button.text()));
+    }
+
+    // A sweep ends and holds itself in the moment in which the operator presses Hold: the press must not follow the next sweep.
+    void aPressOfHoldThatComesTooLateDoesNotFollow() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        auto& button = *window.viewer().live.panel().findChild<QPushButton*>("live-follow");
+        const ScannerLink& scanner = window.viewer().live.scanner();
+        bool late = false;
+        connect(&scanner, &ScannerLink::followingChanged, &window, [&](bool follows) {
+            if (follows || std::exchange(late, true)) return;
+            QTest::mouseClick(&button, Qt::LeftButton);
+        });
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY_WITH_TIMEOUT(late, 30000);
+        QVERIFY(!scanner.following());
+        QCOMPARE(button.text(), QString("Follow"));
+        QVERIFY(button.isChecked());
+        QVERIFY2(window.viewer().notice.text().contains("had just changed"), qPrintable(window.viewer().notice.text()));
+        press(window, "live-follow"); // a second later
+        QVERIFY(scanner.following());
+        QCOMPARE(button.text(), QString("Hold"));
+    }
+
+    // No line is added to a picture that is held in the middle of its sweep, so its edges are counted, and again after Follow.
+    void theEdgesOfAHeldPictureAreCounted() {
+        const auto emulated = scanner(20);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(showsFirstLines(on, *emulated));
+        const auto counted = [&window] {
+            for (const CountCurve* each : window.findChildren<CountCurve*>()) {
+                if (each->isVisible() && each->curve()) return true;
+            }
+            return false;
+        };
+        for (int n = 0; n < 2; ++n) {
+            QVERIFY(window.viewer().live.scanner().following() && !counted());
+            press(window, "live-follow");
+            QVERIFY(lines(window) < kLines);
+            QTRY_VERIFY2(counted(), qPrintable(QString::number(n)));
+            QVERIFY(on.picture().source.growth.growing);
+            press(window, "live-follow");
+        }
     }
 
     // A finger that taps again where a button was must not press its neighbour.

@@ -16,13 +16,24 @@ public:
         setTextFormat(Qt::PlainText);
         setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
-    [[nodiscard]] QString shown() const { return lines().join(QString()); }
+    [[nodiscard]] QString shown() const { return lines(contentsRect().width()).join(QString()); }
+    [[nodiscard]] bool fits(int wide) const { return lines(wide).join(QString()) == text(); }
+    /// As high as its lines, `most` of them.
+    void setLines(int most) {
+        most_ = most;
+        highAsLines_ = true;
+        updateGeometry();
+    }
+    [[nodiscard]] bool hasHeightForWidth() const override { return highAsLines_; }
+    [[nodiscard]] int heightForWidth(int wide) const override {
+        return highAsLines_ ? static_cast<int>(lines(wide).size()) * fontMetrics().height() : QLabel::heightForWidth(wide);
+    }
 
 protected:
     void paintEvent(QPaintEvent* /*event*/) override {
         QPainter painter(this);
         painter.setPen(palette().color(foregroundRole()));
-        const QStringList all = lines();
+        const QStringList all = lines(contentsRect().width());
         const int high = fontMetrics().height();
         QRect place = contentsRect();
         place.setTop(place.center().y() - static_cast<int>(all.size()) * high / 2);
@@ -34,8 +45,7 @@ protected:
     }
 
 private:
-    [[nodiscard]] QStringList lines() const {
-        const int wide = contentsRect().width();
+    [[nodiscard]] QStringList lines(int wide) const {
         QStringList all;
         QString rest = text();
         while (static_cast<int>(all.size()) + 1 < most_ && fontMetrics().horizontalAdvance(rest) > wide) {
@@ -51,6 +61,7 @@ private:
     }
 
     int most_;
+    bool highAsLines_ = false;
 };
 
 } // namespace edgescan::ui

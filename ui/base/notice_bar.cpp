@@ -32,6 +32,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), action_(new QToolButton), unfold_(new QToolButton),
       more_(new QToolButton) {
     setObjectName("notice-bar");
+    line_->setObjectName("notice-line");
     action_->setObjectName("notice-action");
     auto* line = new FlowLayout(this); // in a narrow window the buttons are below the text
     line->setContentsMargins(10, 4, 6, 4);
@@ -187,12 +188,12 @@ void NoticeBar::unfold(bool on) {
     offerMore();
 }
 
-/// The button is visible only if one line is not enough.
+/// The button is visible only if the line, or in a cab two of them, is not enough.
 void NoticeBar::offerMore() {
     if (unfolded()) return unfold_->show();
     // Measured without the button, so that it does not cause itself.
     const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
-    unfold_->setVisible(line_->fontMetrics().horizontalAdvance(line_->text()) > room);
+    unfold_->setVisible(!line_->fits(room));
 }
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {
@@ -203,7 +204,11 @@ void NoticeBar::resizeEvent(QResizeEvent* event) {
 
 bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
-void NoticeBar::setBrief(bool on) { copy_->setVisible(!on); }
+void NoticeBar::setBrief(bool on) {
+    copy_->setVisible(!on);
+    line_->setLines(on ? 2 : 1);
+    offerMore();
+}
 
 QString NoticeBar::text() const { return text_->text(); }
 

@@ -71,7 +71,7 @@ private:
     bool passes_ = false;      // with the next step
     std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;
-    ElidedLabel* line_; // the text in one line
+    ElidedLabel* line_; // the text in one line, in a cab in two
     QLabel* text_;      // all of it, on request
     QToolButton* action_;
     QToolButton* unfold_;

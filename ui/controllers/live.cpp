@@ -115,6 +115,9 @@ void Live::connectPanel() {
 }
 
 void Live::connectScanner() {
+    connect(&panel_, &LivePanel::pressIgnored, this, [this](const QString& meaning) {
+        notice_.showHint(tr("Nothing was done: the button had just changed to “%1”. Press it again.").arg(meaning));
+    });
     connect(&scanner_, &ScannerLink::connectedChanged, &panel_, &LivePanel::setConnected);
     connect(&scanner_, &ScannerLink::recordingChanged, &panel_, &LivePanel::setRecording);
     connect(&scanner_, &ScannerLink::followingChanged, &panel_, &LivePanel::setFollowing);
@@ -193,8 +196,7 @@ void Live::showHealth() {
                       own ? note(held) : QString());
     views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note = // a cab says it in its head
-        held && !panel_.brief() ? tr("Held: %1. Press Follow to go on with the scanner.").arg(scanName(shown->detection->scan->name, 60))
-                                : QString();
+        held && !panel_.brief() ? tr("Held: %1. Press Follow.").arg(scanName(shown->detection->scan->name, 60)) : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
 }
 

@@ -84,11 +84,14 @@ void Tuning::followPicture() {
     const bool newScan = std::exchange(shownScan_, picture.detection->scan) != picture.detection->scan;
     panel_.showResult(*picture.detection);
     panel_.setBehind(engine_.behind());
-    if (picture.source.growth.growing)
-        panel_.forgetCounts();
-    else
-        counts_->want(picture.detection);
     if (newScan && !picture.source.growth.growing) proposePreset(*picture.detection);
+}
+
+void Tuning::count(bool grows) {
+    if (grows)
+        counts_->forget();
+    else if (engine_.picture())
+        counts_->want(engine_.picture()->detection);
 }
 
 void Tuning::proposePreset(const edges::Detection& detection) {

@@ -24,6 +24,8 @@ public:
 
     /// A new picture is on the screen.
     void followPicture();
+    /// Counts the edges of the picture at every threshold, unless lines are still added to it.
+    void count(bool grows);
     void usePreset(const edges::Preset& preset);
     void useSettings(const edges::Settings& settings);
     [[nodiscard]] inspect::TuningPart part() const;

@@ -63,7 +63,10 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     follow();
 }
 
-CabMode::~CabMode() { useTouchWords(false); }
+CabMode::~CabMode() {
+    useTouchWords(false);
+    QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, false);
+}
 
 void CabMode::connectHead() {
     CabHead& head = frame_->head();
@@ -82,7 +85,7 @@ void CabMode::connectHead() {
     connect(head.cancel(), &QToolButton::clicked, &window_.viewer().engine.works(), &Works::cancel);
     connect(head.leave(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.leave(), &HoldButton::releasedEarly, this,
-            [this] { window_.viewer().notice.showHint(tr("To leave cab mode, hold the button for one second.")); });
+            [this] { window_.viewer().notice.showHint(tr("Hold it for one second to leave.")); });
     cancelSoon_.setSingleShot(true);
     cancelSoon_.setInterval(kCancelAfterMs);
     connect(&cancelSoon_, &QTimer::timeout, this, &CabMode::showWork);
@@ -102,6 +105,7 @@ void CabMode::connectSide() {
             [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
     connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) {
+        if (std::exchange(measure_, std::nullopt)) return showNumbers(); // back to what was shown before
         window_.viewer().targets.goTo(by);
         if (const inspect::PinnedTarget* target = window_.viewer().targets.active()) window_.viewer().rocks.select({target->cell});
     });
@@ -124,8 +128,16 @@ void CabMode::follow() {
         showNumbers();
         showCorner();
     });
+    connect(&window_.viewer().targets, &Targets::measured, this, [this] {
+        measure_ = window_.viewer().targets.notebook().measures.back();
+        showNumbers();
+    });
+    connect(&window_.viewer().measures, &Measures::kindChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showNumbers);
-    connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, &CabMode::showNumbers);
+    connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, [this] {
+        showNumbers();
+        showCorner();
+    });
     connect(&window_.viewer().rocks, &Rocks::shownChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().warnings, &WarningButton::warningsRaised, this, &CabMode::showScan);
     connect(&window_.viewer().warnings, &WarningButton::warningsAcknowledged, this, &CabMode::showScan);
@@ -138,7 +150,8 @@ void CabMode::set(bool on) {
     if (std::exchange(on_, on) == on) return;
     if (swapped_) swap();
     useTouchWords(on);
-    window_.viewer().measures.show(); // the prompts of the tool in use
+    QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, on); // here all menus are such: there are no keys
+    window_.viewer().measures.show();                                           // the prompts of the tool in use
     window_.viewer().rocks.useTool(window_.viewer().rocks.tool());
     const QSize size = window_.size();
     auto& application = *qobject_cast<QApplication*>(QApplication::instance());

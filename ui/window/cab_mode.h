@@ -1,11 +1,15 @@
 // Cab mode: the same window for operators with gloves. Tools, numbers and steppers replace menus, cards and sliders.
 #pragma once
 
+#include "core/inspect/measure/notebook.h"
+
 #include <QObject>
 #include <QPoint>
 #include <QTimer>
 
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QAbstractButton;
@@ -63,6 +67,9 @@ private:
     void lockDocks(bool on);
     [[nodiscard]] TargetNumbers numbers() const;
     [[nodiscard]] TargetNumbers ofRock(const rocks::Rock& rock) const;
+    [[nodiscard]] TargetNumbers ofMeasure(const inspect::StoredMeasure& measure) const;
+    [[nodiscard]] const rocks::Rock* chosenRock() const;
+    void followChoice();
     [[nodiscard]] std::optional<QPoint> markedPlace() const;
 
     MainWindow& window_;
@@ -75,6 +82,8 @@ private:
     QToolButton* remove_ = nullptr;
     std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;
+    std::optional<inspect::StoredMeasure> measure_;                            // shown until a target, a rock or a measurement is chosen
+    std::pair<std::optional<std::uint32_t>, std::vector<std::size_t>> chosen_; // cells of the target and of the rocks
     Corner shown_ = Corner::Range;
     bool on_ = false;
     bool swapped_ = false; // the large pane is an image, and the cloud is in the corner

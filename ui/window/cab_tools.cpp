@@ -1,5 +1,6 @@
 // Actions of the tools, the corner and the numbers of cab mode.
 #include "core/base/tolerance_text.h"
+#include "core/edges/explain/cell_values.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
 #include "ui/base/shown_text.h"
@@ -20,7 +21,10 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -38,6 +42,14 @@ QString sizeOf(const rocks::Rock& rock) {
 QString sizeRemarkOf(const rocks::Rock& rock) {
     return CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2)) + " · " +
            (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
+}
+
+void addPlace(TargetNumbers& values, const edges::Probe& at) {
+    const Eigen::Vector3d& place = at.mineM ? *at.mineM : at.pointM;
+    int n = 0;
+    for (const char* name : at.mineM ? std::array{"E", "N", "RL"} : std::array{"X", "Y", "Z"})
+        values.coordinates.emplace_back(name, metres(place[n++], 3));
+    if (!at.mineM) values.warned = CabMode::tr("▲ no pose: no E N RL");
 }
 
 // A menu of the menu bar, in every language: the entries are those of the menu, not a second list.
@@ -76,13 +88,17 @@ void CabMode::addTools() {
     followTool();
     QToolButton* rocks = column.add("cab-rocks", "rocks", tr("Rocks"));
     rocks->setCheckable(true);
-    connect(rocks, &QToolButton::clicked, this, [this, rocks] { // the first touch shows them, the next one offers what is done with them
+    connect(rocks, &QToolButton::clicked, this, [this, rocks] { // the first tap shows them, the next one offers what is done with them
         Rocks& shown = window_.viewer().rocks;
         rocks->setChecked(true);
         if (!shown.shown()) return shown.setShown(true);
         if (QMenu* menu = menuWith(window_, "rocks-largest")) openNextTo(*menu, *rocks);
     });
-    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, &QToolButton::setChecked);
+    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, [rocks](bool on) {
+        rocks->setChecked(on);
+        showMenuSign(*rocks, on);
+    });
+    showMenuSign(*rocks, window_.viewer().rocks.shown());
     QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
     connect(compare, &QToolButton::clicked, this, [this, compare] {
         if (QMenu* menu = menuWith(window_, "compare-keep")) openNextTo(*menu, *compare);
@@ -115,6 +131,7 @@ void CabMode::addTools() {
     column.setFoot(undo);
     const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
     for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
+    for (QToolButton* each : {measure, compare, remove_, frame_->head().menu()}) showMenuSign(*each);
     addSideButtons();
 }
 
@@ -164,7 +181,8 @@ void CabMode::addMeasures(QMenu& menu) {
 }
 
 std::optional<QPoint> CabMode::markedPlace() const {
-    const auto cell = window_.viewer().views.marked();
+    const rocks::Rock* const rock = chosenRock();
+    const auto cell = rock != nullptr ? std::optional<std::size_t>(rock->cell) : window_.viewer().views.marked();
     return cell && window_.viewer().engine.picture() ? std::optional(window_.viewer().views.placeOf(*cell)) : std::nullopt;
 }
 
@@ -211,23 +229,57 @@ TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
     values.title = tr("Rock %1").arg(rock.label);
     values.place = others > 0 ? tr("and %1 more selected").arg(others) : QString();
     values.distance = tr("%1 m").arg(rock.distanceM, 0, 'f', 2);
+    values.tolerance = tr("median of its cells"); // which has no ± of its own
+    addPlace(values, edges::probeCell(*window_.viewer().engine.picture()->detection, rock.cell));
     values.rock = tr("Rock %1, visible a × b").arg(rock.label);
     values.size = sizeOf(rock);
     values.sizeRemark = sizeRemarkOf(rock);
     return values;
 }
 
+TargetNumbers CabMode::ofMeasure(const inspect::StoredMeasure& measure) const {
+    const MeasureWords words = window_.viewer().targets.wordsOf(measure);
+    TargetNumbers values;
+    values.title = tr("Measurement");
+    values.place = tr("an arrow: back");
+    values.distanceName = words.kind;
+    const bool one = words.value.count("±") == 1; // several lengths have one each
+    values.distance = !window_.viewer().targets.settled() ? QStringLiteral("…") : one ? words.value.section(" ± ", 0, 0) : words.value;
+    values.tolerance = one ? "± " + words.value.section(" ± ", 1) : QString();
+    QStringList warned, basis;
+    for (const QString& part : words.basis.split("; ", Qt::SkipEmptyParts)) (part.startsWith("▲") ? warned : basis) << part;
+    values.warned = warned.join('\n');
+    values.sizeRemark = basis.join('\n');
+    values.stepsBack = true;
+    return values;
+}
+
+/// The selected rock, if it is not that of the target.
+const rocks::Rock* CabMode::chosenRock() const {
+    const Rocks& rocks = window_.viewer().rocks;
+    const rocks::Rock* chosen = rocks.picture() && !rocks.selected().empty() ? rocks.picture()->rockAt(rocks.selected().back()) : nullptr;
+    const inspect::PinnedTarget* target = window_.viewer().targets.active();
+    return chosen != nullptr && target != nullptr && rocks.picture()->labelAt(target->cell) == chosen->label ? nullptr : chosen;
+}
+
+/// Another target or rock is chosen, or the measurement is gone: it is no longer shown.
+void CabMode::followChoice() {
+    const Targets& targets = window_.viewer().targets;
+    const inspect::PinnedTarget* target = targets.active();
+    const decltype(chosen_) now{target != nullptr ? std::optional(target->cell) : std::nullopt, window_.viewer().rocks.selected()};
+    const auto& measures = targets.notebook().measures;
+    if (std::exchange(chosen_, now) != now || (measure_ && std::ranges::find(measures, *measure_) == measures.end())) measure_.reset();
+}
+
 TargetNumbers CabMode::numbers() const {
     const Targets& targets = window_.viewer().targets;
     const auto& all = targets.notebook().targets;
     const inspect::PinnedTarget* target = targets.active();
-    const Rocks& rocks = window_.viewer().rocks;
-    const rocks::Rock* chosen = rocks.picture() && !rocks.selected().empty() ? rocks.picture()->rockAt(rocks.selected().back()) : nullptr;
-    const bool isTargets = chosen == nullptr || (target != nullptr && rocks.picture()->labelAt(target->cell) == chosen->label);
-    TargetNumbers values = isTargets ? TargetNumbers{} : ofRock(*chosen);
+    const rocks::Rock* const rock = chosenRock();
+    TargetNumbers values = measure_ ? ofMeasure(*measure_) : rock != nullptr ? ofRock(*rock) : TargetNumbers{};
     values.targets = static_cast<int>(all.size());
-    if (!isTargets) return values;
-    if (target == nullptr) return values;
+    values.measuring = window_.viewer().measures.kind().has_value();
+    if (measure_ || rock != nullptr || target == nullptr) return values;
     values.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
     values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
     const auto known = targets.known().targets.find(target->cell);
@@ -245,16 +297,8 @@ TargetNumbers CabMode::numbers() const {
     } else {
         values.sizeRemark = around.rocksShown ? tr("no rock here") : tr("tap Rocks to measure it");
     }
-    const auto rows = [&](const Eigen::Vector3d& at, std::initializer_list<const char*> names) {
-        int n = 0;
-        for (const char* name : names) values.coordinates.emplace_back(name, metres(at[n++], 3));
-    };
     if (cell.probe.state != CellState::Valid) return values;
-    if (cell.probe.mineM)
-        rows(*cell.probe.mineM, {"E", "N", "RL"});
-    else
-        rows(cell.probe.pointM, {"X", "Y", "Z"});
-    if (!cell.probe.mineM) values.pose = tr("▲ no pose: no E N RL");
+    addPlace(values, cell.probe);
     for (const TargetRow& row : targetRows(cell, around)) {
         if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) values.rows.emplace_back(row.name, row.value);
     }
@@ -262,6 +306,7 @@ TargetNumbers CabMode::numbers() const {
 }
 
 void CabMode::showNumbers() {
+    followChoice();
     if (!on_) return;
     frame_->side().showNumbers(numbers());
     const Targets& targets = window_.viewer().targets;

@@ -53,6 +53,10 @@ void Viewer::followPictures() {
     next(views, &LinkedViews::followPicture); // the others draw over it
     next(tuning, &Tuning::followPicture);
     next(live, &Live::followPicture);
+    // A sweep that is held in its middle does not grow on the screen.
+    const auto count = [this] { tuning.count(live.grows()); };
+    next(tuning, count);
+    QObject::connect(&live, &Live::growthChanged, &tuning, count);
     next(explanation, &Explanation::forgetTrail);
     next(rocks, &Rocks::followPicture);
     next(targets, &Targets::followPicture);

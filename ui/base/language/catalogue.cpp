@@ -17,6 +17,12 @@ std::atomic<bool> touchWordsWanted = false;
 constexpr const char* kTouchWords =
     QT_TRANSLATE_NOOP("QObject", "right-click > hold a finger on | clicked > tapped | clicks > taps | click > tap");
 
+/// French has spaces before ":;?!%»" and after "«", at which no line may end. The words of a finger are pairs, not a text.
+QString withoutBreaks(QString text) {
+    static const QRegularExpression before(" (?=[:;?!%»](?:\\s|$|[.,)]))"), after("« ");
+    return text.replace(before, QString(QChar(0x00A0))).replace(after, QString("«") + QChar(0x00A0));
+}
+
 } // namespace
 
 void useTouchWords(bool on) { touchWordsWanted = on; }
@@ -37,7 +43,7 @@ bool Catalogue::read(const QString& path) {
         } else if (xml.name() == QLatin1String("translation")) {
             const bool unfinished = xml.attributes().hasAttribute(QLatin1String("type"));
             const QString text = xml.readElementText();
-            if (!unfinished && !text.isEmpty()) texts_.insert(source, text);
+            if (!unfinished && !text.isEmpty()) texts_.insert(source, withoutBreaks(text));
         }
     }
     if (xml.hasError()) texts_.clear();

@@ -241,6 +241,7 @@ void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
     after.measures.push_back(measure);
     change(stepName("Measure"), std::move(after));
     emit pinned();
+    emit measured();
 }
 
 void Targets::removeMeasure(std::size_t place) {

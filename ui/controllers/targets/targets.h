@@ -43,6 +43,12 @@ struct KnownConfidence {
     bool operator==(const KnownConfidence&) const = default;
 };
 
+/// A measurement in words.
+struct MeasureWords {
+    QString kind, value; ///< "Throat Width", "1.611 m ± 0.135 m"
+    QString basis;       ///< parts, separated by "; "
+};
+
 /// GUI thread only. The objects passed to it must outlive it.
 class Targets : public QObject {
     Q_OBJECT
@@ -80,6 +86,7 @@ public:
     void removeMeasure(std::size_t place);
     /// "3 Big one · 12.340 m · rock 4 · E ... N ... RL ... m": what the list shows of it, in one line.
     [[nodiscard]] QString inWords(const inspect::PinnedTarget& target) const;
+    [[nodiscard]] MeasureWords wordsOf(const inspect::StoredMeasure& measure) const;
     /// Kind and length of each measurement, in the order of the notebook.
     [[nodiscard]] std::vector<QString> measuresInWords() const;
     [[nodiscard]] inspect::TargetsPart part() const;
@@ -102,6 +109,8 @@ public:
 signals:
     /// The panel has new content to look at.
     void pinned();
+    /// The last measurement of the notebook is new.
+    void measured();
     /// The card shows another target or other values.
     void cardChanged();
     void explanationRequested(std::size_t cell);

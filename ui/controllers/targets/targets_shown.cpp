@@ -121,14 +121,31 @@ CellMarks Targets::marks() const {
     return marks;
 }
 
-std::vector<QString> Targets::measuresInWords() const {
-    std::vector<QString> words;
-    for (const inspect::StoredMeasure& measure : notebook_.measures) {
-        const inspect::MeasuredCells* now = knownOf(measure);
-        words.push_back(tr(inspect::traitsOf(measure.kind).label) + "  " +
-                        (now != nullptr ? coreWords(inspect::measureText(*now)) : tr("a cell of it has no range")));
+MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
+    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), tr("a cell of it has no range"), {}};
+    const inspect::MeasuredCells* now = knownOf(measure);
+    QStringList basis;
+    if (now != nullptr) {
+        words.value = coreWords(inspect::measureText(*now));
+        basis << shownText(inspect::measureBasis(*now, inLanguage));
     }
+    if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are near the clicks anyway
+        basis << movedText(measure);
+    if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
+        basis << tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
+    if (now != nullptr && mountingAssumed(*known_.picture->detection->scan)) basis << tr("▲ mounting assumed");
+    basis.removeAll(QString());
+    words.basis = basis.join("; ");
     return words;
+}
+
+std::vector<QString> Targets::measuresInWords() const {
+    std::vector<QString> all;
+    for (const inspect::StoredMeasure& measure : notebook_.measures) {
+        const MeasureWords words = wordsOf(measure);
+        all.push_back(words.kind + "  " + words.value);
+    }
+    return all;
 }
 
 void Targets::show() {
@@ -147,17 +164,9 @@ void Targets::show() {
     rocks_.setNames(names);
     panel_.showTargets(lines);
     lines.clear();
-    const std::vector<QString> words = measuresInWords();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
-        const inspect::MeasuredCells* now = knownOf(measure);
-        QString basis = now != nullptr ? shownText(inspect::measureBasis(*now, inLanguage)) : QString();
-        if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are near the clicks anyway
-            basis += (basis.isEmpty() ? "" : "; ") + movedText(measure);
-        if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
-            basis += (basis.isEmpty() ? "" : "; ") + tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
-        if (now != nullptr && mountingAssumed(*known_.picture->detection->scan))
-            basis += (basis.isEmpty() ? "" : "; ") + tr("▲ mounting assumed");
-        lines.push_back({words[lines.size()] + (basis.isEmpty() ? QString() : "\n" + basis), basis});
+        const MeasureWords words = wordsOf(measure);
+        lines.push_back({words.kind + "  " + words.value + (words.basis.isEmpty() ? QString() : "\n" + words.basis), words.basis});
     }
     panel_.showMeasures(lines);
     showCard();
@@ -209,7 +218,7 @@ void Targets::copyAll() {
         rows << tableRow(target.number, shownName(exactText(target.name)), knownOf(target.cell));
     QGuiApplication::clipboard()->setText(rows.join('\n') + "\n");
     notice_.showNotice(NoticeBar::Kind::Done,
-                       tr("%1 targets are on the clipboard, as a table for a spreadsheet.").arg(notebook_.targets.size()));
+                       tr("On the clipboard, as a table for a spreadsheet: %1.").arg(targetCount(notebook_.targets.size())));
 }
 
 } // namespace edgescan::ui

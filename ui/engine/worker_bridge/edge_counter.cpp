@@ -31,6 +31,12 @@ void EdgeCounter::want(const std::shared_ptr<const edges::Detection>& detection)
     emit outdated();
 }
 
+void EdgeCounter::forget() {
+    scan_.reset();
+    curve_.giveUp();
+    emit outdated();
+}
+
 } // namespace edgescan::ui
 
 #include "moc_edge_counter.cpp"

@@ -20,6 +20,8 @@ public:
     /// A new detection is on the screen. It is counted when no other detection follows shortly. It is not counted again if only the swept
     /// threshold changed.
     void want(const std::shared_ptr<const edges::Detection>& detection);
+    /// The picture grows: nothing is counted, and the same detection can be wanted again.
+    void forget();
     /// The newest count is still to come.
     [[nodiscard]] bool behind() const { return curve_.behind(); }
 

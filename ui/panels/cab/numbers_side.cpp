@@ -4,6 +4,7 @@
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
 #include "ui/panels/cab/stepper.h"
+#include "ui/panels/targets/target_words.h"
 
 #include <QFontMetrics>
 #include <QGridLayout>
@@ -136,9 +137,9 @@ NumbersSide::NumbersSide(QWidget* parent)
       next_(arrow("cab-next", "next", tr("Next target"))), title_(label("cab-target", kTextPx, true)),
       hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
       tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
-      sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)), coordinates_(new QGridLayout),
+      sizeRemark_(label("cab-size-remark", kNotePx, false)), warned_(label("cab-warned", kNotePx, false)), coordinates_(new QGridLayout),
       rows_(new QGridLayout), main_(new Stepper(QString())), foot_(new QGridLayout) {
-    for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, pose_}) each->setWordWrap(true);
+    for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, warned_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
     auto* head = new QHBoxLayout;
@@ -173,7 +174,6 @@ QWidget* NumbersSide::makeNumbers() {
     column->addWidget(hint_);
     auto* name = label("cab-distance-name", kNotePx, false);
     distanceName_ = name;
-    name->setText(tr("Distance"));
     auto* above = new QHBoxLayout; // the uncertainty next to the name: a low screen has no line for it
     above->addWidget(name);
     above->addStretch(1);
@@ -181,7 +181,7 @@ QWidget* NumbersSide::makeNumbers() {
     column->addLayout(above);
     column->addWidget(distance_);
     column->addLayout(coordinates_); // above the rock, whose words have as many lines as the language needs: a low screen shows them whole
-    column->addWidget(pose_);
+    column->addWidget(warned_);
     column->addSpacing(4);
     for (QLabel* each : std::initializer_list<QLabel*>{rock_, size_, sizeRemark_}) column->addWidget(each);
     column->addSpacing(4);
@@ -189,10 +189,10 @@ QWidget* NumbersSide::makeNumbers() {
     column->addStretch(1);
     coordinates_->setColumnStretch(1, 1);
     rows_->setColumnStretch(1, 1);
-    followColours(*pose_, [this](const Theme& theme) {
-        QPalette letters = pose_->palette();
+    followColours(*warned_, [this](const Theme& theme) {
+        QPalette letters = warned_->palette();
         letters.setColor(QPalette::WindowText, theme.warn);
-        pose_->setPalette(letters);
+        warned_->setPalette(letters);
     });
     return facts_;
 }
@@ -211,23 +211,25 @@ QWidget* NumbersSide::makeSettings() {
 void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     const bool some = !numbers.title.isEmpty();
     hint_->setVisible(!some);
-    hint_->setText(numbers.targets > 0 ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
-                                       : tr("Tap a rock in the cloud: its distance and its size are shown here."));
-    for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_, rock_, size_}) each->setVisible(some);
-    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(numbers.targets > 0);
-    title_->setText(some                   ? numbers.title + '\n' + numbers.place
-                    : numbers.targets == 1 ? tr("1 target")
-                    : numbers.targets > 0  ? tr("%1 targets").arg(numbers.targets)
-                                           : tr("No target"));
+    hint_->setText(numbers.measuring     ? tr("Tap the ends of the measurement: its length is shown here.")
+                   : numbers.targets > 0 ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
+                                         : tr("Tap a rock in the cloud: its distance and its size are shown here."));
+    for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_}) each->setVisible(some);
+    distanceName_->setText(numbers.distanceName.isEmpty() ? tr("Distance") : numbers.distanceName);
+    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(numbers.targets > 0 || numbers.stepsBack);
+    title_->setText(some                  ? numbers.title + '\n' + numbers.place
+                    : numbers.targets > 0 ? targetCount(static_cast<std::size_t>(numbers.targets))
+                                          : tr("No target"));
     distance_->showText(numbers.distance);
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);
+    rock_->setVisible(!numbers.rock.isEmpty());
     size_->showText(numbers.size);
-    size_->setVisible(some && numbers.size != QStringLiteral("–")); // the remark says why there is none
+    size_->setVisible(!numbers.size.isEmpty() && numbers.size != QStringLiteral("–")); // the remark says why there is none
     sizeRemark_->setText(numbers.sizeRemark);
     sizeRemark_->setVisible(!numbers.sizeRemark.isEmpty());
-    pose_->setText(numbers.pose);
-    pose_->setVisible(!numbers.pose.isEmpty());
+    warned_->setText(numbers.warned);
+    warned_->setVisible(!numbers.warned.isEmpty());
     fillRows(*coordinates_, coordinateLabels_, numbers.coordinates, true);
     fillRows(*rows_, rowLabels_, numbers.rows, false);
     fitHeight();

@@ -19,15 +19,18 @@ namespace edgescan::ui {
 class FittedLabel;
 class Stepper;
 
-/// The text about a target. Empty title: no target is chosen.
+/// The text about a target, a rock or a measurement. Empty title: nothing is chosen.
 struct TargetNumbers {
     QString title, place;                                 ///< "Target 1", "of 3"
     QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
     QString rock, size, sizeRemark;                       ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "± 0.10 m · candidate …"
     std::vector<std::pair<QString, QString>> coordinates; ///< in large type as well
-    QString pose;                                         ///< "▲ no pose"; empty if the scan has a pose
+    QString warned;                                       ///< lines with ▲, as "▲ no pose"
     std::vector<std::pair<QString, QString>> rows;
-    int targets = 0; ///< of the scan
+    int targets = 0;        ///< of the scan
+    bool stepsBack = false; ///< an arrow goes back from a measurement to what was shown before
+    bool measuring = false; ///< a tap is an end of a measurement
+    QString distanceName{}; ///< "Throat Width"; empty: "Distance"
 };
 
 /// One setting. `key`: its key in the parameter table.
@@ -85,7 +88,7 @@ private:
     QLabel* rock_;
     FittedLabel* size_;
     QLabel* sizeRemark_;
-    QLabel* pose_;
+    QLabel* warned_;
     QGridLayout* coordinates_;
     QGridLayout* rows_;
     std::vector<std::pair<QLabel*, QLabel*>> coordinateLabels_, rowLabels_;

@@ -5,6 +5,8 @@
 #include "ui/base/themes.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QToolButton>
 
 #include <algorithm>
@@ -49,6 +51,19 @@ QToolButton* gloveButton(const char* name, const char* sign, const QString& word
     auto* button = new QToolButton;
     makeGloveButton(*button, name, sign, word);
     return button;
+}
+
+void showMenuSign(QToolButton& button, bool on) {
+    auto* sign = button.findChild<QLabel*>("menu-sign");
+    if (sign == nullptr) {
+        sign = new QLabel("▾");
+        sign->setObjectName("menu-sign");
+        sign->setAttribute(Qt::WA_TransparentForMouseEvents);
+        auto* place = new QHBoxLayout(&button);
+        place->setContentsMargins(0, 2, 6, 0);
+        place->addWidget(sign, 1, Qt::AlignRight | Qt::AlignTop);
+    }
+    sign->setVisible(on);
 }
 
 ToolColumn::ToolColumn(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {

@@ -15,6 +15,9 @@ namespace edgescan::ui {
 void makeGloveButton(QToolButton& button, const char* name, const char* sign, const QString& word);
 [[nodiscard]] QToolButton* gloveButton(const char* name, const char* sign, const QString& word);
 
+/// A small triangle: a tap opens a menu.
+void showMenuSign(QToolButton& button, bool on = true);
+
 /// GUI thread only.
 class ToolColumn : public QWidget {
     Q_OBJECT

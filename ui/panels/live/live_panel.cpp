@@ -28,6 +28,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kBetween = 8;       // px between two buttons
+constexpr int kSettleMs = 1000;   // after a change of meaning that no press caused
 constexpr int kUsualPort = 2112;  // SICK's second CoLa port, the default of sick_scan_xd
 constexpr int kBridgePort = 8765; // of foxglove_bridge
 
@@ -100,7 +101,7 @@ LivePanel::LivePanel(QWidget* parent)
     });
     connect(record_, &QPushButton::clicked, this, &LivePanel::recordRequested);
     connect(keep_, &QPushButton::clicked, this, &LivePanel::keepRequested);
-    connect(follow_, &QPushButton::clicked, this, [this](bool hold) { connected_ ? emit followRequested(!hold) : askOther(); });
+    connect(follow_, &QPushButton::clicked, this, &LivePanel::pressFollow);
     // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
     // meaning by then.
     for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
@@ -231,11 +232,29 @@ void LivePanel::setRecording(bool recording) {
     record_->setText(recording ? tr("Stop recording") : tr("Record"));
 }
 
+bool LivePanel::answers() const { return !changed_.isValid() || changed_.elapsed() >= kSettleMs; }
+
+/// A sweep that ends holds itself: a press on Hold in that moment must not follow the next one.
+void LivePanel::pressFollow(bool hold) {
+    if (!answers()) {
+        follow_->setChecked(!hold);
+        return emit pressIgnored(follow_->text());
+    }
+    pressing_ = true;
+    connected_ ? emit followRequested(!hold) : askOther();
+    pressing_ = false;
+}
+
+void LivePanel::sayFollow(const QString& meaning) {
+    if (meaning != follow_->text() && !pressing_) changed_.start();
+    follow_->setText(meaning);
+}
+
 /// The button says what it does next; while the picture is held it looks pressed.
 void LivePanel::setFollowing(bool following) {
     const bool held = connected_ && !following;
     follow_->setChecked(held);
-    follow_->setText(held ? tr("Follow") : tr("Hold"));
+    sayFollow(held ? tr("Follow") : tr("Hold"));
     follow_->setIcon(toolIcon(held ? "play" : "hold"));
     follow_->setToolTip(
         held ? tr("The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.")
@@ -251,7 +270,7 @@ void LivePanel::offerOthers(const QStringList& sweeps, const QString& help) {
     others_ = sweeps;
     follow_->setChecked(false);
     follow_->setEnabled(!sweeps.isEmpty());
-    follow_->setText(sweeps.size() == 1 ? tr("Show %1").arg(sweeps.front()) : tr("Show another sweep…"));
+    sayFollow(sweeps.size() == 1 ? tr("Show %1").arg(sweeps.front()) : tr("Show another sweep…"));
     follow_->setIcon(toolIcon("play"));
     follow_->setToolTip(help);
     showFields();

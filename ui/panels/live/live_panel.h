@@ -4,6 +4,7 @@
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 #include "ui/panels/live/health_strip.h"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 class QDialog;
@@ -46,6 +47,8 @@ public:
     void setBrief(bool on);
     [[nodiscard]] bool brief() const { return brief_; }
     void setFollowing(bool following);
+    /// False for a second after the button Hold got another meaning without a press: a finger that comes now means the former one.
+    [[nodiscard]] bool answers() const;
     /// After Stop: the button shows one of these sweeps, and asks which where there are several. Empty: there is nothing else to show.
     void offerOthers(const QStringList& sweeps, const QString& help);
     /// `note`: one sentence about the picture on the screen; the strip shows it while the scanner is well.
@@ -64,6 +67,8 @@ signals:
     void recordRequested(bool on);
     void keepRequested();
     void followRequested(bool on);
+    /// A press came too early after a change of the button's meaning, see answers().
+    void pressIgnored(const QString& meaning);
     /// A place of offerOthers().
     void otherRequested(int place);
     /// The operator typed mounting or steps while the scanner is connected.
@@ -77,6 +82,8 @@ private:
     void reserveWidths();
     void showFields();
     void askOther();
+    void pressFollow(bool hold);
+    void sayFollow(const QString& meaning);
     void followAddress();
 
     QLabel* title_;
@@ -94,6 +101,8 @@ private:
     HealthStrip* strip_;
     FlowLayout* buttons_ = nullptr;
     QHBoxLayout* stripRow_ = nullptr;
+    bool pressing_ = false; // the operator's press changes the meaning of the button
+    QElapsedTimer changed_; // since its meaning changed without a press
     bool connected_ = false, brief_ = false, bridge_ = false;
     bool asking_ = false; // the operator asked for the fields of the address
     QStringList others_;  // sweeps that the button offers after Stop

@@ -8,6 +8,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 #include "ui/engine/worker_bridge/in_background.h"
+#include "ui/panels/targets/target_words.h"
 
 #include <QApplication>
 #include <QCommandLinkButton>
@@ -212,9 +213,9 @@ void StartPage::showSession(const QString& path) {
             const auto read = inspect::readSession(exactBytes(path));
             QString words;
             if (read)
-                words = tr("%1, %2 targets, %3 UTC")
+                words = tr("%1, %2, %3 UTC")
                             .arg(shownName(exactText(read->state.scan.identity.name)))
-                            .arg(read->state.targets.notebook.targets.size())
+                            .arg(targetCount(read->state.targets.notebook.targets.size()))
                             .arg(shownText(read->savedUtc).left(16).replace('T', ' '));
             return [this, words] { words.isEmpty() ? session_->setEnabled(false) : session_->setDescription(words); };
         },

@@ -104,6 +104,8 @@ void CloudView::flyTo(qint64 cell) {
     pose_.position = point - forward * std::max(0.1, nearby);
     pose_.focus = point;
     centre_ = point;
+    const double aside = freeArea().center().x() - rect().center().x(); // no plate covers it
+    if (aside != 0.0) pose_ = panned(pose_, centre_, aside, 0.0, height());
     applyCamera();
 }
 
