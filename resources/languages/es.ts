@@ -261,6 +261,8 @@
 <message><source>out of window</source><translation>fuera de la ventana</translation></message>
 <message><source>masked</source><translation>enmascaradas</translation></message>
 <message><source>lost</source><translation>perdidas</translation></message>
+<message><source>1 target</source><translation>1 objetivo</translation></message>
+<message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
 <message><source>Folded panels</source><translation>Paneles plegados</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
@@ -1229,8 +1231,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
-<message><source>1 target</source><translation>1 objetivo</translation></message>
-<message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>Distance [m]</source><translation>Distancia [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
 <message><source>Beam</source><translation>Haz</translation></message>

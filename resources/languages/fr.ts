@@ -261,6 +261,8 @@
 <message><source>out of window</source><translation>hors de la fenêtre</translation></message>
 <message><source>masked</source><translation>masquées</translation></message>
 <message><source>lost</source><translation>perdues</translation></message>
+<message><source>1 target</source><translation>1 cible</translation></message>
+<message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
 <message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
 <message><source>Open %1</source><translation>Ouvrir %1</translation></message>
@@ -1229,8 +1231,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
-<message><source>1 target</source><translation>1 cible</translation></message>
-<message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>Distance [m]</source><translation>Distance [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Beam</source><translation>Faisceau</translation></message>

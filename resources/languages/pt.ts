@@ -261,6 +261,8 @@
 <message><source>out of window</source><translation>fora da janela</translation></message>
 <message><source>masked</source><translation>mascaradas</translation></message>
 <message><source>lost</source><translation>perdidas</translation></message>
+<message><source>1 target</source><translation>1 alvo</translation></message>
+<message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
 <message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
@@ -1229,8 +1231,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
-<message><source>1 target</source><translation>1 alvo</translation></message>
-<message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>Distance [m]</source><translation>Distância [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
 <message><source>Beam</source><translation>Feixe</translation></message>

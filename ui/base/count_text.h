@@ -1,12 +1,14 @@
-// Numbers with their thousands apart.
+// Counts in words: thousands apart, one and several.
 #pragma once
 
 #include "ui/base/language/languages.h"
 
 #include <QLocale>
+#include <QObject>
 #include <QString>
 
 #include <concepts>
+#include <cstddef>
 
 namespace edgescan::ui {
 
@@ -16,6 +18,11 @@ template <std::integral Number>
 [[nodiscard]] QString countText(Number n) {
     QString text = QLocale(QLocale::English, QLocale::UnitedStates).toString(static_cast<qlonglong>(n));
     return languageInUse() == QLatin1String("en") ? text : text.replace(QLatin1Char(','), QChar(0x202F));
+}
+
+/// "1 target", "3 targets".
+[[nodiscard]] inline QString targetCount(std::size_t targets) {
+    return targets == 1 ? QObject::tr("1 target") : QObject::tr("%1 targets").arg(targets);
 }
 
 } // namespace edgescan::ui

@@ -63,7 +63,7 @@ namespace {
 
 constexpr int kRememberAfterMs = 300;
 constexpr int kAgeMs = 15000;
-constexpr int kMostBadge = 300; // px
+constexpr int kMostBadge = 272; // px: "LIVE", a date and a time
 constexpr QSize kLeastCloud(240, 120);
 
 /// The bar of the badge, right of the tools, which give way: it is visible at every width.
@@ -282,7 +282,7 @@ void MainWindow::showOrigin() {
 /// The room of the badge follows from the width of the window alone, so that no text of it moves the buttons.
 void MainWindow::fitBadge() {
     const QWidget& place = *viewer_.origin.parentWidget();
-    const int room = std::min(kMostBadge, width() / 5);
+    const int room = std::min(kMostBadge, 21 * width() / 100);
     viewer_.origin.setMaximumWidth(room);
     place.layout()->itemAt(0)->spacerItem()->changeSize(std::max(0, room - viewer_.origin.sizeHint().width()), 0, QSizePolicy::Expanding);
     place.layout()->invalidate();

@@ -1,6 +1,7 @@
 // Shows the targets in panel and views.
 #include "core/scan/grid/assumed_mounting.h"
 #include "ui/base/core_words.h"
+#include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/rocks/rocks.h"

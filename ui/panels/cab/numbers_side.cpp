@@ -1,10 +1,10 @@
 // Large numbers and steppers.
 #include "ui/panels/cab/numbers_side.h"
 
+#include "ui/base/count_text.h"
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
 #include "ui/panels/cab/stepper.h"
-#include "ui/panels/targets/target_words.h"
 
 #include <QFontMetrics>
 #include <QGridLayout>

@@ -3,12 +3,12 @@
 
 #include "core/base/version.h"
 #include "core/inspect/session_file/session_file.h"
+#include "ui/base/count_text.h"
 #include "ui/base/icons.h"
 #include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 #include "ui/engine/worker_bridge/in_background.h"
-#include "ui/panels/targets/target_words.h"
 
 #include <QApplication>
 #include <QCommandLinkButton>

@@ -165,8 +165,6 @@ QString positionText(const inspect::CellTarget& target) {
         .arg(fixed(at.x(), 3), fixed(at.y(), 3), fixed(at.z(), 3));
 }
 
-QString targetCount(std::size_t targets) { return targets == 1 ? QObject::tr("1 target") : QObject::tr("%1 targets").arg(targets); }
-
 QString tableHeading() {
     return QStringList{QObject::tr("Target"),
                        QObject::tr("Name"),

@@ -52,8 +52,6 @@ struct TargetRow {
 [[nodiscard]] QString tableRow(int number, const QString& name, const inspect::CellTarget* target);
 /// Its heading, with units.
 [[nodiscard]] QString tableHeading();
-/// "1 target", "3 targets".
-[[nodiscard]] QString targetCount(std::size_t targets);
 /// All rows except the distance.
 [[nodiscard]] std::vector<TargetRow> targetRows(const inspect::CellTarget& target, const TargetSurroundings& around);
 
