@@ -318,6 +318,7 @@ private slots:
         QVERIFY2(std::ranges::count(detection.classes->cells, edges::DepthEdge::Silhouette) > 0, "a class that is rare");
         for (const bool brief : {false, true}) {
             on.viewer.legend.setBrief(brief);
+            on.viewer.legend.findChild<QToolButton*>("legend-unfold")->setChecked(brief);
             std::size_t shown = 0;
             for (std::size_t n = 0; n < kEdgeClasses; ++n) {
                 const auto* box = on.viewer.legend.findChild<QCheckBox*>(QString("legend-%1").arg(n));
