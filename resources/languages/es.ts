@@ -1375,8 +1375,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
-<message><source>Measurement</source><translation>Medida</translation></message>
-<message><source>an arrow: back</source><translation>una flecha: volver</translation></message>
+<message><source>‹ › back</source><translation>‹ › volver</translation></message>
 <message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>

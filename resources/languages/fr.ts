@@ -1375,8 +1375,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
-<message><source>Measurement</source><translation>Mesure</translation></message>
-<message><source>an arrow: back</source><translation>une flèche : retour</translation></message>
+<message><source>‹ › back</source><translation>‹ › retour</translation></message>
 <message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>

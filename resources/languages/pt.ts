@@ -1375,8 +1375,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
-<message><source>Measurement</source><translation>Medida</translation></message>
-<message><source>an arrow: back</source><translation>uma seta: voltar</translation></message>
+<message><source>‹ › back</source><translation>‹ › voltar</translation></message>
 <message><source>Rock, visible a × b</source><translation>Rocha, a × b visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>

@@ -730,13 +730,13 @@ private slots:
         on.viewer.measures.start(inspect::MeasureKind::Distance);
         QTRY_VERIFY(side.findChild<QLabel*>("cab-hint")->text().startsWith("Tap the ends"));
         measure(a, b); // without a target or a rock
-        QTRY_COMPARE(title->text().section('\n', 0, 0), QString("Measurement"));
+        QTRY_COMPARE(title->text().section('\n', 0, 0), QString("Measured"));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-previous"), Qt::LeftButton);
         QCOMPARE(title->text(), QString("No target"));
         on.viewer.views.pin(b);
         QTRY_VERIFY(title->text().startsWith("Target 1"));
         measure(b, c);
-        QTRY_VERIFY(title->text().startsWith("Measurement") && on.viewer.targets.settled());
+        QTRY_VERIFY(title->text().startsWith("Measured") && on.viewer.targets.settled());
         const MeasureWords words = on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back());
         QTRY_COMPARE(side.distanceShown() + " " + tolerance->text(), words.value);
         QCOMPARE(kind->text(), words.kind);
@@ -744,11 +744,11 @@ private slots:
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QVERIFY(title->text().startsWith("Target 1") && kind->text() == "Distance");
         measure(a, c);
-        QTRY_VERIFY(title->text().startsWith("Measurement"));
+        QTRY_VERIFY(title->text().startsWith("Measured"));
         on.viewer.rocks.lookAtLargest();
         QTRY_VERIFY(title->text().startsWith("Rock "));
         measure(c, a);
-        QTRY_VERIFY(title->text().startsWith("Measurement"));
+        QTRY_VERIFY(title->text().startsWith("Measured"));
         QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton); // it is gone
         QTRY_VERIFY(title->text().startsWith("Rock "));
     }

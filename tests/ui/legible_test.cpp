@@ -245,7 +245,7 @@ private slots:
                 const auto named = std::ranges::count_if(
                     buttons, [](const QToolButton* each) { return each->toolButtonStyle() == Qt::ToolButtonTextBesideIcon; });
                 QVERIFY2(named >= (width >= 1920   ? 10
-                                   : width >= 1600 ? 5
+                                   : width >= 1600 ? 4
                                                    : 0),
                          qPrintable(QString("%1 %2: %3").arg(code).arg(width).arg(named)));
             }

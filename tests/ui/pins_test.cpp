@@ -84,7 +84,8 @@ private slots:
         picture.fill(QColor(60, 60, 60));
         QPainter painter(&picture);
         ScreenMarks marks;
-        const std::vector<QPointF> places{{113, 90}, {122, 80}, {140, 122}, {146, 67}, {118, 98}, {130, 88}, {126, 104}};
+        std::vector<QPointF> places;
+        for (int n = 0; n < 16; ++n) places.emplace_back(112 + 14 * (n % 4), 72 + 14 * (n / 4));
         for (const QPointF& at : places) marks.targets.push_back({{at}, "12 · 4.91 m", false});
         std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
         std::ranges::reverse(tags);

@@ -147,6 +147,7 @@ private slots:
                 on.window.resize(size);
                 QTRY_COMPARE(on.window.size(), size);
                 on.viewer.cloud.viewFromScanner();
+                QVERIFY(on.settled());
                 for (const auto& [line, beam] : {std::pair{60, 80}, {30, 40}, {90, 120}, {30, 120}, {90, 40}}) {
                     on.viewer.views.pin(on.viewer.views.cellAt(line, beam));
                     on.viewer.views.pointAt(std::nullopt);

@@ -198,6 +198,7 @@ void NoticeBar::offerMore() {
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
+    fitLines();
     layout()->activate();
     offerMore();
 }
@@ -205,9 +206,16 @@ void NoticeBar::resizeEvent(QResizeEvent* event) {
 bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
 void NoticeBar::setBrief(bool on) {
+    brief_ = on;
     copy_->setVisible(!on);
-    line_->setLines(on ? 2 : 1);
+    fitLines();
     offerMore();
+}
+
+/// In a cab two lines, where the window has room for them.
+void NoticeBar::fitLines() {
+    constexpr int kRoomForTwo = 600; // px of the window's height
+    line_->setLines(brief_ && window()->height() >= kRoomForTwo ? 2 : 1);
 }
 
 QString NoticeBar::text() const { return text_->text(); }

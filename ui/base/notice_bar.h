@@ -66,8 +66,10 @@ private:
     void keepShown();
     void showEarlier();
     void offerMore();
+    void fitLines();
 
     Kind kind_ = Kind::Done;
+    bool brief_ = false;       // in a cab
     bool passes_ = false;      // with the next step
     std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;

@@ -142,7 +142,8 @@ void CabMode::follow() {
     connect(&window_.viewer().warnings, &WarningButton::warningsRaised, this, &CabMode::showScan);
     connect(&window_.viewer().warnings, &WarningButton::warningsAcknowledged, this, &CabMode::showScan);
     connect(&window_.viewer().live.scanner(), &ScannerLink::connectedChanged, this, [this](bool connected) {
-        if (on_) window_.viewer().live.panel().setVisible(connected);
+        LivePanel& live = window_.viewer().live.panel();
+        if (on_) live.setVisible(connected || live.offers());
     });
 }
 
@@ -170,7 +171,7 @@ void CabMode::set(bool on) {
     window_.viewer().views.cloud().setForGloves(on);
     showAsked();
     LivePanel& live = window_.viewer().live.panel();
-    live.setVisible(window_.viewer().live.scanner().connected() || (!on && !live.strip().shown().badge.empty()));
+    live.setVisible(window_.viewer().live.scanner().connected() || live.offers() || (!on && !live.strip().shown().badge.empty()));
     if (on) {
         for (QDialog* each : window_.findChildren<QDialog*>()) {
             if (!each->isModal()) each->hide(); // it would cover the cloud, and gloves cannot move it

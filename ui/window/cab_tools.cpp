@@ -240,8 +240,8 @@ TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
 TargetNumbers CabMode::ofMeasure(const inspect::StoredMeasure& measure) const {
     const MeasureWords words = window_.viewer().targets.wordsOf(measure);
     TargetNumbers values;
-    values.title = tr("Measurement");
-    values.place = tr("an arrow: back");
+    values.title = tr("Measured");
+    values.place = tr("‹ › back");
     values.distanceName = words.kind;
     const bool one = words.value.count("±") == 1; // several lengths have one each
     values.distance = !window_.viewer().targets.settled() ? QStringLiteral("…") : one ? words.value.section(" ± ", 0, 0) : words.value;

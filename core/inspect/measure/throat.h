@@ -27,7 +27,7 @@ struct Throat {
 };
 
 /// narrowestBetween() for all pairs of a click at each side: the click itself, and those kClickSpread cells from it in four directions. A
-/// click means meantCell(). Empty if none of these pairs finds a way.
+/// click means meantCell(). Empty if no pair finds a way.
 [[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
                                              std::uint32_t clickedB);
 

@@ -21,7 +21,7 @@ constexpr int kMoved = 2;            // cells of a repeated click from the first
 constexpr int kWidest = 80;          // cells across an opening
 constexpr int kNarrowest = 5;        // cells
 constexpr double kFartherM = 0.3;    // of what is seen through an opening, behind its side
-constexpr double kDepthShare = 0.5;  // of the width: the two sides are no farther apart in depth
+constexpr double kDepthShare = 0.5;  // of the width: the most that the two sides differ in depth
 constexpr int kMostAttempts = 1'000; // to find one opening
 
 using TwoClicks = std::array<std::uint32_t, 2>;

@@ -51,6 +51,7 @@ public:
     [[nodiscard]] bool answers() const;
     /// After Stop: the button shows one of these sweeps, and asks which where there are several. Empty: there is nothing else to show.
     void offerOthers(const QStringList& sweeps, const QString& help);
+    [[nodiscard]] bool offers() const { return !others_.isEmpty(); }
     /// `note`: one sentence about the picture on the screen; the strip shows it while the scanner is well.
     void showHealth(const files::LiveHealth& health, HealthStrip::Picture picture, const QString& note = {});
 
