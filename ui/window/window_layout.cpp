@@ -193,7 +193,6 @@ void MainWindow::resetLayout() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    fitBadge();
     arrange();
     followFrame();
     rememberTimer_.start();
