@@ -21,7 +21,7 @@ public:
     /// As high as its lines, `most` of them.
     void setLines(int most) {
         most_ = most;
-        highAsLines_ = true;
+        highAsLines_ = most > 1;
         updateGeometry();
     }
     [[nodiscard]] bool hasHeightForWidth() const override { return highAsLines_; }

@@ -237,7 +237,9 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
 
 void NumbersSide::fitHeight() {
     const bool low = height() < kLowPx;
-    main_->setVisible(stepped_ && height() >= kLowestPx);
+    // The part of it that is in the window: with the stepper it would not become lower than the stepper needs.
+    const int seen = std::min(height(), window()->height() - mapTo(window(), QPoint()).y());
+    main_->setVisible(stepped_ && seen >= kLowestPx);
     for (const auto& [name, value] : coordinateLabels_) static_cast<FittedLabel*>(value)->setMost(low ? kTextPx : kCoordinatePx);
     for (const auto& [name, value] : rowLabels_) {
         for (QLabel* each : {name, value}) {
