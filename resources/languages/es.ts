@@ -276,6 +276,7 @@
 <message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
+<message><source>Removed: %1.</source><translation>Quitado: %1.</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Más</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Doble clic: en lugar de la nube, y de vuelta</translation></message>
@@ -637,7 +638,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>the mark “not an edge” at line %1, beam %2</source><translation>la marca «sin borde» en la línea %1, haz %2</translation></message>
 <message><source>Clear the Marks</source><translation>Borrar las marcas</translation></message>
 <message><source>all marks, %1 “edge” and %2 “not an edge”</source><translation>todas las marcas, %1 «borde» y %2 «sin borde»</translation></message>
-<message><source>Removed: %1.</source><translation>Quitado: %1.</translation></message>
 <message><source>✓ edge</source><translation>✓ borde</translation></message>
 <message><source>✕ not an edge</source><translation>✕ sin borde</translation></message>
 <message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Todavía no hay nada marcado: haga clic derecho en una celda y márquela como borde o como no borde.</translation></message>

@@ -276,6 +276,7 @@
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
+<message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
 <message><source>More</source><translation>Plus</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
@@ -637,7 +638,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>the mark “not an edge” at line %1, beam %2</source><translation>la marque « pas d'arête » à la ligne %1, faisceau %2</translation></message>
 <message><source>Clear the Marks</source><translation>Effacer les marques</translation></message>
 <message><source>all marks, %1 “edge” and %2 “not an edge”</source><translation>toutes les marques, %1 « arête » et %2 « pas d'arête »</translation></message>
-<message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
 <message><source>✓ edge</source><translation>✓ arête</translation></message>
 <message><source>✕ not an edge</source><translation>✕ pas d'arête</translation></message>
 <message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Rien n'est encore marqué : clic droit sur une cellule, puis marquez-la comme arête ou comme non-arête.</translation></message>

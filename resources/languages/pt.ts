@@ -276,6 +276,7 @@
 <message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
+<message><source>Removed: %1.</source><translation>Removido: %1.</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Mais</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Duplo clique: no lugar da nuvem, e de volta</translation></message>
@@ -637,7 +638,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>the mark “not an edge” at line %1, beam %2</source><translation>a marca “sem borda” na linha %1, feixe %2</translation></message>
 <message><source>Clear the Marks</source><translation>Apagar as marcas</translation></message>
 <message><source>all marks, %1 “edge” and %2 “not an edge”</source><translation>todas as marcas, %1 “borda” e %2 “sem borda”</translation></message>
-<message><source>Removed: %1.</source><translation>Removido: %1.</translation></message>
 <message><source>✓ edge</source><translation>✓ borda</translation></message>
 <message><source>✕ not an edge</source><translation>✕ sem borda</translation></message>
 <message><source>Nothing is marked yet: right-click a cell and mark it as an edge, or as not an edge.</source><translation>Nada está marcado ainda: clique com o botão direito em uma célula e marque-a como borda ou como não borda.</translation></message>

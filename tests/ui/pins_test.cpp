@@ -101,7 +101,7 @@ private slots:
                 lightest = std::max(lightest, qGray(picture.pixel(QLineF(places[n], end).pointAt(along).toPoint())));
             QVERIFY2(lightest > 100, qPrintable(QString("%1: %2").arg(n).arg(lightest)));
         }
-        QVERIFY2(lines > 0, "the test can fail: there is no room for all next to their marks");
+        QVERIFY2(lines > 0, "the test can fail: not all have room next to their marks");
     }
 
     // A length in a small image has its line only: its label would cover the image, and the cloud has it.

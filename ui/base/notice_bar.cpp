@@ -180,6 +180,11 @@ void NoticeBar::offerUndo(QUndoStack& stack) {
     passes_ = true;
 }
 
+void NoticeBar::showRemoved(QUndoStack& stack, const QString& what, const QString& more) {
+    showNotice(Kind::Done, tr("Removed: %1.").arg(what) + (more.isEmpty() ? QString() : " " + more));
+    offerUndo(stack);
+}
+
 void NoticeBar::unfold(bool on) {
     unfold_->setChecked(on);
     unfold_->setText(on ? tr("Less") : tr("More"));
@@ -198,7 +203,6 @@ void NoticeBar::offerMore() {
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    fitLines();
     layout()->activate();
     offerMore();
 }
@@ -206,16 +210,9 @@ void NoticeBar::resizeEvent(QResizeEvent* event) {
 bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
 void NoticeBar::setBrief(bool on) {
-    brief_ = on;
     copy_->setVisible(!on);
-    fitLines();
+    line_->setLines(on ? 2 : 1);
     offerMore();
-}
-
-/// In a cab two lines, where the window has room for them.
-void NoticeBar::fitLines() {
-    constexpr int kRoomForTwo = 600; // px of the window's height
-    line_->setLines(brief_ && window()->height() >= kRoomForTwo ? 2 : 1);
 }
 
 QString NoticeBar::text() const { return text_->text(); }

@@ -33,7 +33,7 @@ public:
     /// A step was made or undone: a hint or a success is no longer about what is on the screen. An earlier note that was not closed is
     /// shown in its place.
     void endPassing();
-    /// These notes are no longer about what is on the screen, nor wait for "earlier".
+    /// Removes these notes from the bar and from its earlier ones: they are not about what is on the screen any more.
     void withdraw(const QStringList& texts);
     /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens its folder, and `more` sentences.
     void showSaved(const QString& path, const QString& content = {}, const QString& more = {});
@@ -41,6 +41,8 @@ public:
     void offer(const QString& label, std::function<void()> action);
     /// Adds a button that takes back the newest step of the stack; the notice passes with the next step.
     void offerUndo(QUndoStack& stack);
+    /// Names what the newest step of the stack removed, with a button that brings it back, and `more` sentences.
+    void showRemoved(QUndoStack& stack, const QString& what, const QString& more = {});
     [[nodiscard]] QString text() const;
     /// Hides the Copy button; for windows with large buttons.
     void setBrief(bool on);
@@ -66,10 +68,8 @@ private:
     void keepShown();
     void showEarlier();
     void offerMore();
-    void fitLines();
 
     Kind kind_ = Kind::Done;
-    bool brief_ = false;       // in a cab
     bool passes_ = false;      // with the next step
     std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;

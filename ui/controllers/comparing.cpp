@@ -271,8 +271,9 @@ void Comparing::ask() {
         comparingWork_.reset();
         return comparer_.giveUp();
     }
-    if (!pictureA_) comparingWork_.reset(); // what runs is of an A that was forgotten
-    if (pictureA_ && !comparingWork_) {
+    if (!pictureA_) {
+        comparingWork_.reset(); // what runs is of an A that was forgotten
+    } else if (!comparingWork_) {
         comparingWork_ = engine_.works().start(tr("Comparing with A"), [this] {
             comparer_.giveUp();
             comparingWork_.reset();

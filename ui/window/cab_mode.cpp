@@ -151,7 +151,7 @@ void CabMode::set(bool on) {
     if (std::exchange(on_, on) == on) return;
     if (swapped_) swap();
     useTouchWords(on);
-    QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, on); // here all menus are such: there are no keys
+    QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, on); // a cab has no keyboard, and each menu counts as such
     window_.viewer().measures.show();                                           // the prompts of the tool in use
     window_.viewer().rocks.useTool(window_.viewer().rocks.tool());
     const QSize size = window_.size();

@@ -262,7 +262,7 @@ const rocks::Rock* CabMode::chosenRock() const {
     return chosen != nullptr && target != nullptr && rocks.picture()->labelAt(target->cell) == chosen->label ? nullptr : chosen;
 }
 
-/// Another target or rock is chosen, or the measurement is gone: it is no longer shown.
+/// Stops showing the measurement once another target or rock is chosen, or the measurement was removed.
 void CabMode::followChoice() {
     const Targets& targets = window_.viewer().targets;
     const inspect::PinnedTarget* target = targets.active();

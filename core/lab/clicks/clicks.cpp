@@ -83,14 +83,8 @@ struct Click {
 class Clicks {
 public:
     explicit Clicks(const sim::Simulation& simulation)
-        : scan_(simulation.scan), surfaces_(*simulation.truth), tables_(scan_), noise_(rangeNoise(inverseRange(scan_))) {
-        const sim::EdgeTruth truth = sim::edgeTruth(*simulation.truth);
-        for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {
-            const auto kind = static_cast<sim::EdgeClass>(truth.edgeClass[k]);
-            const bool isRim = kind == sim::EdgeClass::Occluding || kind == sim::EdgeClass::Void;
-            if (isRim && truth.ignore[k] == 0) rims_.push_back(static_cast<std::uint32_t>(k));
-        }
-    }
+        : scan_(simulation.scan), surfaces_(*simulation.truth), tables_(scan_), noise_(rangeNoise(inverseRange(scan_))),
+          rims_(nearSides(simulation)) {}
     [[nodiscard]] bool any() const { return !rims_.empty(); }
     [[nodiscard]] const Scan& scan() const { return scan_; }
 
@@ -161,6 +155,17 @@ private:
 };
 
 } // namespace
+
+std::vector<std::uint32_t> nearSides(const sim::Simulation& simulation) {
+    const sim::EdgeTruth truth = sim::edgeTruth(*simulation.truth);
+    std::vector<std::uint32_t> cells;
+    for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {
+        const auto kind = static_cast<sim::EdgeClass>(truth.edgeClass[k]);
+        const bool isRim = kind == sim::EdgeClass::Occluding || kind == sim::EdgeClass::Void;
+        if (isRim && truth.ignore[k] == 0) cells.push_back(static_cast<std::uint32_t>(k));
+    }
+    return cells;
+}
 
 ClickedLengths& ClickedLengths::operator+=(const ClickedLengths& other) {
     refused += other.refused;

@@ -4,6 +4,7 @@
 #include "core/sim/simulate.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace edgescan::lab {
 
@@ -29,6 +30,9 @@ struct ClickScore {
 
     ClickScore& operator+=(const ClickScore& other);
 };
+
+/// The cells on the near side of a true edge (jump or void), in their order. The simulation must have its truth.
+[[nodiscard]] std::vector<std::uint32_t> nearSides(const sim::Simulation& simulation);
 
 /// Each click is a random cell within two cells of a random cell on the near side of a true edge (jump or void). The surface at that edge's
 /// cell is meant. A length is compared with that between the true points of these surfaces nearest to the measured cells. The simulation

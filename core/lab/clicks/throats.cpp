@@ -5,8 +5,8 @@
 #include "core/inspect/measure/near_side.h"
 #include "core/inspect/measure/notebook.h"
 #include "core/inspect/measure/throat.h"
+#include "core/lab/clicks/clicks.h"
 #include "core/sim/random.h"
-#include "core/sim/truth/truth.h"
 
 #include <algorithm>
 #include <array>
@@ -28,13 +28,9 @@ using TwoClicks = std::array<std::uint32_t, 2>;
 
 class Openings {
 public:
-    explicit Openings(const sim::Simulation& simulation) : scan_(simulation.scan), tables_(scan_), noise_(rangeNoise(inverseRange(scan_))) {
-        const sim::EdgeTruth truth = sim::edgeTruth(*simulation.truth);
-        for (std::size_t k = 0; k < truth.edgeClass.size(); ++k) {
-            const auto kind = static_cast<sim::EdgeClass>(truth.edgeClass[k]);
-            const bool isRim = kind == sim::EdgeClass::Occluding || kind == sim::EdgeClass::Void;
-            if (isRim && truth.ignore[k] == 0 && scan_.state[k] == CellState::Valid) rims_.push_back(static_cast<std::uint32_t>(k));
-        }
+    explicit Openings(const sim::Simulation& simulation)
+        : scan_(simulation.scan), tables_(scan_), noise_(rangeNoise(inverseRange(scan_))), rims_(nearSides(simulation)) {
+        std::erase_if(rims_, [this](std::uint32_t k) { return scan_.state[k] != CellState::Valid; });
     }
 
     [[nodiscard]] std::optional<TwoClicks> opening(std::uint64_t seed, std::uint64_t n) const {

@@ -109,8 +109,8 @@ void Rocks::judgeEdit() {
     }
     const QString words = changeWords(changes, *picture_);
     const bool merges = !edits_.empty() && edits_.back().kind == rocks::EditKind::Join && edits_.size() > before->study.edits.size();
-    if (const QString gaps = merges ? apartWords(edits_.back().cells, *before, *picture_) : QString(); !gaps.isEmpty()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, words.isEmpty() ? gaps : gaps + " " + words);
+    if (const QString apart = merges ? apartWords(edits_.back().cells, *before, *picture_) : QString(); !apart.isEmpty()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, words.isEmpty() ? apart : apart + " " + words);
         if (isNewestStep()) notice_.offerUndo(undo_);
         return;
     }

@@ -57,21 +57,16 @@ void MarkedEdges::mark(std::optional<std::size_t> cell, bool isEdge) {
     change(isEdge ? stepName("Mark as an Edge") : stepName("Mark as Not an Edge"), after);
     const QPoint at = views_.placeOf(k);
     if (removes)
-        reportRemoved((isEdge ? tr("the mark “edge” at line %1, beam %2") : tr("the mark “not an edge” at line %1, beam %2"))
-                          .arg(at.y())
-                          .arg(at.x()));
+        notice_.showRemoved(undo_, (isEdge ? tr("the mark “edge” at line %1, beam %2") : tr("the mark “not an edge” at line %1, beam %2"))
+                                       .arg(at.y())
+                                       .arg(at.x()));
 }
 
 void MarkedEdges::clear() {
     if (marks_.empty()) return;
     const edges::EdgeMarks gone = marks_;
     change(stepName("Clear the Marks"), {});
-    reportRemoved(tr("all marks, %1 “edge” and %2 “not an edge”").arg(gone.wanted.size()).arg(gone.unwanted.size()));
-}
-
-void MarkedEdges::reportRemoved(const QString& what) {
-    notice_.showNotice(NoticeBar::Kind::Done, tr("Removed: %1.").arg(what));
-    notice_.offerUndo(undo_);
+    notice_.showRemoved(undo_, tr("all marks, %1 “edge” and %2 “not an edge”").arg(gone.wanted.size()).arg(gone.unwanted.size()));
 }
 
 void MarkedEdges::setPart(const edges::EdgeMarks& marks) { change(stepName("Open Session"), marks); }

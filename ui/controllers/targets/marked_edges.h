@@ -48,7 +48,6 @@ private:
         edges::Settings settings;
         edges::EdgeMarks marks;
     };
-    void reportRemoved(const QString& what);
     void change(const QString& what, const edges::EdgeMarks& after);
     void use(const edges::EdgeMarks& marks);
     [[nodiscard]] std::vector<edges::EdgeProposal> run(const Question& question, const Asker& asker); // pool's thread

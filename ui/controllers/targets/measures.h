@@ -52,7 +52,7 @@ private:
     };
     void pick(const inspect::MeantCell& click);
     void keepPicked();
-    void takeThroat(const ThroatAsked& asked, const Throat& ends);
+    void takeThroat(const ThroatAsked& asked, const Throat& found);
     void keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked);
 
     LinkedViews& views_;

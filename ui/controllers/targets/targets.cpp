@@ -164,7 +164,7 @@ void Targets::remove(int number) {
     inspect::Notebook after = notebook_;
     std::erase_if(after.targets, [&](const inspect::PinnedTarget& each) { return each.number == number; });
     change(stepName("Remove %1", number), std::move(after));
-    reportRemoved(tr("Target %1").arg(words));
+    notice_.showRemoved(undo_, tr("Target %1").arg(words));
 }
 
 void Targets::removeAll() {
@@ -177,13 +177,7 @@ void Targets::removeAll() {
     std::erase_if(after.targets, [](const inspect::PinnedTarget& target) { return !target.locked; });
     const std::size_t locked = after.targets.size();
     change(stepName("Remove All"), std::move(after));
-    reportRemoved(tr("Targets %1").arg(names.join(", ")), locked > 0 ? tr("Locked targets stay: %1.").arg(locked) : QString());
-}
-
-/// What is gone has its name, and comes back by the button.
-void Targets::reportRemoved(const QString& what, const QString& more) {
-    notice_.showNotice(NoticeBar::Kind::Done, tr("Removed: %1.").arg(what) + (more.isEmpty() ? QString() : " " + more));
-    notice_.offerUndo(undo_);
+    notice_.showRemoved(undo_, tr("Targets %1").arg(names.join(", ")), locked > 0 ? tr("Locked targets stay: %1.").arg(locked) : QString());
 }
 
 /// The target on the rock at this cell that has its name, else any target on it; null: the rock has no target.
@@ -250,7 +244,7 @@ void Targets::removeMeasure(std::size_t place) {
     inspect::Notebook after = notebook_;
     after.measures.erase(after.measures.begin() + static_cast<std::ptrdiff_t>(place));
     change(stepName("Remove Measurement"), std::move(after));
-    reportRemoved(words.simplified());
+    notice_.showRemoved(undo_, words.simplified());
 }
 
 inspect::TargetsPart Targets::part() const {

@@ -132,7 +132,6 @@ private:
     void show();
     void showCard();
     void keepConfidence();
-    void reportRemoved(const QString& what, const QString& more = {});
     [[nodiscard]] static QString nameOf(const inspect::PinnedTarget& target); ///< "3  Big one"
     [[nodiscard]] QStringList wordsOf(const inspect::PinnedTarget& target) const;
     [[nodiscard]] QString keyOf(const Picture& picture) const;

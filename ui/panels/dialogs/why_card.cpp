@@ -175,7 +175,6 @@ void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& 
     fit();
     if (parentWidget() != nullptr) placeNextToCell();
     show();
-    if (parentWidget() != nullptr) placeNextToCell(); // the style of a cab made it larger
     raise();
 }
 
