@@ -599,6 +599,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
+<message><source>▲ partial: %1 of the %2 lines of a sweep</source><translation>▲ parcial: %1 de las %2 líneas de un barrido</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
@@ -978,7 +979,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>yes</source><translation>sí</translation></message>
 <message><source>no</source><translation>no</translation></message>
 <message><source>and %1 more</source><translation>y %1 más</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Shift+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Shift+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Shift+arrastrar traza un recuadro.</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Mayús+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Mayús+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Mayús+arrastrar traza un recuadro.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
 <message><source>Scan</source><translation>Escaneo</translation></message>
@@ -1006,6 +1007,10 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
+<message><source>Shift</source><translation>Mayús</translation></message>
+<message><source>Del</source><translation>Supr</translation></message>
+<message><source>PgUp</source><translation>RePág</translation></message>
+<message><source>PgDown</source><translation>AvPág</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>dejar la herramienta, o lo último que se muestra</translation></message>
 <message><source>take the last click back</source><translation>retirar el último clic</translation></message>
 <message><source>to the next field</source><translation>al campo siguiente</translation></message>
@@ -1055,7 +1060,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Angle of the first line</source><translation>Ángulo de la primera línea</translation></message>
 <message><source>Encoder counts per degree</source><translation>Cuentas del encoder por grado</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
-<message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Shift diez</translation></message>
+<message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Mayús diez</translation></message>
 <message><source>RECORDED %1 · line %2/%3</source><translation>GRABADO %1 · línea %2/%3</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
@@ -1186,7 +1191,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
-<message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Del y Quitar todos no lo quitan</translation></message>
+<message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Supr y Quitar todos no lo quitan</translation></message>
 <message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
 <message><source>Two standard deviations of the noise of this scan along the beam. Errors that the scanner makes everywhere are not included.</source><translation>Dos desviaciones estándar del ruido de este escaneo a lo largo del haz. Los errores que el escáner comete en todas partes no están incluidos.</translation></message>
 <message><source>Locked</source><translation>Bloqueado</translation></message>

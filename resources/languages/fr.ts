@@ -599,6 +599,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
+<message><source>▲ partial: %1 of the %2 lines of a sweep</source><translation>▲ partiel : %1 des %2 lignes d'un balayage</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
@@ -1006,6 +1007,10 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
+<message><source>Shift</source><translation>Maj</translation></message>
+<message><source>Del</source><translation>Suppr</translation></message>
+<message><source>PgUp</source><translation>PgPréc</translation></message>
+<message><source>PgDown</source><translation>PgSuiv</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>quitter l'outil, ou ce qui est affiché en dernier</translation></message>
 <message><source>take the last click back</source><translation>annuler le dernier clic</translation></message>
 <message><source>to the next field</source><translation>vers le champ suivant</translation></message>

@@ -599,6 +599,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
 <message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
+<message><source>▲ partial: %1 of the %2 lines of a sweep</source><translation>▲ parcial: %1 das %2 linhas de uma varredura</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
@@ -1006,6 +1007,10 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
+<message><source>Shift</source><translation>Shift</translation></message>
+<message><source>Del</source><translation>Del</translation></message>
+<message><source>PgUp</source><translation>PgUp</translation></message>
+<message><source>PgDown</source><translation>PgDn</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>deixar a ferramenta, ou o que é mostrado por último</translation></message>
 <message><source>take the last click back</source><translation>retirar o último clique</translation></message>
 <message><source>to the next field</source><translation>para o campo seguinte</translation></message>

@@ -191,6 +191,7 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
         QCOMPARE(keysOf(on.window), englishKeys);
+        QCOMPARE(QKeySequence("Shift+Del").toString(QKeySequence::NativeText), QString("Maj+Suppr"));
         QCOMPARE(on.window.menuBar()->actions().front()->text(), catalogue.texts().value("&File"));
         int words = 0;
         for (const QString& text : shownIn(on.window)) {

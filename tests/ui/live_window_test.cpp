@@ -153,7 +153,7 @@ private slots:
         QVERIFY(on.viewer.notice.isVisible() && !on.viewer.live.scanner().connected());
         host->setText("ws://127.0.0.1");
         port->setValue((*bridge)->port());
-        press(on.window, "live-connect");
+        QTest::keyClick(port, Qt::Key_Return);
         QVERIFY(waitForLines(on.window, 20));
         QVERIFY(panel.topics().isVisible());
         const auto row = [&](const QString& words) -> QAction* {

@@ -11,6 +11,7 @@
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/engine/worker_bridge/stage_words.h"
 #include "ui/panels/change/change_legend.h"
+#include "ui/panels/rocks/rock_picture.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
@@ -330,7 +331,10 @@ void Comparing::setDifferenceShown(bool on) {
 
 void Comparing::show() {
     views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
-    if (!comparison_ || !shown_) return views_.remove(OverlayName::Comparison);
+    if (!comparison_ || !shown_) {
+        outlineRegion({});
+        return views_.remove(OverlayName::Comparison);
+    }
     Overlay overlay;
     overlay.name = OverlayName::Comparison;
     overlay.scan = comparison_->asked.now->detection->scan;
@@ -376,7 +380,9 @@ void Comparing::goToRegion(int by) {
     const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
     views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-around, -around, around, around)));
-    views_.cloud().lookAtCells(cellsOf(kinds, region));
+    const std::vector<std::uint32_t> cells = cellsOf(kinds, region);
+    views_.cloud().lookAtCells(cells);
+    outlineRegion(cells);
     legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m")
                            .arg(n + 1)
                            .arg(count)
@@ -385,6 +391,20 @@ void Comparing::goToRegion(int by) {
                            .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)
                            .arg(region.areaM2, 0, 'f', 2)
                            .arg(region.rangeM, 0, 'f', 2));
+}
+
+/// Without cells it takes the outline away, unless that is of a rock by now.
+void Comparing::outlineRegion(const std::vector<std::uint32_t>& cells) {
+    if (cells.empty() && (!outlined_ || outlined_ != views_.cloud().outline())) return outlined_.reset();
+    RockOutline outline;
+    if (!cells.empty()) {
+        const auto& kinds = comparison_->change.ranges.cells;
+        Grid<std::uint32_t> mask(kinds.lines, kinds.beams);
+        for (const std::uint32_t k : cells) mask[k] = 1;
+        outline = outlineOf(mask, 1);
+    }
+    views_.setOutline(outline.sides, std::move(outline.cells));
+    outlined_ = views_.cloud().outline();
 }
 
 bool Comparing::eventFilter(QObject* watched, QEvent* event) {

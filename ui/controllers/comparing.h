@@ -106,6 +106,7 @@ private:
     void showLegend();
     [[nodiscard]] bool comparable() const;
     void goToRegion(int by);
+    void outlineRegion(const std::vector<std::uint32_t>& cells);
 
     Engine& engine_;
     LinkedViews& views_;
@@ -125,6 +126,7 @@ private:
     bool byDistance_ = false;
     bool pairWanted_ = false;           ///< the demo after the blast is being opened
     std::optional<std::size_t> region_; ///< the changed region that the views zoomed to last
+    std::shared_ptr<const std::vector<std::uint32_t>> outlined_; ///< of that region in the cloud; null: no region
     quint32 heldCode_ = 0;              ///< of the flip key while it is pressed
     std::unique_ptr<Works::Running> readingWork_, comparingWork_;
     std::shared_ptr<const Comparison> last_; // used only by compare()

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ranges>
 
 namespace edgescan::inspect {
 namespace {
@@ -92,7 +93,18 @@ bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
     return true;
 }
 
-/// Follows the cells under the line from both ends to their first jump. Echoes of dust are left out.
+/// How much farther the surface is after the jumps that follow each other in one direction; m. A mixed pixel at a rim divides one jump in two.
+template <class Jumps>
+double stepsOf(const Jumps& jumps) {
+    double stepM = 0.0;
+    for (const RowJump& jump : jumps) {
+        if (stepM * jump.stepM < 0.0) break;
+        stepM += jump.stepM;
+    }
+    return stepM;
+}
+
+/// Follows the cells under the line from both ends over their first jumps. Echoes of dust are left out.
 void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, MeasuredCells& measured) {
     std::vector<double> rangesM;
     for (const std::uint32_t k : rocks::strokeCells({from, to}, scan.lines(), scan.beams())) {
@@ -101,7 +113,7 @@ void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, Meas
     }
     const std::vector<RowJump> jumps = jumpsAlong(rangesM, static_cast<int>(rangesM.size()));
     if (jumps.empty()) return;
-    const double first = jumps.front().stepM, last = -jumps.back().stepM; // as seen from the ends: positive is away from the scanner
+    const double first = stepsOf(jumps), last = -stepsOf(std::views::reverse(jumps)); // as seen from the ends: positive is farther away
     measured.behindM = std::max({measured.behindM, -first, -last});
     if (measured.kind != MeasureKind::Throat) measured.inFrontM = std::max({measured.inFrontM, first, last});
 }

@@ -83,9 +83,8 @@ void Rocks::showPiece(const QObject* from) {
     if (piece_ < family_.nested.region) does = tr("a click splits it off");
     if (piece_ > family_.nested.region) does = tr("larger than the rock: a click joins it");
     const QString tip = tr("%1 cells, %2 · wheel: smaller or larger").arg(countText(piece.cells), does);
-    for (ImageView* view : {&views_.gray(), &views_.edges()}) view->setOutline(outline.sides);
+    views_.setOutline(outline.sides, std::move(outline.cells));
     tip_.show(familyCell_, tip, from);
-    views_.cloud().setOutline(std::make_shared<const std::vector<std::uint32_t>>(std::move(outline.cells)));
 }
 
 void Rocks::splitAt(std::size_t cell) {

@@ -175,8 +175,14 @@ void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
 
 QString Rocks::remark() const {
     QStringList words;
-    if (engine_.picture() && engine_.picture()->source.growth.growing && picture_)
-        words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(picture_->labels.lines);
+    if (engine_.picture() && picture_) {
+        const Growth& growth = engine_.picture()->source.growth;
+        const int lines = picture_->labels.lines;
+        if (growth.growing)
+            words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(lines);
+        else if (growth.expectedLines > lines)
+            words << tr("▲ partial: %1 of the %2 lines of a sweep").arg(lines).arg(growth.expectedLines);
+    }
     if (on_ && engine_.picture() && !picture_) words << tr("being computed …");
     if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
@@ -238,10 +244,8 @@ void Rocks::showSelection() {
         panel_.card().hide();
     }
     table_.select(labels);
-    for (ImageView* view : {&views_.gray(), &views_.edges()}) view->setOutline(outline.sides);
     std::sort(outline.cells.begin(), outline.cells.end());
-    views_.cloud().setOutline(outline.cells.empty() ? nullptr
-                                                    : std::make_shared<const std::vector<std::uint32_t>>(std::move(outline.cells)));
+    views_.setOutline(outline.sides, std::move(outline.cells));
     emit selectionChanged();
 }
 

@@ -32,6 +32,11 @@ LinkedViews::LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges
     linkCloud();
 }
 
+void LinkedViews::setOutline(const std::vector<QLine>& sides, std::vector<std::uint32_t> cells) {
+    for (ImageView* view : images_) view->setOutline(sides);
+    cloud_.setOutline(cells.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(std::move(cells)));
+}
+
 void LinkedViews::setTool(Tool tool) {
     tool_ = tool;
     const DragTool drag = tool == Tool::Box ? DragTool::Box : tool == Tool::Lasso ? DragTool::Lasso : DragTool::Move;

@@ -8,10 +8,12 @@
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/camera_motion.h"
 
+#include <QLine>
 #include <QObject>
 
 #include <array>
 #include <optional>
+#include <vector>
 
 class QMenu;
 class QPolygonF;
@@ -75,6 +77,8 @@ public:
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.
     void setMarks(const CellMarks& marks);
+    /// Sides of cells in the images (corners: x = beam, y = line), and the cells along them in the cloud, ascending; empty: no outline.
+    void setOutline(const std::vector<QLine>& sides, std::vector<std::uint32_t> cells);
     /// As if the mouse were over the cell in a view outside of these.
     void pointAt(std::optional<std::size_t> cell);
     void flyToHovered();

@@ -96,9 +96,11 @@ LivePanel::LivePanel(QWidget* parent)
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::textChanged, this, &LivePanel::followAddress);
-    connect(host_, &QLineEdit::returnPressed, this, [this] {
-        if (!connected_) emit connectRequested();
-    });
+    for (QLineEdit* each : {host_, port_->findChild<QLineEdit*>()}) {
+        connect(each, &QLineEdit::returnPressed, this, [this] {
+            if (!connected_) emit connectRequested();
+        });
+    }
     connect(record_, &QPushButton::clicked, this, &LivePanel::recordRequested);
     connect(keep_, &QPushButton::clicked, this, &LivePanel::keepRequested);
     connect(follow_, &QPushButton::clicked, this, &LivePanel::pressFollow);

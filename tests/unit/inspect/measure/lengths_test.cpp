@@ -101,6 +101,18 @@ TEST(Lengths, AnEndBehindTheSurfaceUnderTheLineIsWarnedAbout) {
     EXPECT_NE(measureBasis(*beyond).find("▲ an end is 0.30 m behind the surface next to it"), std::string::npos) << measureBasis(*beyond);
 }
 
+TEST(Lengths, AHoleBehindAStepUnderTheLineIsGivenWithItsWholeDepth) {
+    Scan large = plateScan(1.0);
+    const auto ends = endsOfPlate(large);
+    const std::uint32_t middle = (ends[0] + ends[1]) / 2;
+    for (std::uint32_t k = middle - 12; k <= middle + 12; ++k) large.rangeMm[k] += k < middle - 6 ? 220.0F : 19000.0F;
+    for (const auto& way : {std::vector{ends[0], ends[1]}, std::vector{ends[1], ends[0]}}) {
+        const auto measured = measureCells(large, kUsualNoise, MeasureKind::Distance, way);
+        EXPECT_NEAR(measured->inFrontM, 19.0, 0.05);
+        EXPECT_EQ(measured->behindM, 0.0);
+    }
+}
+
 TEST(Lengths, AnEchoOfDustUnderTheLineIsNoSurface) {
     Scan large = plateScan(0.40);
     const auto ends = endsOfPlate(large);
