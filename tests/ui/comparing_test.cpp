@@ -215,7 +215,8 @@ private slots:
         const ImageView& image = on.viewer.views.gray();
         const auto outline = on.viewer.views.cloud().outline();
         QVERIFY(outline && !image.outline().empty());
-        for (const std::uint32_t k : *outline) QCOMPARE(comparison.change.ranges.cells[k], comparison.change.ranges.cells[outline->front()]);
+        for (const std::uint32_t k : *outline)
+            QCOMPARE(comparison.change.ranges.cells[k], comparison.change.ranges.cells[outline->front()]);
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QVERIFY(!on.viewer.views.cloud().outline() && image.outline().empty());
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);

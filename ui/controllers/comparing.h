@@ -124,10 +124,10 @@ private:
     QStringList notes_;       ///< of the comparison, in the notice bar; they go with A
     bool bySurfaces_ = false; ///< the operator lets the surfaces line up A with a scan without a place, or the other way round
     bool byDistance_ = false;
-    bool pairWanted_ = false;           ///< the demo after the blast is being opened
-    std::optional<std::size_t> region_; ///< the changed region that the views zoomed to last
+    bool pairWanted_ = false;                                    ///< the demo after the blast is being opened
+    std::optional<std::size_t> region_;                          ///< the changed region that the views zoomed to last
     std::shared_ptr<const std::vector<std::uint32_t>> outlined_; ///< of that region in the cloud; null: no region
-    quint32 heldCode_ = 0;              ///< of the flip key while it is pressed
+    quint32 heldCode_ = 0;                                       ///< of the flip key while it is pressed
     std::unique_ptr<Works::Running> readingWork_, comparingWork_;
     std::shared_ptr<const Comparison> last_; // used only by compare()
     Derived<Reading, Read> reader_;
