@@ -18,10 +18,10 @@ constexpr int kRadius = kSnapReach + kBeyond;  // of the cells that are read
 constexpr int kSide = 2 * kRadius + 1;         // of their square
 constexpr int kWidestGap = 2 * kSnapReach + 1; // cells without a range between two surfaces
 constexpr int kMixedAtEnd = 2;                 // a chosen cell may be one of these
-constexpr int kAlsoNear = 2;                   // cells farther from the click than the chosen cell
 constexpr double kStair = 0.35;                // of the limit of a jump
 constexpr double kOffSurface = 0.3;            // least jumps: a cell at a rim that is this much behind its surface is a mixed pixel
 constexpr std::ptrdiff_t kFewestCells = 4;     // of a surface: fewer are dust
+constexpr int kFewestBefore = 2;               // cells next to a rim that are in front of the chosen cell too
 constexpr std::array<std::array<int, 2>, 4> kSides{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
 
 struct Place {
@@ -89,8 +89,20 @@ public:
             row.push_back(rangeM(from.by(part(lines), part(beams))));
         }
         return std::ranges::any_of(jumpsAlong(row, kWidestGap, kStair), [&](const RowJump& jump) {
-            return jump.from >= kBeyond - kMixedAtEnd && jump.to <= kBeyond + steps && jump.to > kBeyond && jump.stepM < 0.0;
+            // It may end behind `to`: two jumps in one direction are joined, and `to` is between them.
+            return jump.from >= kBeyond - kMixedAtEnd && jump.from < kBeyond + steps && jump.to > kBeyond && jump.stepM < 0.0;
         });
+    }
+    /// The cells around `at` that are not farther than `farthestM`.
+    [[nodiscard]] int cellsBefore(Place at, double farthestM) const {
+        int cells = 0;
+        for (int i = -1; i <= 1; ++i) {
+            for (int j = -1; j <= 1; ++j) {
+                const double rangeAt = i == 0 && j == 0 ? 0.0 : rangeM(at.by(i, j));
+                cells += rangeAt > 0.0 && rangeAt <= farthestM ? 1 : 0;
+            }
+        }
+        return cells;
     }
     [[nodiscard]] static std::size_t index(Place at) { return static_cast<std::size_t>(at.line * kSide + at.beam); }
 
@@ -168,16 +180,15 @@ Place soundCell(const Square& square, Place at) {
     return at;
 }
 
-/// The nearest rim of a surface in front of the chosen cell: a jump towards the scanner is between them. Not much farther from the click
-/// than the chosen cell is.
+/// The nearest rim within reach of a surface in front of the chosen cell: a jump towards the scanner is between them.
 std::optional<Place> rimBeforeChosen(const Square& square, Place chosen) {
     const double nearEnough = square.rangeM(chosen) - kStair * leastJumpM(square.rangeM(chosen));
-    const int reach = std::min(kSnapReach, cellsAway(chosen) + kAlsoNear);
     std::optional<Place> best;
     for (const Rim& rim : square.rims()) {
-        if (cellsAway(rim.at) > reach || rim.at == chosen || square.rangeM(rim.at) > nearEnough) continue;
+        if (cellsAway(rim.at) > kSnapReach || rim.at == chosen || square.rangeM(rim.at) > nearEnough) continue;
         if (best && squareAway(*best) <= squareAway(rim.at)) continue;
-        if (square.jumpsTowards(chosen, rim.at) && std::ranges::count(square.surfaceOf(rim.at), true) >= kFewestCells) best = rim.at;
+        // Stairs may divide a narrow ledge into surfaces of few cells. A cell of dust is alone.
+        if (square.jumpsTowards(chosen, rim.at) && square.cellsBefore(rim.at, nearEnough) >= kFewestBefore) best = rim.at;
     }
     return best;
 }
