@@ -307,6 +307,10 @@
 <message><source>Step &amp;down</source><translation>&amp;Disminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar la dirección del en&amp;lace</translation></message>
 <message><source>Float</source><translation>Separar</translation></message>
+<message><source>Shift</source><translation>Mayús</translation></message>
+<message><source>Del</source><translation>Supr</translation></message>
+<message><source>PgUp</source><translation>RePág</translation></message>
+<message><source>PgDown</source><translation>AvPág</translation></message>
 <message><source>Cancel</source><translation>Cancelar</translation></message>
 <message><source>Look in:</source><translation>Buscar en:</translation></message>
 <message><source>Back</source><translation>Atrás</translation></message>
@@ -1007,10 +1011,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
-<message><source>Shift</source><translation>Mayús</translation></message>
-<message><source>Del</source><translation>Supr</translation></message>
-<message><source>PgUp</source><translation>RePág</translation></message>
-<message><source>PgDown</source><translation>AvPág</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>dejar la herramienta, o lo último que se muestra</translation></message>
 <message><source>take the last click back</source><translation>retirar el último clic</translation></message>
 <message><source>to the next field</source><translation>al campo siguiente</translation></message>

@@ -307,6 +307,10 @@
 <message><source>Step &amp;down</source><translation>&amp;Diminuer</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copier l'adresse du &amp;lien</translation></message>
 <message><source>Float</source><translation>Détacher</translation></message>
+<message><source>Shift</source><translation>Maj</translation></message>
+<message><source>Del</source><translation>Suppr</translation></message>
+<message><source>PgUp</source><translation>PgPréc</translation></message>
+<message><source>PgDown</source><translation>PgSuiv</translation></message>
 <message><source>Cancel</source><translation>Annuler</translation></message>
 <message><source>Look in:</source><translation>Chercher dans :</translation></message>
 <message><source>Back</source><translation>Arrière</translation></message>
@@ -1007,10 +1011,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
-<message><source>Shift</source><translation>Maj</translation></message>
-<message><source>Del</source><translation>Suppr</translation></message>
-<message><source>PgUp</source><translation>PgPréc</translation></message>
-<message><source>PgDown</source><translation>PgSuiv</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>quitter l'outil, ou ce qui est affiché en dernier</translation></message>
 <message><source>take the last click back</source><translation>annuler le dernier clic</translation></message>
 <message><source>to the next field</source><translation>vers le champ suivant</translation></message>

@@ -307,6 +307,10 @@
 <message><source>Step &amp;down</source><translation>&amp;Diminuir</translation></message>
 <message><source>Copy &amp;Link Location</source><translation>Copiar o endereço do &amp;link</translation></message>
 <message><source>Float</source><translation>Destacar</translation></message>
+<message><source>Shift</source><translation>Shift</translation></message>
+<message><source>Del</source><translation>Del</translation></message>
+<message><source>PgUp</source><translation>PgUp</translation></message>
+<message><source>PgDown</source><translation>PgDn</translation></message>
 <message><source>Cancel</source><translation>Cancelar</translation></message>
 <message><source>Look in:</source><translation>Procurar em:</translation></message>
 <message><source>Back</source><translation>Trás</translation></message>
@@ -1007,10 +1011,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
-<message><source>Shift</source><translation>Shift</translation></message>
-<message><source>Del</source><translation>Del</translation></message>
-<message><source>PgUp</source><translation>PgUp</translation></message>
-<message><source>PgDown</source><translation>PgDn</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>deixar a ferramenta, ou o que é mostrado por último</translation></message>
 <message><source>take the last click back</source><translation>retirar o último clique</translation></message>
 <message><source>to the next field</source><translation>para o campo seguinte</translation></message>

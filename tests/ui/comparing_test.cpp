@@ -383,6 +383,10 @@ private slots:
             const QString counts = QString("region %1: %2 of %3 in view, %4 in sight").arg(n + 1).arg(inView).arg(all).arg(inSight);
             QVERIFY2(4 * inView >= 3 * all && 4 * inSight >= 3 * inView, qPrintable(counts));
         }
+        // The outline of a region ends with its scan.
+        QVERIFY(!on.viewer.views.gray().outline().empty());
+        QVERIFY(on.open(before_));
+        QVERIFY(on.viewer.views.gray().outline().empty() && !cloud.outline());
     }
 
     // The buttons stay under the pointer while the legend gets the text of a region, and the way goes back as well.

@@ -93,8 +93,7 @@ bool takeAngle(std::span<const PickedEnd> ends, MeasuredCells& measured) {
     return true;
 }
 
-/// How much farther the surface is after the jumps that follow each other in one direction; m. A mixed pixel at a rim divides one jump in
-/// two.
+/// How much farther the surface is after the jumps that follow each other in one direction; m. A ledge at a rim divides one jump in two.
 template <class Jumps>
 double stepsOf(const Jumps& jumps) {
     double stepM = 0.0;

@@ -164,6 +164,7 @@ void LinkedViews::showNewScan() {
         viewPort.fit();
     }
     const bool turned = replacesCoarse && cloud_.camera() != fittedCamera_;
+    setOutline({}, {});
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
     noteFit();
     for (ImageView* view : images_) {
@@ -182,6 +183,7 @@ void LinkedViews::showMoreLines(const Picture& last) {
     };
     if (gone(hovered_)) hovered_.reset();
     if (gone(pinned_)) pin(std::nullopt);
+    setOutline({}, {}); // the cloud drops it too
     const bool untouched = cloud_.camera() == fittedCamera_;
     const bool doubled = scan.lines() >= 2 * fittedLines_ || scan.lines() < fittedLines_ || !shown()->source.growth.growing;
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);

@@ -78,6 +78,7 @@ public:
     /// Sets targets and measurements in all views.
     void setMarks(const CellMarks& marks);
     /// Sides of cells in the images (corners: x = beam, y = line), and the cells along them in the cloud, ascending; empty: no outline.
+    /// It ends with its scan.
     void setOutline(const std::vector<QLine>& sides, std::vector<std::uint32_t> cells);
     /// As if the mouse were over the cell in a view outside of these.
     void pointAt(std::optional<std::size_t> cell);

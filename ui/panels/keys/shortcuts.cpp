@@ -19,10 +19,6 @@ constexpr const char* kId = "commandId";
 constexpr const char* kUsual = "usualKeys";
 constexpr const char* kNone = "none"; // stored for a command whose shortcut was removed
 
-// Qt's own texts of keys in menus.
-[[maybe_unused]] constexpr std::array kKeyTexts{QT_TRANSLATE_NOOP("QShortcut", "Shift"), QT_TRANSLATE_NOOP("QShortcut", "Del"),
-                                                QT_TRANSLATE_NOOP("QShortcut", "PgUp"), QT_TRANSLATE_NOOP("QShortcut", "PgDown")};
-
 QString plainName(QString text) { return text.remove('&').remove(QStringLiteral("…")); }
 
 QString kept(const QString& id) { return "keys/" + QString(id).replace('/', '|'); }
