@@ -9,8 +9,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgescan::containers {
@@ -111,10 +112,43 @@ Shape shapeOf(const Grid<Cell>& cells, int depth, int colour) {
     return {static_cast<png_uint_32>(cells.beams), static_cast<png_uint_32>(cells.lines), depth, colour};
 }
 
+constexpr std::string_view kMagic{"\x89PNG\r\n\x1a\n", 8};
+
+struct Chunk {
+    std::string_view name, content;
+};
+
+/// The chunk of `bytes` at `at`, which moves behind it; nothing where no picture starts or the file is shorter than its chunk.
+std::optional<Chunk> chunkAt(std::string_view bytes, std::size_t& at) {
+    if (!bytes.starts_with(kMagic) || at + 12 > bytes.size()) return std::nullopt;
+    std::uint64_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
+    if (length > bytes.size() - at - 12) return std::nullopt;
+    const Chunk chunk{bytes.substr(at + 4, 4), bytes.substr(at + 8, length)};
+    at += 12 + length;
+    return chunk;
+}
+
+/// Every chunk before the pixels is in the file. libpng clears the memory that a chunk promises (up to 8 MB) before it reads the chunk.
+bool headIsWhole(std::string_view bytes) {
+    std::size_t at = kMagic.size();
+    while (at + 12 <= bytes.size() && bytes.substr(at + 4, 4) != "IDAT") {
+        if (!chunkAt(bytes, at)) return false;
+    }
+    return true;
+}
+
 struct FreeImage {
     png_image* image;
     ~FreeImage() { png_image_free(image); }
 };
+
+/// Reads the head of a picture; a refusal is in image.message.
+bool begin(png_image& image, std::string_view bytes) {
+    if (headIsWhole(bytes)) return png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) != 0;
+    std::strncpy(image.message, "the file ends too early", sizeof image.message - 1);
+    return false;
+}
 
 } // namespace
 
@@ -159,22 +193,16 @@ Result<Done> savePngRgb(const Grid<Rgb>& picture, const std::filesystem::path& p
 }
 
 std::string pngRecord(std::string_view bytes) {
-    using namespace std::string_view_literals;
-    constexpr std::string_view kMagic = "\x89PNG\r\n\x1a\n"sv;
-    if (!bytes.starts_with(kMagic)) return {};
     const std::string wanted = std::string(kPngRecordKeyword) + '\0';
-    for (std::size_t at = kMagic.size(); at + 12 <= bytes.size();) {
-        std::uint64_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
-        if (length > bytes.size() - at - 12) return {};
-        const std::string_view content = bytes.substr(at + 8, length);
-        if (bytes.substr(at + 4, 4) == "tEXt" && content.starts_with(wanted)) return std::string(content.substr(wanted.size()));
-        at += 12 + length;
+    std::size_t at = kMagic.size();
+    while (const auto chunk = chunkAt(bytes, at)) {
+        if (chunk->name == "tEXt" && chunk->content.starts_with(wanted)) return std::string(chunk->content.substr(wanted.size()));
     }
     return {};
 }
 
 std::string pngText(std::string_view bytes, std::string_view key) {
+    if (!headIsWhole(bytes)) return {};
     Message message;
     std::string_view left = bytes;
     std::string found;
@@ -201,7 +229,7 @@ Result<Grid<std::uint8_t>> readPng8(const std::filesystem::path& path) {
     const auto damaged = [&] {
         return Error{std::string("this is not a readable PNG picture: ") + image.message, path.string(), "save the mask again as PNG"};
     };
-    if (png_image_begin_read_from_memory(&image, bytes->data(), bytes->size()) == 0) return damaged();
+    if (!begin(image, {reinterpret_cast<const char*>(bytes->data()), bytes->size()})) return damaged();
     if ((image.format & PNG_FORMAT_FLAG_LINEAR) != 0) {
         return Error{"this picture has 16 bits per pixel where 8 are needed", path.string(), "save the mask as 8-bit gray"};
     }
@@ -225,7 +253,7 @@ Result<Grid<std::uint16_t>> pngValues(std::string_view bytes, const std::string&
     const auto damaged = [&] {
         return Error{std::string("this is not a readable PNG picture: ") + image.message, where, "export it again"};
     };
-    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return damaged();
+    if (!begin(image, bytes)) return damaged();
     const std::uint64_t pixels = std::uint64_t{image.width} * image.height;
     if (pixels / 8 > std::uint64_t{bytes.size()} * 1032) return damaged();
     if (auto enough = checkMemory(pixels * 4, where); !enough) return enough.error();
