@@ -383,6 +383,33 @@ private slots:
         }
     }
 
+    // Below the views it shows rows in a window of any height, and a height that the operator dragged stays.
+    void theRockTableShowsRowsAtEverySize() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_) && on.activate());
+        auto* table = on.window.findChild<QDockWidget*>("dock-rock-table");
+        on.viewer.rocks.setShown(true);
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr; }));
+        for (const QSize size : {QSize(1600, 900), QSize(1900, 1000), QSize(1280, 800), QSize(1700, 1000)}) {
+            resizeTo(on.window, size);
+            if (size.width() < 1600) continue; // a tab at the right
+            QTRY_VERIFY2(table->isVisible() && std::abs(table->height() - std::max(234, size.height() * 26 / 100)) <= 3,
+                         qPrintable(QString("%1 px of %2").arg(table->height()).arg(size.height())));
+            QVERIFY(on.viewer.rockTable.table()->viewport()->height() >= 3 * 24);
+        }
+        const QPoint edge = table->mapTo(&on.window, QPoint(table->width() / 2, -2));
+        QTest::mousePress(&on.window, Qt::LeftButton, Qt::NoModifier, edge);
+        QTest::mouseMove(&on.window, edge - QPoint(0, 60));
+        QTest::mouseRelease(&on.window, Qt::LeftButton, Qt::NoModifier, edge - QPoint(0, 60));
+        QTRY_VERIFY(table->height() > 300);
+        const int dragged = table->height();
+        resizeTo(on.window, {1900, 1000});
+        for (int n = 0; n < 5; ++n) QApplication::processEvents();
+        QVERIFY(std::abs(table->height() - dragged) <= 2);
+        on.window.resetLayout();
+        QTRY_VERIFY(std::abs(table->height() - 260) <= 3);
+    }
+
     void aPanelIsFoldedAlsoWhereNothingIsRemembered() {
         WindowFixture on;
         QVERIFY(on.showWith(bare_));

@@ -30,7 +30,8 @@ namespace {
 constexpr int kPanelsFrom = 1100;     // px of the window's width
 constexpr int kTableFrom = 1600;      // px of the window's width: in a narrower one the table of rocks is a tab at the panel of rocks
 constexpr int kStackedFrom = 1000;    // px of its height: in a lower one rocks and targets share a place
-constexpr int kTableHeight = 234;     // px
+constexpr int kLeastTable = 234;      // px of height: four rows
+constexpr double kTableShare = 0.26;  // of the window's height
 constexpr double kPanelHeight = 0.55; // of the window, of a panel that opens under another
 constexpr int kLeastPanel = 240, kMostPanel = 400; // px; narrower panels cut off text
 constexpr int kSamePx = 2;                         // widths that differ by less count as equal
@@ -118,14 +119,24 @@ void Docks::fit(int most) {
         const bool open = isOpenAt(dock, window_.width(), most);
         if (dock.widget->isHidden() != open) continue;
         dock.widget->setVisible(open);
-        if (!open) continue;
-        if (sideOf(dock) == Side::Bottom)
-            window_.resizeDocks({dock.widget}, {kTableHeight}, Qt::Vertical);
-        else
-            restacked_ = restacked_ || dock.widget->objectName() != kEdges;
+        if (open && sideOf(dock) == Side::Right) restacked_ = restacked_ || dock.widget->objectName() != kEdges;
     }
+    setTableHeight();
     if (std::exchange(restacked_, false)) shareHeight();
     showTitles();
+}
+
+bool Docks::tableIsBelow() {
+    const Dock& table = named(kTable);
+    return sideOf(table) == Side::Bottom && !table.widget->isHidden() && !table.widget->isFloating();
+}
+
+void Docks::setTableHeight() {
+    if (!tableIsBelow()) return;
+    const int usual = std::max(kLeastTable, static_cast<int>(kTableShare * window_.height()));
+    arrangedTable_ = draggedTable_ > 0 ? std::min(draggedTable_, window_.height() / 2) : usual;
+    QDockWidget* table = named(kTable).widget;
+    if (std::abs(table->height() - arrangedTable_) > kSamePx) window_.resizeDocks({table}, {arrangedTable_}, Qt::Vertical);
 }
 
 /// Under the settings of edges one panel gets the larger part; more of them get equal parts.
@@ -191,6 +202,9 @@ void Docks::noteDrag() {
     int now = 0;
     for (const QDockWidget* dock : openAtRight()) now = std::max(now, dock->width());
     if (now > 0 && arranged_ > 0 && std::abs(now - arranged_) > kSamePx) dragged_ = now;
+    if (!tableIsBelow()) return;
+    const int high = named(kTable).widget->height();
+    if (std::abs(high - arrangedTable_) > kSamePx) draggedTable_ = high;
 }
 
 void Docks::place() {
@@ -223,7 +237,7 @@ void Docks::stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea ot
 
 void Docks::reset() {
     for (const Dock& dock : docks_) keep(*dock.widget, QString());
-    dragged_ = 0;
+    dragged_ = draggedTable_ = 0;
     place();
     restacked_ = true;
     emit changed();

@@ -44,6 +44,8 @@ public:
     /// For the settings memory; 0: it was never dragged.
     [[nodiscard]] int draggedWidth() const { return dragged_; }
     void setDraggedWidth(int width) { dragged_ = width; }
+    [[nodiscard]] int draggedTableHeight() const { return draggedTable_; }
+    void setDraggedTableHeight(int height) { draggedTable_ = height; }
 
 signals:
     /// A dock is wanted, or the operator opened or folded one: fit() is needed.
@@ -70,6 +72,8 @@ private:
     void stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise);
     void showTitles();
     void shareHeight();
+    [[nodiscard]] bool tableIsBelow(); ///< the table of rocks is below the views
+    void setTableHeight();
 
     QMainWindow& window_;
     DockRail& rail_;
@@ -80,6 +84,8 @@ private:
     bool restacked_ = false; // docks left or joined a place: each place gets its height again
     int arranged_ = 0;       // width set by setWidths()
     int dragged_ = 0;        // 0: the width follows the window
+    int arrangedTable_ = 0;  // height set by setTableHeight()
+    int draggedTable_ = 0;   // 0: the height follows the window
 };
 
 } // namespace edgescan::ui

@@ -144,6 +144,7 @@ void MainWindow::remember() {
     viewer_.preferences.keep("window/images", images_->saveState());
     viewer_.preferences.keep("window/images-width", QString::number(arrangedImages_));
     viewer_.preferences.keep("window/panel-dragged", QString::number(docks_->draggedWidth()));
+    viewer_.preferences.keep("window/table-dragged", QString::number(docks_->draggedTableHeight()));
 }
 
 void MainWindow::restoreLayout() {
@@ -158,6 +159,7 @@ void MainWindow::restoreLayout() {
     splitter_->restoreState(viewer_.preferences.bytes("window/views"));
     arrangedImages_ = viewer_.preferences.text("window/images-width").toInt();
     docks_->setDraggedWidth(viewer_.preferences.text("window/panel-dragged").toInt());
+    docks_->setDraggedTableHeight(viewer_.preferences.text("window/table-dragged").toInt());
     // A window on a screen that no longer exists is moved back; a window of a larger screen is shrunk.
     const QScreen* at = nullptr;
     for (const QScreen* each : QGuiApplication::screens()) {
