@@ -196,6 +196,36 @@ private slots:
         QVERIFY(area.contains(*view_->pixelOf(110 * 300 + 160)));
     }
 
+    // Fit keeps the direction and does not go behind a wall, which would cover everything.
+    void fitShowsTheSidesThatTheScannerSaw() {
+        view_->setScan(scan_);
+        const auto fronts = [&] {
+            const CloudGeometry& cloud = *view_->geometryOfCloud();
+            int front = 0, all = 0;
+            for (int x = 10; x < view_->width(); x += 30) {
+                for (int y = 10; y < view_->height(); y += 30) {
+                    const auto cell = view_->cellAt(QPointF(x, y));
+                    if (!cell) continue;
+                    const Eigen::Vector3d way = cloud.point(*cell).cast<double>() - view_->camera().position;
+                    const float* normal = &cloud.normals[3 * std::size_t{*cell}];
+                    ++all;
+                    front += way.dot(Eigen::Vector3d(normal[0], normal[1], normal[2])) < 0.0 ? 1 : 0;
+                }
+            }
+            return all == 0 ? 0.0 : static_cast<double>(front) / all;
+        };
+        view_->viewRight();
+        QVERIFY2(fronts() < 0.5, qPrintable(QString::number(fronts())));
+        const Eigen::Vector3d forward = view_->camera().forward();
+        view_->zoomToFit();
+        QVERIFY2(fronts() > 0.6, qPrintable(QString::number(fronts())));
+        QVERIFY(view_->camera().forward().isApprox(forward));
+        keep(view_->grabFrame(), "cloud_fit_right");
+        view_->viewFromScanner();
+        view_->zoomToFit();
+        QVERIFY(fronts() > 0.9);
+    }
+
     void growingScanKeepsTheCamera() {
         view_->setScan(scan_);
         drag(*view_, Qt::LeftButton, Qt::NoModifier, {400, 300}, {450, 330});

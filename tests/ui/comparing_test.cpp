@@ -12,6 +12,8 @@
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/start/tour.h"
 #include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/status_line.h"
+#include "ui/window/tool_bar.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -19,9 +21,11 @@
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -427,12 +431,101 @@ private slots:
         QVERIFY(known(on));
         const QString badge = on.viewer.origin.text(), title = on.window.windowTitle();
         QVERIFY2(badge.contains("after") && title.startsWith("after.json"), qPrintable(badge + title));
+        const auto& counts = *on.window.findChild<QLabel*>("range-window-words");
+        const QString facts = on.viewer.statusLine.countsShown(), ranges = counts.text();
+        const int frames = on.viewer.cloud.framesDrawn();
         on.viewer.comparing.flip(true);
         QVERIFY2(on.viewer.origin.text().startsWith(QString::fromUtf8("A · FILE before")), qPrintable(on.viewer.origin.text()));
-        QVERIFY2(on.window.windowTitle().startsWith("A: before.json"), qPrintable(on.window.windowTitle()));
+        QVERIFY2(on.viewer.cloud.framesDrawn() > frames || on.window.windowTitle() == title, "the title is before its picture");
+        QTRY_VERIFY2(on.window.windowTitle().startsWith("A: before.json"), qPrintable(on.window.windowTitle()));
+        // Status line, ranges, panel and cab are of A too, or say that they are of B.
+        const edges::Detection& a = *on.viewer.views.shown()->detection;
+        QVERIFY(a.scan == on.viewer.comparing.pictureA()->detection->scan && on.viewer.statusLine.countsShown() != facts);
+        QVERIFY2(on.viewer.statusLine.countsShown().contains(QLocale(QLocale::English).toString(qulonglong(a.edges->size()))),
+                 qPrintable(on.viewer.statusLine.countsShown()));
+        QTRY_VERIFY(counts.text() != ranges);
+        QVERIFY(!on.window.findChild<QLabel*>("other-drawn")->isHidden());
+        on.viewer.views.pointAt(100);
+        QVERIFY2(on.viewer.statusLine.probeShown().startsWith("A: "), qPrintable(on.viewer.statusLine.probeShown()));
         on.viewer.comparing.flip(false);
         QCOMPARE(on.viewer.origin.text(), badge);
-        QCOMPARE(on.window.windowTitle(), title);
+        QTRY_COMPARE(on.window.windowTitle(), title);
+        QCOMPARE(on.viewer.statusLine.countsShown(), facts);
+        QCOMPARE(counts.text(), ranges);
+        QVERIFY(on.window.findChild<QLabel*>("other-drawn")->isHidden());
+        QVERIFY(!on.viewer.statusLine.probeShown().startsWith("A: "));
+    }
+
+    // What is clicked is measured on B: no click counts while A is drawn, and no length of B is over A.
+    void nothingIsMeasuredWhileAIsShown() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        LinkedViews& views = on.viewer.views;
+        const auto clickAt = [&](int line, int beam) {
+            const QPointF at = views.gray().viewPort()->toPixel(QPointF(beam + 0.5, line + 0.5), views.gray().size());
+            QTest::mouseClick(&views.gray(), Qt::LeftButton, {}, at.toPoint());
+        };
+        const auto targets = [&] { return on.viewer.targets.notebook().targets.size(); };
+        clickAt(100, 60);
+        QCOMPARE(targets(), std::size_t(1));
+        QVERIFY(!views.gray().marks().targets.empty());
+        on.viewer.comparing.flip(true);
+        QVERIFY(views.gray().marks() == CellMarks{} && on.viewer.cloud.marks() == CellMarks{});
+        clickAt(60, 100);
+        QCOMPARE(targets(), std::size_t(1));
+        QVERIFY2(QToolTip::text().startsWith("A is shown"), qPrintable(QToolTip::text()));
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        clickAt(100, 60);
+        QTest::keyClick(&views.gray(), Qt::Key_Return);
+        QVERIFY(on.viewer.measures.picked().empty());
+        QVERIFY2(on.viewer.tools.shown().contains("A is shown"), qPrintable(on.viewer.tools.shown()));
+        on.viewer.comparing.flip(false);
+        QVERIFY(views.gray().marks().targets.size() == 1);
+        QVERIFY2(!on.viewer.tools.shown().contains("A is shown"), qPrintable(on.viewer.tools.shown()));
+        clickAt(100, 60);
+        QCOMPARE(on.viewer.measures.picked().size(), std::size_t(1));
+    }
+
+    // The pair of the tour ends with the next scan, also with the plain demo; the legend has its own end, and folds.
+    void theLegendEndsAndFoldsAndTheDemoPairDoesNotStay() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.show() && on.activate());
+        on.viewer.comparing.openDemoPair();
+        QVERIFY(eventually([&] { return on.viewer.comparing.pictureA() != nullptr; }) && known(on));
+        auto& legend = on.viewer.changeLegend;
+        auto* fold = legend.findChild<QToolButton*>("change-fold");
+        QTRY_VERIFY(fold->isVisible());
+        const int high = legend.height();
+        const QPoint at = fold->mapTo(&on.window, QPoint());
+        QTest::mouseClick(fold, Qt::LeftButton);
+        QTRY_VERIFY2(legend.height() < high / 2, qPrintable(QString("%1 of %2").arg(legend.height()).arg(high)));
+        QCOMPARE(fold->mapTo(&on.window, QPoint()), at);
+        QVERIFY(!legend.row(ChangeRow::Gained)->isVisible() && legend.next()->isVisible());
+        QTest::mouseClick(fold, Qt::LeftButton);
+        QTRY_COMPARE(legend.height(), high);
+        // A zoom to a region is not that of the next scan, whose size is the same.
+        on.viewer.comparing.nextRegion();
+        QVERIFY(!on.viewer.gray.viewPort()->fitted());
+        on.viewer.files.openDemo();
+        QVERIFY(on.settled());
+        QTRY_VERIFY(on.viewer.comparing.pictureA() == nullptr);
+        QVERIFY2(on.viewer.notice.text().contains("comparison ended"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(on.viewer.gray.viewPort()->fitted());
+        QVERIFY(keepByKey(on));
+        QVERIFY(legend.isVisible());
+        QTest::mouseClick(legend.findChild<QToolButton*>("change-end"), Qt::LeftButton);
+        QVERIFY(on.viewer.comparing.pictureA() == nullptr && !legend.isVisible());
+        // The button of the menu has no frame as under the pointer after its menu.
+        auto* button = tool(on.window, "tool-compare");
+        QCursor::setPos(on.window.mapToGlobal(QPoint(5, 5)));
+        button->setAttribute(Qt::WA_UnderMouse);
+        button->menu()->popup(on.window.mapToGlobal(QPoint(300, 300)));
+        button->menu()->hide();
+        QVERIFY(!button->underMouse());
     }
 
     void withoutAnythingKeptTheKeysSaySo() {

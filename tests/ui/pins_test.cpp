@@ -104,6 +104,33 @@ private slots:
         QVERIFY2(lines > 0, "the test can fail: not all have room next to their marks");
     }
 
+    // Labels of lengths that are close to each other do not cover each other, and each one that is moved away has a line.
+    void labelsOfLengthsAreSideBySide() {
+        QImage picture(330, 220, QImage::Format_RGB32);
+        picture.fill(QColor(60, 60, 60));
+        QPainter painter(&picture);
+        ScreenMarks marks;
+        for (int n = 0; n < 6; ++n) {
+            const QLineF line(20, 90 + 6 * n, 310, 110 + 6 * n);
+            marks.measures.push_back({{line}, {line.p1(), line.p2()}, QString::fromUtf8("▲ 1.387 m ± 0.391 m"), line.center()});
+        }
+        const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+        QCOMPARE(tags.size(), marks.measures.size());
+        int lines = 0;
+        for (std::size_t n = 0; n < tags.size(); ++n) {
+            for (std::size_t other = 0; other < n; ++other) QVERIFY(!tags[n].intersects(tags[other]));
+            const QPointF at = marks.measures[n].labelAt;
+            const QPointF end(std::clamp(at.x(), tags[n].left(), tags[n].right()), std::clamp(at.y(), tags[n].top(), tags[n].bottom()));
+            if (QLineF(at, end).length() <= 16.0) continue;
+            ++lines;
+            int lightest = 0;
+            for (double along = 0.6; along < 1.0; along += 0.01)
+                lightest = std::max(lightest, qGray(picture.pixel(QLineF(at, end).pointAt(along).toPoint())));
+            QVERIFY2(lightest > 150, qPrintable(QString("%1: %2").arg(n).arg(lightest)));
+        }
+        QVERIFY2(lines > 0, "the test can fail: all have room next to their lines");
+    }
+
     // A length in a small image has its line only: its label would cover the image, and the cloud has it.
     void aSmallViewHasNoLabelsOfLengths() {
         const CellMarks marks{{}, {{{1, 2}, {{0, 1}}, "1.402 m"}}};

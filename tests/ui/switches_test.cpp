@@ -134,6 +134,12 @@ private slots:
         QCOMPARE(on.viewer.engine.settings().classes, edges::Settings{}.classes & ~edges::kClassConvex);
         QVERIFY(!legend.classSwitch(1)->isChecked());
         const auto& taken = *legend.findChild<QLabel*>("legend-taken");
+        // What is violet in the images, and the red line in the cloud.
+        const auto none = countCells(*on.picture().detection->scan)[static_cast<std::size_t>(CellState::NoReturn)];
+        QVERIFY(none > 0);
+        QVERIFY2(legend.findChild<QLabel*>("legend-missing")->text().contains("No return: "),
+                 qPrintable(legend.findChild<QLabel*>("legend-missing")->text()));
+        QTRY_VERIFY(legend.findChild<QLabel*>("legend-missing")->isVisible() && legend.findChild<QLabel*>("legend-ray")->isVisible());
         QVERIFY2(taken.isVisible() && taken.text().contains("other classes take the cells"), qPrintable(taken.text()));
         QVERIFY2(legend.classSwitch(1)->toolTip().contains("the other numbers change too"), "a cell has one class");
         QVERIFY(on.activate());

@@ -250,7 +250,7 @@ private slots:
         // A click on the wall in the middle of the void is far behind: its range is said. Two clicks on one wall have no free way.
         click(gray, 30, 30);
         QVERIFY2(words.last().front().toString().endsWith("the last click is at 18.00 m"), qPrintable(words.last().front().toString()));
-        QVERIFY2(words.last().front().toString().contains("click the other side"), // "rim" is the class void rim
+        QVERIFY2(words.last().front().toString().contains("click the rock at the other side"), // "rim" is the class void rim
                  qPrintable(words.last().front().toString()));
         const auto* asked = on.window.findChild<QLabel*>("tool-words"); // cut in a narrow window, not gone
         QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280 && asked->isVisible() && asked->width() > 100));

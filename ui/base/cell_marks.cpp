@@ -4,6 +4,7 @@
 #include "ui/base/marks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -42,14 +43,14 @@ public:
         const QRectF box = freePlace(at, aside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
         taken_.resize(others);
         taken_.push_back(box);
-        placed_.push_back({box, text, active, at});
+        placed_.push_back({box, text, active, at, std::hypot(aside, above) + kStillNext});
     }
     /// The tag that was placed first is over the others, where they have no room next to each other. Returns their places, as placed.
     std::vector<QRectF> draw() {
         for (const Placed& tag : placed_) {
             const QPointF end = nearestOn(tag.box, tag.at);
             const double away = QLineF(tag.at, end).length();
-            if (away <= kNextTo) continue;
+            if (away <= tag.nextTo) continue;
             const QPointF start = tag.at + (end - tag.at) * (kMarkRing / away);
             strokeTwice(painter_, QPen(QColor(0, 0, 0, 200), 3.0), QPen(QColor(232, 232, 232), 1.0),
                         [&] { painter_.drawLine(start, end); });
@@ -72,6 +73,7 @@ private:
         QString text;
         bool active;
         QPointF at;
+        double nextTo; // px from the mark: a tag that is farther away has a line to it
     };
     static QPointF nearestOn(const QRectF& box, const QPointF& at) {
         return {std::clamp(at.x(), box.left(), box.right()), std::clamp(at.y(), box.top(), box.bottom())};
@@ -86,7 +88,7 @@ private:
         }
     }
     /// The free place nearest to the mark, of equal ones that nearest to the usual place: at either side of the mark, above or below, or
-    /// next to what is taken. The usual one if all are taken.
+    /// next to what is taken. Where all are taken: anywhere that no other tag is, else the usual place.
     [[nodiscard]] QRectF freePlace(const QPointF& at, double aside, double above, const QSizeF& size) const {
         const QPointF usual(at.x() + aside, at.y() - above - size.height());
         std::vector<double> lefts{usual.x(), at.x() - aside - size.width()}, tops{usual.y(), at.y() + above, at.y() - size.height() / 2.0};
@@ -106,9 +108,28 @@ private:
                 nearest = box;
             }
         }
-        QRectF box(usual, size);
-        keepWithin(box);
-        return nearest.value_or(box);
+        return nearest ? *nearest : clearOfTags(at, usual, size);
+    }
+    /// The place nearest to the mark that covers no other tag, whatever else is below it.
+    [[nodiscard]] QRectF clearOfTags(const QPointF& at, const QPointF& usual, const QSizeF& size) const {
+        QRectF nearest(usual, size);
+        keepWithin(nearest);
+        double least = std::numeric_limits<double>::infinity();
+        const auto isFree = [&](const QRectF& box) {
+            return std::ranges::none_of(placed_, [&](const Placed& other) { return other.box.intersects(box); });
+        };
+        if (isFree(nearest)) return nearest;
+        for (double top = place_.top(); top < place_.bottom(); top += size.height() / 2.0) {
+            for (double left = place_.left(); left < place_.right(); left += size.width() / 4.0) {
+                QRectF box({left, top}, size);
+                keepWithin(box);
+                const double away = QLineF(nearestOn(box, at), at).length();
+                if (away >= least || !isFree(box)) continue;
+                least = away;
+                nearest = box;
+            }
+        }
+        return nearest;
     }
     void keepWithin(QRectF& box) const {
         box.moveLeft(std::clamp(box.left(), place_.left() + 2.0, std::max(place_.left() + 2.0, place_.right() - 2.0 - box.width())));
@@ -116,7 +137,8 @@ private:
     }
 
     static constexpr double kBetweenTags = 2.0; // px
-    static constexpr double kNextTo = 24.0;     // px from the mark: a tag that is farther away has a line to it
+    static constexpr double kNextTo = 24.0;     // px from the mark: near enough not to look further
+    static constexpr double kStillNext = 4.0;   // px beyond the usual place
     QPainter& painter_;
     QRectF place_;
     std::vector<QRectF> taken_;

@@ -87,12 +87,17 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
         ask();
         emit rowsChanged();
     });
+    connect(&views_, &LinkedViews::flippedChanged, this, [this](bool on) {
+        legend_.showFlipped(on);
+        emit flipped(on);
+    });
     connect(&legend_, &ChangeLegend::distancesRequested, this, [this](bool on) {
         byDistance_ = on;
         ask();
         emit byDistanceChanged(on);
     });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
+    connect(&legend_, &ChangeLegend::endRequested, this, &Comparing::forget);
     connect(&legend_, &ChangeLegend::previousRegionRequested, this, &Comparing::previousRegion);
     connect(&engine_, &Engine::streamChanged, this, [this] {
         forgetDemo();
@@ -119,12 +124,17 @@ void Comparing::forget() {
     if (pictureA_) push(stepName("Forget A"), nullptr, std::nullopt);
 }
 
-/// The demo as A has nothing to do with a scan of the operator.
+/// The demo as A has nothing to do with a scan of the operator, and the demo before the blast, which the operator did not choose as A,
+/// with any other scan than the one after it.
 void Comparing::forgetDemo() {
-    if (!pictureA_ || !earlier_ || inspect::hasPath(earlier_->scan.kind) || files_.demo()) return;
+    const bool ofPair = std::exchange(pairShown_, pairWanted_);
+    if (!pictureA_ || !earlier_ || inspect::hasPath(earlier_->scan.kind)) return;
+    if (files_.demo() && !(ofPair && earlier_->scan.kind == inspect::SessionScan::Kind::Demo)) return;
     const QString shown = scanName(engine_.picture()->detection->scan->name);
+    const bool otherPlace = !files_.demo();
     forget();
-    notice_.showNotice(NoticeBar::Kind::Warning, tr("A was forgotten: the demo and %1 are not of one place.").arg(shown));
+    notice_.showNotice(NoticeBar::Kind::Warning, otherPlace ? tr("A was forgotten: the demo and %1 are not of one place.").arg(shown)
+                                                            : tr("The comparison ended, because another scan was opened."));
     notice_.offerUndo(undo_);
 }
 
@@ -253,10 +263,7 @@ bool Comparing::comparable() const {
     return pictureA_ && now && pictureA_->detection != now->detection && !now->source.growth.growing;
 }
 
-/// The views have already ended a flip.
 void Comparing::followPicture() {
-    emit flipped(false);
-    legend_.showFlipped(false);
     if (!pictureA_) return;
     const auto& now = engine_.picture();
     if (comparison_ && comparison_->asked.now->detection->scan != now->detection->scan) comparison_ = nullptr;
@@ -360,8 +367,6 @@ void Comparing::flip(bool on) {
         return;
     }
     views_.flipTo(on ? comparison_->before : nullptr);
-    legend_.showFlipped(on);
-    emit flipped(on);
 }
 
 const Picture* Comparing::drawnA() const { return views_.flipped() ? pictureA_.get() : nullptr; }

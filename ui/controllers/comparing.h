@@ -125,6 +125,7 @@ private:
     bool bySurfaces_ = false; ///< the operator lets the surfaces line up A with a scan without a place, or the other way round
     bool byDistance_ = false;
     bool pairWanted_ = false;                                    ///< the demo after the blast is being opened
+    bool pairShown_ = false;                                     ///< it is on the screen, or was the last one
     std::optional<std::size_t> region_;                          ///< the changed region that the views zoomed to last
     std::shared_ptr<const std::vector<std::uint32_t>> outlined_; ///< of that region in the cloud; null: no region
     quint32 heldCode_ = 0;                                       ///< of the flip key while it is pressed

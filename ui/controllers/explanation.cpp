@@ -74,6 +74,7 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
 void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     const std::shared_ptr<const Picture> picture = views_.shown();
     if (!picture) return;
+    if (views_.flipped()) return notice_.showHint(LinkedViews::onlyOfB()); // the card outlasts A on the screen
     if (card_ == nullptr) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);

@@ -21,10 +21,14 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
       colours_(
           Urgency::Now,
           [](const Asked& asked) {
-              auto histogram = asked.counted ? std::nullopt : std::optional(rangeHistogram(*asked.scan));
+              auto histogram =
+                  asked.counted || asked.coarse ? asked.counted : std::make_shared<const RangeHistogram>(rangeHistogram(*asked.scan));
               return Answer{std::move(histogram), cloudColours(*asked.scan, asked.cloud, asked.by)};
           },
-          [this](const Asked& asked, const std::shared_ptr<const Answer>& answer) { take(asked, *answer); },
+          [this](const Asked& asked, const std::shared_ptr<const Answer>& answer) {
+              if (!asked.coarse && !views_.flipped()) own_ = answer;
+              show(*answer);
+          },
           [](const QString&) {}) { // gray is true as well
     by_ = colourOfKey(preferences_.text(kColourBy).toStdString()).value_or(ColourBy::Nothing);
     const QStringList kept = preferences_.text(kLocked).split(' ');
@@ -48,6 +52,7 @@ ScanLook::ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeW
         remember();
         emit changed();
     });
+    connect(&views_, &LinkedViews::flippedChanged, this, &ScanLook::followPicture);
     connect(&engine_, &Engine::coarseChanged, this, &ScanLook::followCoarse);
     connect(&views_, &LinkedViews::rangeWindowChanged, this, [this, remember] {
         showWindow();
@@ -75,22 +80,26 @@ void ScanLook::setRangeWindow(const std::optional<RangeSpan>& window, bool locke
 
 void ScanLook::followPicture() {
     showWindow();
-    const auto& picture = engine_.picture();
+    const auto& picture = views_.shown();
     if (!picture) return followCoarse();
     if (coloured_.lock() == picture->cloud) return;
     coloured_ = picture->cloud;
-    emit intensityKnown(picture->detection->scan->intensity.size() > 0);
-    colours_.ask({picture->detection->scan, picture->cloud, by_, picture->cloud == counted_.lock()});
+    if (!views_.flipped()) emit intensityKnown(picture->detection->scan->intensity.size() > 0);
+    const bool own = own_ && own_->colours.of == picture->cloud;
+    if (own && own_->colours.by == by_) {
+        colours_.giveUp(); // what was asked about A
+        return show(*own_);
+    }
+    colours_.ask({picture->detection->scan, picture->cloud, by_, false, own ? own_->histogram : nullptr});
 }
 
 void ScanLook::followCoarse() {
     if (const auto& coarse = engine_.coarse()) colours_.ask({coarse->detection->scan, coarse->cloud, by_, true});
 }
 
-void ScanLook::take(const Asked& asked, const Answer& answer) {
+void ScanLook::show(const Answer& answer) {
     if (answer.histogram) {
         window_.showHistogram(*answer.histogram);
-        counted_ = asked.cloud;
         showWindow();
     }
     views_.cloud().setColours(answer.colours.of, answer.colours.points);

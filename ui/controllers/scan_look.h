@@ -23,7 +23,7 @@ class ScanLook : public QObject {
 public:
     ScanLook(Engine& engine, LinkedViews& views, ScalePlate& plate, RangeWindow& window, Preferences& preferences);
 
-    /// A new picture is on the screen.
+    /// Another picture is on the screen: of the engine, or A in its place.
     void followPicture();
     /// The choice is stored in the settings memory.
     void setColourBy(ColourBy by);
@@ -48,14 +48,15 @@ private:
         std::shared_ptr<const Scan> scan;
         std::shared_ptr<const CloudGeometry> cloud;
         ColourBy by = ColourBy::Nothing;
-        bool counted = false; ///< the histogram of this cloud is on the screen
+        bool coarse = false;                             ///< its ranges are not counted
+        std::shared_ptr<const RangeHistogram> counted{}; ///< set if they are known
     };
     struct Answer {
-        std::optional<RangeHistogram> histogram; ///< empty: already on the screen
+        std::shared_ptr<const RangeHistogram> histogram;
         CloudColours colours;
     };
     void followCoarse();
-    void take(const Asked& asked, const Answer& answer);
+    void show(const Answer& answer);
     void showWindow();
 
     Engine& engine_;
@@ -64,8 +65,9 @@ private:
     RangeWindow& window_;
     Preferences& preferences_;
     ColourBy by_ = ColourBy::Nothing;
-    std::weak_ptr<const CloudGeometry> counted_, coloured_; // of the histogram; of the colours that were asked for
-    Derived<Asked, Answer> colours_;                        // last
+    std::weak_ptr<const CloudGeometry> coloured_; // that the newest question is about
+    std::shared_ptr<const Answer> own_;           // of the engine's picture: it comes back at once after A
+    Derived<Asked, Answer> colours_;              // last
 };
 
 } // namespace edgescan::ui

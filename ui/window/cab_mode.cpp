@@ -133,6 +133,7 @@ void CabMode::follow() {
         showNumbers();
     });
     connect(&window_.viewer().measures, &Measures::kindChanged, this, &CabMode::showNumbers);
+    connect(&window_.viewer().views, &LinkedViews::flippedChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showNumbers);
     connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, [this] {
         showNumbers();
@@ -206,7 +207,7 @@ void CabMode::showWork() {
 
 void CabMode::showScan() {
     if (!on_) return;
-    const Picture* picture = window_.viewer().engine.picture().get();
+    const Picture* picture = window_.viewer().views.shown().get();
     const PictureOrigin origin =
         originOfDrawn(window_.viewer().engine, window_.viewer().live.scanner(), window_.viewer().comparing.drawnA());
     badge_->showState(origin.sign, origin.badge);

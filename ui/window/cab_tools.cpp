@@ -308,7 +308,9 @@ TargetNumbers CabMode::numbers() const {
 void CabMode::showNumbers() {
     followChoice();
     if (!on_) return;
-    frame_->side().showNumbers(numbers());
+    TargetNumbers shown = numbers();
+    if (window_.viewer().views.flipped() && !shown.title.isEmpty()) shown.title = "B: " + shown.title; // while A is in the views
+    frame_->side().showNumbers(shown);
     const Targets& targets = window_.viewer().targets;
     remove_->setEnabled(targets.active() != nullptr || !targets.notebook().measures.empty());
 }

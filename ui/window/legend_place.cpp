@@ -10,6 +10,7 @@
 #include <QLayout>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace edgescan::ui {
@@ -18,7 +19,7 @@ namespace {
 constexpr int kLabelWide = 150, kLabelHigh = 28; // px, of the label of a target
 constexpr int kRing = 14;                        // px around it
 
-/// True if the plates on this side cover the label, or would cover it.
+/// True if the plates on this side cover the place, or would cover it.
 bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
     for (ViewPlate* plate : cloud.findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (!plate->isVisible() || cloud.layout()->indexOf(plate) < 0) continue; // plates outside the layout avoid the label themselves
@@ -84,7 +85,13 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
         const auto neitherIsFree = [&] { return !label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true); };
         if (neitherIsFree()) fitLegends(cloud.height() - label.bottom());
         if (neitherIsFree()) fitLegends(0);
-        const bool right = !label.isEmpty() && isCovered(cloud, label, false) && !isCovered(cloud, label, true);
+        // The label counts first, then the number of rings; the left side if both are equal.
+        const std::vector<QRect> rings = ringsIn(cloud);
+        const auto covers = [&](bool atRight) {
+            const auto under = std::ranges::count_if(rings, [&](const QRect& ring) { return isCovered(cloud, ring, atRight); });
+            return std::pair(!label.isEmpty() && isCovered(cloud, label, atRight), under);
+        };
+        const bool right = covers(true) < covers(false);
         QLayout* over = cloud.layout();
         const bool stays = hasPointer(cloud); // no button moves away from under the pointer
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
@@ -95,7 +102,7 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
         }
         if (isAtRight(cloud) != wasRight) fitLegends(roomAt(!wasRight));
         over->activate(); // the scale avoids the legends where they are now
-        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label, ringsIn(cloud));
+        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label, rings);
     };
     QObject::connect(&views, &LinkedViews::pinChanged, &cloud, look);
     QObject::connect(&cloud, &CloudView::frameDrawn, &cloud, look);

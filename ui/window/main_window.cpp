@@ -293,10 +293,14 @@ void MainWindow::connectEngine() {
         showOrigin();
         showTitle();
     });
-    connect(&viewer_.comparing, &Comparing::flipped, this, [this] {
+    connect(&viewer_.views, &LinkedViews::flippedChanged, this, [this](bool on) {
+        viewer_.panel.showOtherDrawn(on);
+        viewer_.warnings.showInstead(on ? std::optional(warningsOf(*viewer_.views.shown())) : std::nullopt);
+        showFacts();
         showOrigin();
-        showTitle();
+        if (viewer_.cloud.atRest() || !viewer_.cloud.isVisible()) showTitle(); // else with the frame: the title is not before its picture
     });
+    connect(&viewer_.cloud, &CloudView::frameDrawn, this, &MainWindow::showTitle);
     connect(&viewer_.engine, &Engine::coarseChanged, this, [this] {
         const auto& coarse = viewer_.engine.coarse();
         viewer_.statusLine.showCountsToCome(coarse ? std::optional(coarse->cells) : std::nullopt);
@@ -307,21 +311,29 @@ void MainWindow::connectEngine() {
     connect(&viewer_.engine, &Engine::failed, this,
             [this](const QString& sentence) { viewer_.notice.showNotice(NoticeBar::Kind::Error, sentence); });
     connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, [this](const std::optional<edges::Probe>& probe) {
-        viewer_.statusLine.showProbe(probe, viewer_.views.hovered() ? StatusLine::Cell::Pointer : StatusLine::Cell::Pin);
+        using Cell = StatusLine::Cell;
+        viewer_.statusLine.showProbe(probe, viewer_.views.flipped() ? Cell::OfA : viewer_.views.hovered() ? Cell::Pointer : Cell::Pin);
     });
     connect(&viewer_.views, &LinkedViews::boxed, &viewer_.statusLine, &StatusLine::showBox);
     connect(&viewer_.engine, &Engine::pictureReady, this, [this] {
-        const edges::Detection& detection = *viewer_.engine.picture()->detection;
-        viewer_.statusLine.showCounts(detection);
-        viewer_.statusLine.showPlace(*detection.scan, viewer_.engine.picture()->source.growth.growing);
-        const ScannerLink& scanner = viewer_.live.scanner();
-        viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && viewer_.engine.picture()->source.stream == scanner.stream());
-        viewer_.legend.showResult(detection);
+        showFacts();
         showWarnings();
         showTitle();
         showOrigin();
         emit pictureShown(); // the controllers received it before
     });
+}
+
+/// Of the picture in the views, which may be A.
+void MainWindow::showFacts() {
+    const Picture& picture = *viewer_.views.shown();
+    const edges::Detection& detection = *picture.detection;
+    viewer_.statusLine.showCounts(detection);
+    viewer_.statusLine.showPlace(*detection.scan, picture.source.growth.growing);
+    const ScannerLink& scanner = viewer_.live.scanner();
+    viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && picture.source.stream == scanner.stream());
+    viewer_.statusLine.showSettings(viewer_.views.flipped() ? detection.settings : viewer_.engine.settings());
+    viewer_.legend.showResult(detection);
 }
 
 // The title of the picture on the screen: sweeps of a scanner and of a recording have their own names.

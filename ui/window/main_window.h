@@ -80,6 +80,7 @@ private:
     void showWarnings();
     void followPlaces();
     void showTitle();
+    void showFacts();
     void arrange();
     void setImagesWidth(int width);
     [[nodiscard]] int widthOfImagesFirst();

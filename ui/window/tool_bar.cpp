@@ -6,6 +6,7 @@
 #include "ui/base/themes.h"
 
 #include <QAction>
+#include <QCursor>
 #include <QMenu>
 #include <QStringList>
 #include <QStyle>
@@ -77,6 +78,10 @@ void ToolBar::add(QMenu* menu, const char* name, const char* sign, const QString
     const auto follow = [button, lights] { button->setChecked(std::ranges::any_of(lights, &QAction::isChecked)); };
     for (QAction* each : lights) connect(each, &QAction::toggled, button, follow);
     connect(button, &QToolButton::toggled, button, follow); // a press alone does not switch it on
+    connect(menu, &QMenu::aboutToHide, button, [button] {   // the menu had the mouse: Qt does not see that it left the button
+        button->setAttribute(Qt::WA_UnderMouse, button->rect().contains(button->mapFromGlobal(QCursor::pos())));
+        button->update();
+    });
     follow();
     insertWidget(wordsPlace_, button);
     take(*button, Word::Next);

@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/tolerance_text.h"
 #include "core/inspect/measure/jumps_along.h"
+#include "core/inspect/measure/near_side.h"
 #include "core/inspect/measure/surface_path.h"
 #include "core/inspect/measure/throat.h"
 #include "core/rocks/attributes/attributes.h"
@@ -104,14 +105,19 @@ double stepsOf(const Jumps& jumps) {
     return stepM;
 }
 
-/// Follows the cells under the line from both ends over their first jumps. Echoes of dust are left out.
-void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, MeasuredCells& measured) {
+/// The jumps under the line, also across cells without a range. Echoes of dust are left out.
+std::vector<RowJump> jumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to) {
     std::vector<double> rangesM;
     for (const std::uint32_t k : rocks::strokeCells({from, to}, scan.lines(), scan.beams())) {
         const bool isSurface = scan.state[k] == CellState::Valid && (k == from || k == to || !isIsolated(scan, k));
         rangesM.push_back(isSurface ? static_cast<double>(scan.rangeMm[k]) / 1000.0 : 0.0);
     }
-    const std::vector<RowJump> jumps = jumpsAlong(rangesM, static_cast<int>(rangesM.size()));
+    return jumpsAlong(rangesM, static_cast<int>(rangesM.size()));
+}
+
+/// From both ends over their first jumps.
+void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, MeasuredCells& measured) {
+    const std::vector<RowJump> jumps = jumpsUnder(scan, from, to);
     if (jumps.empty()) return;
     const double first = stepsOf(jumps), last = -stepsOf(std::views::reverse(jumps)); // as seen from the ends: positive is farther away
     measured.behindM = std::max({measured.behindM, -first, -last});
@@ -145,8 +151,7 @@ std::string clicksPart(const MeasuredCells& measured, Translated translated) {
         return withValues(translated(pattern), values);
     };
     const std::string cells = std::to_string(measured.fromClicks);
-    const bool isLonger = measured.clicksM > 0.0 && measured.lengths.front().valueM > measured.clicksM;
-    if (isLonger && measured.fromClicks > 0)
+    if (measured.isLongerThanClicks())
         return say("▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them",
                    {fixedText(measured.clicksM, 3), cells});
     return measured.fromClicks > kFewCells ? say("its ends are up to %1 cells from the clicks", {cells}) : "";
@@ -158,6 +163,17 @@ double narrowerM(const Scan& scan, std::span<const std::uint32_t> ends) {
     const auto lengthM = [&](std::span<const std::uint32_t> of) { return (tables.point(of[0]) - tables.point(of[1])).norm(); };
     const auto around = narrowestBetween(scan, tables, ends[0], ends[1]);
     return around && lengthM(*around) < lengthM(ends) ? lengthM(*around) : 0.0;
+}
+
+/// How far the cell that the click meant is behind this end, across a jump; 0: it is not, or nothing was measured there.
+double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked) {
+    const MeantCell click = meantCell(scan, clicked);
+    if (!click.measured()) return 0.0;
+    const double endM = scan.rangeMm[end] / 1000.0, behindM = scan.rangeMm[click.cell] / 1000.0 - endM;
+    if (behindM <= leastJumpM(endM)) return 0.0;
+    double acrossM = 0.0; // a slanted surface has no jumps
+    for (const RowJump& jump : jumpsUnder(scan, end, click.cell)) acrossM += jump.stepM;
+    return acrossM > leastJumpM(endM) ? behindM : 0.0;
 }
 
 std::string millimetres(double metres) { return fixedText(std::ceil(metres * 1000.0 - 1e-9), 0) + " mm"; }
@@ -270,12 +286,28 @@ void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::spa
     }
     const int beams = scan.beams();
     for (std::size_t n = 0; n < 2; ++n) {
+        measured.clickBehindM = std::max(measured.clickBehindM, behindEndM(scan, cells[n], clicked[n]));
         const int cell = static_cast<int>(cells[n]), click = static_cast<int>(clicked[n]);
         measured.fromClicks =
             std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});
     }
     if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; })) return;
     measured.clicksM = (tables.point(clicked[0]) - tables.point(clicked[1])).norm();
+}
+
+double MeasuredCells::endsApartM() const {
+    constexpr double kShare = 1.0 / 3.0; // of the length: no way across an opening
+    if (kind != MeasureKind::Throat || rangesM.size() != 2) return 0.0;
+    const double apartM = std::abs(rangesM[0] - rangesM[1]);
+    return apartM > std::max(leastJumpM(std::min(rangesM[0], rangesM[1])), kShare * lengths.front().valueM) ? apartM : 0.0;
+}
+
+bool MeasuredCells::isLongerThanClicks() const {
+    return kind == MeasureKind::Throat && clicksM > 0.0 && fromClicks > 0 && lengths.front().valueM > clicksM;
+}
+
+bool MeasuredCells::isWarned() const {
+    return behindM > 0.0 || clickBehindM > 0.0 || endsApartM() > 0.0 || narrowsOn() || isLongerThanClicks();
 }
 
 std::string lengthText(const MeasuredLength& length) {
@@ -301,6 +333,11 @@ std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     for (std::size_t n = 0; n < measured.rangesM.size(); ++n) ranges += (n == 0 ? "" : ", ") + fixedText(measured.rangesM[n], 2);
     std::vector<std::string> parts;
     if (measured.kind == MeasureKind::Throat) {
+        if (measured.clickBehindM > 0.0)
+            parts.push_back(
+                say("▲ a click is %1 m behind this throat: click the rock at each side", {fixedText(measured.clickBehindM, 2)}));
+        if (const double apartM = measured.endsApartM(); apartM > 0.0)
+            parts.push_back(say("▲ one end is %1 m farther away than the other", {fixedText(apartM, 2)}));
         if (measured.narrowsOn()) parts.push_back(say("▲ farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)}));
         parts.push_back(say("narrowest way near the two clicks"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;

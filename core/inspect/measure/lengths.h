@@ -62,10 +62,17 @@ struct MeasuredCells {
     int fromClicks = 0;                  ///< only for Throat: number of cells from a click to its end, at most
     double clicksM = 0.0;                ///< only for Throat: distance of the two clicked points; 0: not known
     double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find (throatAt()); 0: not known
+    double clickBehindM = 0.0;        ///< only for Throat: how far a click is behind its end, across a jump; 0: neither click is
     double narrowerM = 0.0;           ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
 
     /// Only for Throat: true if a way farther along is narrower than all that clicks around these find.
     [[nodiscard]] bool narrowsOn() const { return narrowerM > 0.0 && (mostM <= 0.0 || narrowerM < leastM); }
+    /// Only for Throat: how much farther away than the other one an end is, if that is a large share of the length; else 0.
+    [[nodiscard]] double endsApartM() const;
+    /// Only for Throat: true if the way between the clicks is shorter, because its sides are not where they are.
+    [[nodiscard]] bool isLongerThanClicks() const;
+    /// True if measureBasis() has a warning (▲).
+    [[nodiscard]] bool isWarned() const;
 };
 
 /// Covariance of the place of a picked point, m^2, frame of the scan. Along the beam: the noise of the range. Across the beam: the point is

@@ -240,6 +240,7 @@ void Sessions::restore(inspect::ReadSession read, const QString& file) {
     wanted_ = std::move(read);
     // An autosaved session continues in the file that the operator had given it.
     const bool byItself = QFileInfo(file).absolutePath() == QFileInfo(autosaves_.own()).absolutePath() && !file.isEmpty();
+    if (byItself) wanted_->state.view.images.reset(); // a start shows the images whole
     wantedFile_ = byItself ? exactText(wanted_->state.keptIn.string()) : file;
     autosaves_.markContinued(file);
     place_ = 0;

@@ -20,7 +20,7 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
                             Measures::tr("click the end of the other side")};
     const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
                             Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
-    const QStringList throat{Measures::tr("click one side"), Measures::tr("click the other side")};
+    const QStringList throat{Measures::tr("click the rock at one side"), Measures::tr("click the rock at the other side")};
     const QStringList& all = kind == inspect::MeasureKind::Throat     ? throat
                              : kind == inspect::MeasureKind::Angle    ? angle
                              : kind == inspect::MeasureKind::Spans    ? spans
@@ -49,6 +49,7 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
     connect(&views_, &LinkedViews::toolChanged, this, [this] {
         if (views_.tool() != Tool::Measure) stop();
     });
+    connect(&views_, &LinkedViews::flippedChanged, this, &Measures::show);
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
         picked_.clear(); // cells of the old scan have no meaning in the new one
         show();
@@ -64,6 +65,7 @@ void Measures::start(inspect::MeasureKind kind) {
 }
 
 void Measures::startAt(std::size_t cell) {
+    if (views_.flipped()) return notice_.showHint(LinkedViews::onlyOfB());
     start(inspect::MeasureKind::Distance);
     pick(inspect::exactly(cell)); // the target on the card, wherever it is
 }
@@ -111,7 +113,7 @@ void Measures::keepPicked() {
 void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
     show();
     const Scan& scan = *asked.of->detection->scan;
-    const Picture* now = views_.shown().get(); // of another scan the cells have no meaning; a sweep may have grown
+    const Picture* now = views_.picture().get(); // of another scan the cells have no meaning; a sweep may have grown
     if (now == nullptr || now->source.stream != asked.of->source.stream || now->source.growth.sweep != asked.of->source.growth.sweep)
         return;
     if (found) return keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);
@@ -122,7 +124,7 @@ void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
 
 void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked) {
     if (clicked == cells) clicked.clear();
-    const auto measured = inspect::measureCells(*views_.shown()->detection->scan, {}, kind, cells);
+    const auto measured = inspect::measureCells(*views_.picture()->detection->scan, {}, kind, cells);
     targets_.keepMeasure({kind, std::move(cells), std::move(clicked)});
     if (measured && measured->behindM > 0.0)
         notice_.showHint(tr("An end of this measurement is %1 m behind the surface under its line: check where its "
@@ -142,7 +144,9 @@ void Measures::show() {
     }
     targets_.showDraft(draft);
     QString words = throats_.behind() ? tr("Throat width: the narrowest way is being searched …") : wordsFor(*kind_, picked_.size());
-    if (!picked_.empty() && views_.shown()) // a side that is far behind the throat that was meant shows by its range
+    if (views_.flipped())
+        words = LinkedViews::onlyOfB();          // no number of B over A
+    else if (!picked_.empty() && views_.shown()) // a side that is far behind the throat that was meant shows by its range
         words += tr(" · the last click is at %1 m").arg(views_.shown()->detection->scan->rangeMm[picked_.back().cell] / 1000.0, 0, 'f', 2);
     emit asked(words);
 }

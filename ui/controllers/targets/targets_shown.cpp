@@ -70,7 +70,7 @@ QString Targets::tagOf(const inspect::PinnedTarget& target) const {
     const inspect::CellTarget* now = knownOf(target.cell);
     QString tag = QString::number(target.number);
     if (!target.name.empty()) tag += " " + shownName(exactText(target.name), 20);
-    if (now != nullptr && now->probe.state == CellState::Valid) tag += QString(" · %1 m").arg(now->distanceM, 0, 'f', 2);
+    if (now != nullptr && now->probe.state == CellState::Valid) tag += " · " + distanceText(*now); // the digits of the card
     return tag;
 }
 
@@ -108,8 +108,8 @@ CellMarks Targets::marks() const {
         marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown, target.clicked});
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const inspect::MeasuredCells* now = knownOf(measure);
-        const bool warned = now != nullptr && (mountingAssumed(*known_.picture->detection->scan) || now->behindM > 0.0 ||
-                                               now->narrowsOn() || isDoubtful(*known_.picture->detection->scan, measure));
+        const bool warned = now != nullptr && (now->isWarned() || mountingAssumed(*known_.picture->detection->scan) ||
+                                               isDoubtful(*known_.picture->detection->scan, measure));
         const bool ofSection = measure.kind == inspect::MeasureKind::Section; // its points are shown at the nearest cells
         marks.measures.push_back({ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
                                             : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),

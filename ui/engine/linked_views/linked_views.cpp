@@ -2,7 +2,6 @@
 #include "ui/engine/linked_views/linked_views.h"
 
 #include "core/edges/gray/gray.h"
-#include "ui/base/cell_marks.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
@@ -45,9 +44,15 @@ void LinkedViews::setTool(Tool tool) {
     emit toolChanged();
 }
 
-void LinkedViews::setMarks(const CellMarks& marks) {
-    for (ImageView* view : images_) view->setMarks(marks);
-    cloud_.setMarks(marks);
+void LinkedViews::setMarks(CellMarks marks) {
+    marks_ = std::move(marks);
+    showMarks();
+}
+
+void LinkedViews::showMarks() {
+    const CellMarks shown = flipped() ? CellMarks{} : marks_;
+    for (ImageView* view : images_) view->setMarks(shown);
+    cloud_.setMarks(shown);
 }
 
 void LinkedViews::followCoarse() {
@@ -82,6 +87,7 @@ void LinkedViews::followPicture() {
     else if (last->detection->scan != picture_->detection->scan)
         showMoreLines(*last);
     draw();
+    showBox();
     hover(hovered_, nullptr);
 }
 
@@ -145,7 +151,10 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
         cloud_.setOutline(outline);
     }
     draw();
+    showMarks();
+    showBox();
     hover(hovered_, nullptr);
+    emit flippedChanged(flipped());
 }
 
 void LinkedViews::showNewScan() {
@@ -159,7 +168,7 @@ void LinkedViews::showNewScan() {
     if (replacesCoarse) {
         viewPort.setFinerImage(shown()->gray->size());
         cloud_.setNote(QString());
-    } else if (viewPort.imageSize() != shown()->gray->size()) {
+    } else {
         viewPort.setImageSize(shown()->gray->size());
         viewPort.fit();
     }
@@ -167,6 +176,8 @@ void LinkedViews::showNewScan() {
     setOutline({}, {});
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
     noteFit();
+    box_.reset();
+    emit boxed(QString());
     for (ImageView* view : images_) {
         view->setNote(asked_);
         view->setBox(std::nullopt);
@@ -255,6 +266,7 @@ void LinkedViews::pinByClick(const inspect::MeantCell& click) {
 
 void LinkedViews::clearPin() {
     pin(std::nullopt);
+    box_.reset();
     for (ImageView* view : images_) view->setBox(std::nullopt);
     emit boxed(QString());
 }

@@ -3,6 +3,7 @@
 
 #include "core/edges/explain/cell_values.h"
 #include "core/inspect/measure/near_side.h"
+#include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
 #include "ui/engine/linked_views/scene.h"
 #include "ui/engine/worker_bridge/engine.h"
@@ -23,7 +24,6 @@ namespace edgescan::ui {
 class CloudView;
 class ImageView;
 struct EdgeTrail;
-struct CellMarks;
 
 /// The meaning of a click or a drag over a view.
 enum class Tool { Pin, Measure, Box, Lasso };
@@ -41,6 +41,10 @@ public:
     void followCoarse();
     /// The picture in all views; null before the first picture.
     [[nodiscard]] const std::shared_ptr<const Picture>& shown() const { return state_.flippedTo ? state_.flippedTo : picture_; }
+    /// Of the engine: what clicks, marks and measurements are of, also while another picture is shown.
+    [[nodiscard]] const std::shared_ptr<const Picture>& picture() const { return picture_; }
+    /// Why a click is refused while another picture is shown.
+    [[nodiscard]] static QString onlyOfB();
     [[nodiscard]] ImageView& gray() { return *images_[0]; }
     [[nodiscard]] ImageView& edges() { return *images_[1]; }
     [[nodiscard]] CloudView& cloud() { return cloud_; }
@@ -76,7 +80,7 @@ public:
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.
-    void setMarks(const CellMarks& marks);
+    void setMarks(CellMarks marks);
     /// Sides of cells in the images (corners: x = beam, y = line), and the cells along them in the cloud, ascending; empty: no outline.
     /// It ends with its scan.
     void setOutline(const std::vector<QLine>& sides, std::vector<std::uint32_t> cells);
@@ -102,7 +106,7 @@ public:
     /// What the views show.
     [[nodiscard]] const Scene& scene() const { return scene_; }
     /// Shows another picture with the same number of lines and beams in all views, which keep their place. Null, or a new picture of the
-    /// engine, ends it.
+    /// engine, ends it. Meanwhile no mark is drawn and no cell can be clicked: both belong to the engine's picture.
     void flipTo(std::shared_ptr<const Picture> other);
     [[nodiscard]] bool flipped() const { return state_.flippedTo != nullptr; }
     void setEdgeColours(const EdgeColours& colours);
@@ -121,6 +125,7 @@ public:
     [[nodiscard]] RangeSpan rangesShown() const;
 
 signals:
+    void flippedChanged(bool on);
     void probed(const std::optional<edgescan::edges::Probe>& probe);
     void toolChanged();
     void edgeColoursChanged();
@@ -148,10 +153,12 @@ private:
     void showNote();
     void linkImages();
     void linkCloud();
-    [[nodiscard]] bool waitsForTheWhole(QWidget& view) const;
+    [[nodiscard]] bool refusesClicks(QWidget& view) const;
     void openMenuAt(const QPoint& position, std::optional<std::size_t> cell);
     void clickAt(std::size_t cell);
     void lookAtBox(const QRect& cells);
+    std::vector<std::uint32_t> showBox();
+    void showMarks();
     void showCoarse();
     void draw();
     void applyScene();
@@ -182,6 +189,8 @@ private:
     int fittedLines_ = 0;
     bool windowKept_ = false;
     bool trueAngles_ = false;
+    std::optional<QRect> box_; // of cells, as dragged
+    CellMarks marks_;
     std::optional<inspect::MeantCell> byClick_;
 };
 

@@ -22,11 +22,11 @@ void LinkedViews::linkImages() {
         });
         connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
         connect(view, &ImageView::clicked, this, [this, view](int line, int beam) {
-            if (waitsForTheWhole(*view)) return;
+            if (refusesClicks(*view)) return;
             if (const auto cell = cellAt(line, beam)) clickAt(*cell);
         });
         connect(view, &ImageView::outlined, this, [this, view](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
-            if (!waitsForTheWhole(*view)) emit imageOutlined(corners, modifiers);
+            if (!refusesClicks(*view)) emit imageOutlined(corners, modifiers);
         });
         connect(view, &ImageView::menuRequested, this,
                 [this](int line, int beam, const QPoint& position) { openMenuAt(position, cellAt(line, beam)); });
@@ -39,27 +39,32 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::hovered, this, [this](qint64 cell) { hover(static_cast<std::size_t>(cell), &cloud_); });
     connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
     connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) {
-        if (!waitsForTheWhole(cloud_)) clickAt(static_cast<std::size_t>(cell));
+        if (!refusesClicks(cloud_)) clickAt(static_cast<std::size_t>(cell));
     });
     connect(&cloud_, &CloudView::missed, this,
             [this] { QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden."), &cloud_); });
     connect(&cloud_, &CloudView::outlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
-        if (!waitsForTheWhole(cloud_)) emit cloudOutlined(corners, modifiers);
+        if (!refusesClicks(cloud_)) emit cloudOutlined(corners, modifiers);
     });
     connect(&cloud_, &CloudView::contextMenuRequested, this, [this](const QPoint& position, qint64 cell) {
         openMenuAt(position, cell >= 0 && !coarse_ ? std::optional(static_cast<std::size_t>(cell)) : std::nullopt);
     });
 }
 
-/// Says so.
-bool LinkedViews::waitsForTheWhole(QWidget& view) const {
-    if (!coarse_) return false;
-    QToolTip::showText(QCursor::pos(), tr("Cells can be clicked when the whole scan is here: this is a coarse picture of it."), &view);
+QString LinkedViews::onlyOfB() { return tr("A is shown; go back to B to pin or to measure."); }
+
+/// Says so. The tip is at the pointer, also for a click by a key.
+bool LinkedViews::refusesClicks(QWidget& view) const {
+    const QString why = coarse_     ? tr("Cells can be clicked when the whole scan is here: this is a coarse picture of it.")
+                        : flipped() ? onlyOfB()
+                                    : QString();
+    if (why.isEmpty()) return false;
+    QToolTip::showText(QCursor::pos(), why, &view);
     return true;
 }
 
 void LinkedViews::openMenuAt(const QPoint& position, std::optional<std::size_t> cell) {
-    openMenu(position, cell ? std::optional(meant(*cell)) : std::nullopt);
+    openMenu(position, cell && !flipped() ? std::optional(meant(*cell)) : std::nullopt);
 }
 
 void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click) {
@@ -88,6 +93,7 @@ void LinkedViews::clickAt(std::size_t cell) {
 
 /// Ctrl selects several rocks and pins no cell.
 void LinkedViews::click(const inspect::MeantCell& click) {
+    if (refusesClicks(gray())) return;
     if (tool_ == Tool::Pin && pinsOnClick_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
         pinByClick(click);
     else
@@ -101,8 +107,18 @@ void LinkedViews::lookAtBox(const QRect& cells) {
     const Scan& scan = *shown()->detection->scan;
     const QRect inside = cells.intersected(QRect(0, 0, scan.beams(), scan.lines()));
     if (inside.isEmpty()) return;
+    box_ = inside;
     for (ImageView* view : images_) view->setBox(inside);
+    gray().viewPort()->fitTo(QRectF(inside));
+    if (const auto points = showBox(); !points.empty()) cloud_.zoomToCells(points);
+}
+
+/// Returns the points in the box; its text is of the picture that is shown.
+std::vector<std::uint32_t> LinkedViews::showBox() {
     std::vector<std::uint32_t> held;
+    if (!box_ || !shown()) return held;
+    const Scan& scan = *shown()->detection->scan;
+    const QRect inside = box_->intersected(QRect(0, 0, scan.beams(), scan.lines()));
     std::size_t edges = 0;
     double nearest = 0.0, farthest = 0.0;
     for (int line = inside.top(); line <= inside.bottom(); ++line) {
@@ -116,14 +132,13 @@ void LinkedViews::lookAtBox(const QRect& cells) {
             held.push_back(static_cast<std::uint32_t>(k));
         }
     }
-    gray().viewPort()->fitTo(QRectF(inside));
-    if (!held.empty()) cloud_.zoomToCells(held);
     QString words = tr("box of %1 × %2 cells: %3 points, %4 edge cells")
                         .arg(inside.height())
                         .arg(inside.width())
                         .arg(countText(held.size()), countText(edges));
     if (!held.empty()) words += tr(", ranges %1 to %2 m").arg(nearest, 0, 'f', 2).arg(farthest, 0, 'f', 2);
     emit boxed(words);
+    return held;
 }
 
 } // namespace edgescan::ui

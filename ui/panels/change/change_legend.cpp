@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgescan::ui {
 
@@ -83,9 +84,10 @@ void DistanceView::paintEvent(QPaintEvent*) {
 
 namespace {
 
-constexpr int kLongestName = 30; // characters
-constexpr int kAround = 32;      // px: of the plate and of the view
-constexpr int kBeforeName = 70;  // px of a row: switch, colour, gaps
+constexpr int kLongestName = 30;   // characters
+constexpr int kAround = 32;        // px: of the plate and of the view
+constexpr int kBeforeName = 70;    // px of a row: switch, colour, gaps
+constexpr int kBetweenButtons = 6; // px
 
 QString nameOf(ChangeRow row) {
     switch (row) {
@@ -123,6 +125,8 @@ QString broken(const QString& text, const QFontMetrics& letters, int width) {
     return result.chopped(1);
 }
 
+QString outOfSpecWords() { return ChangeLegend::tr("▲ OUT OF SPEC"); }
+
 QLabel* wordsOf(QWidget* parent, const char* name) {
     auto* label = new QLabel(parent);
     label->setObjectName(name);
@@ -136,7 +140,8 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     : ViewPlate(parent), title_(wordsOf(this, "change-title")), unit_(wordsOf(this, "change-unit")), how_(wordsOf(this, "change-how")),
       overRocks_(wordsOf(this, "change-over-rocks")), region_(wordsOf(this, "change-region")),
       byDistance_(new QCheckBox(tr("colour by distance from A"), this)), histogram_(new DistanceView(this)),
-      distances_(wordsOf(this, "change-distances")), previous_(new QToolButton(this)), next_(new QToolButton(this)) {
+      distances_(wordsOf(this, "change-distances")), fold_(new QToolButton(this)), previous_(new QToolButton(this)),
+      next_(new QToolButton(this)), end_(new QToolButton(this)) {
     setObjectName("change-legend");
     for (QLabel* label : {title_, how_, region_}) words_[label] = QString();
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -176,13 +181,24 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     previous_->setArrowType(Qt::LeftArrow);
     previous_->setToolTip(tr("Previous changed region"));
     previous_->setAccessibleName(previous_->toolTip());
-    next_->setText(tr("Next changed region"));
+    next_->setToolTip(tr("Next changed region"));
+    next_->setAccessibleName(next_->toolTip());
+    fold_->setObjectName("change-fold");
+    fold_->setCheckable(true);
+    end_->setObjectName("change-end");
+    end_->setText(tr("End"));
+    end_->setToolTip(tr("Ends the comparison: A is forgotten"));
     auto* buttons = new QHBoxLayout; // at the foot, which stays where it is while the plate grows upwards
-    for (QToolButton* button : {previous_, next_}) {
+    for (QToolButton* button : {fold_, previous_, next_, end_}) {
+        if (button == end_) buttons->addStretch(1);
         button->setFocusPolicy(Qt::TabFocus);
         buttons->addWidget(button);
     }
-    buttons->addStretch(1);
+    connect(fold_, &QToolButton::toggled, this, [this] {
+        showRows();
+        fit();
+    });
+    connect(end_, &QToolButton::clicked, this, &ChangeLegend::endRequested);
     grid->addWidget(byDistance_, kChangeRows + 4, 0, 1, 2);
     grid->addWidget(histogram_, kChangeRows + 5, 0, 1, 2);
     grid->addWidget(distances_, kChangeRows + 6, 0, 1, 2);
@@ -208,16 +224,16 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     if (comparison != nullptr && !working) {
         how = coreWords(inspect::registrationText(*comparison->asked.now->detection->scan, comparison->change.earlier.how))
                   .replace("; ", "\n");
-        if (comparison->change.earlier.how.outOfSpec) how = tr("▲ OUT OF SPEC") + '\n' + how;
+        if (comparison->change.earlier.how.outOfSpec) how = outOfSpecWords() + '\n' + how;
         if (comparison->isOfTwoScans())
             how += '\n' + tr("median difference %1 mm\na change is more than %2 mm at 5 m")
                               .arg(comparison->change.differMm, 0, 'f', 0)
                               .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
-    setWords(*how_, how);
+    howWords_ = how;
     const auto distances = comparison != nullptr && rowsShown_ ? comparison->distances : nullptr;
     histogram_->showDistances(distances);
-    distances_->setVisible(distances != nullptr);
+    hasDistances_ = distances != nullptr;
     if (distances)
         setWords(*distances_, tr("median distance %1\n%2 are farther than %3")
                                   .arg(shortLength(distances->histogram.medianM))
@@ -228,9 +244,9 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     compared_ = comparison != nullptr;
     ofTwoScans_ = comparison != nullptr && comparison->isOfTwoScans();
     warned_ = comparison != nullptr && comparison->change.earlier.how.outOfSpec;
-    showRows();
     showRegion(QString());
     showFlipped(flipped_);
+    showRows();
     show();
     fit();
 }
@@ -251,6 +267,10 @@ void ChangeLegend::fit() {
         QCheckBox& box = *rows_[static_cast<std::size_t>(n)].box;
         box.setText(broken(nameOf(static_cast<ChangeRow>(n)), box.fontMetrics(), room - counts - kBeforeName));
     }
+    next_->setText(next_->toolTip());
+    int buttons = 0;
+    for (const QToolButton* button : {fold_, previous_, next_, end_}) buttons += button->sizeHint().width() + kBetweenButtons;
+    if (buttons > room) next_->setText(tr("Next"));
     fitContent();
 }
 
@@ -267,16 +287,26 @@ bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
     return ViewPlate::eventFilter(watched, event);
 }
 
-/// In a cab the rows that count something: the plate must leave the rocks in sight. A warning is always there.
+/// In a cab the rows that count something: the plate must leave the rocks in sight. A warning is always there. Folded: the title and the
+/// buttons.
 void ChangeLegend::showRows() {
+    const bool open = !fold_->isChecked();
+    fold_->setArrowType(open ? Qt::DownArrow : Qt::UpArrow);
+    fold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
+    fold_->setAccessibleName(fold_->toolTip());
+    fold_->setVisible(compared_ && rowsShown_);
     for (const Row& row : rows_) {
         const QString count = row.count->text();
-        const bool shown = rowsShown_ && !count.isEmpty() && (!brief_ || count != "0");
+        const bool shown = open && rowsShown_ && !count.isEmpty() && (!brief_ || count != "0");
         for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(shown);
     }
-    unit_->setVisible(compared_ && rowsShown_ && !brief_);
-    how_->setVisible(!compared_ || (rowsShown_ && (!brief_ || warned_)));
-    byDistance_->setVisible(rowsShown_ && ofTwoScans_ && !brief_);
+    unit_->setVisible(open && compared_ && rowsShown_ && !brief_);
+    how_->setVisible(!compared_ || (rowsShown_ && (warned_ || (open && !brief_))));
+    setWords(*how_, open || !warned_ ? howWords_ : outOfSpecWords());
+    byDistance_->setVisible(open && rowsShown_ && ofTwoScans_ && !brief_);
+    histogram_->setVisible(open && hasDistances_);
+    distances_->setVisible(open && hasDistances_);
+    overRocks_->setVisible(open && overRocksOn_);
 }
 
 void ChangeLegend::setBrief(bool on) {
@@ -294,9 +324,8 @@ void ChangeLegend::showFlipped(bool flipped) {
 }
 
 void ChangeLegend::showOverRocks(bool on) {
-    if (on == !overRocks_->isHidden()) return;
-    overRocks_->setVisible(on);
-    fitContent();
+    if (std::exchange(overRocksOn_, on) == on) return;
+    showRows();
 }
 
 void ChangeLegend::showRegion(const QString& words) {

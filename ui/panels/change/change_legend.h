@@ -49,6 +49,7 @@ signals:
     void distancesRequested(bool on);
     void nextRegionRequested();
     void previousRegionRequested();
+    void endRequested();
 
 private:
     struct Row {
@@ -67,9 +68,10 @@ private:
     QCheckBox* byDistance_;
     DistanceView* histogram_;
     QLabel* distances_;
-    QToolButton *previous_, *next_;
+    QToolButton *fold_, *previous_, *next_, *end_;
     std::map<QLabel*, QString> words_; // before they are broken into lines
-    QString before_;
+    QString before_, howWords_;
+    bool hasDistances_ = false, overRocksOn_ = false;
     bool flipped_ = false;
     bool rowsShown_ = true;
     bool brief_ = false;

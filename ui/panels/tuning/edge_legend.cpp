@@ -108,8 +108,32 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     filled_->setToolTip(tr("Striped green in the images; no beam measured these cells, and the cloud does not show them."));
     filled_->hide();
     grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
+    addOthers(*grid);
     paintSwatches();
     hide(); // no content yet
+}
+
+/// What else has a colour of its own in the views.
+void EdgeLegend::addOthers(QGridLayout& grid) {
+    missing_ = new QLabel;
+    missing_->setObjectName("legend-missing");
+    missing_->setToolTip(
+        tr("Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each."));
+    ray_ = new QLabel(QString("<span style=\"color:#ff5a50\">─</span> ") + tr("Laser ray to the marked cell"));
+    ray_->setObjectName("legend-ray");
+    for (QLabel* each : {missing_, ray_}) {
+        each->hide();
+        grid.addWidget(each, grid.rowCount(), 0, 1, 2);
+    }
+}
+
+void EdgeLegend::showMissing(const Scan& scan) {
+    const auto counts = countCells(scan);
+    const auto of = [&](CellState state) { return counts[static_cast<std::size_t>(state)]; };
+    const std::size_t none = of(CellState::NoReturn), others = of(CellState::OutOfWindow) + of(CellState::Masked);
+    isMissing_ = none + others > 0;
+    const QString words = others == 0 ? tr("No return: %1") : tr("No range: %1");
+    missing_->setText(QString("<span style=\"color:#8860b8\">▨</span> ") + words.arg(countText(none + others)));
 }
 
 EdgeLegend::Row EdgeLegend::addRow(QGridLayout& grid, const QString& name, const char* objectName) {
@@ -138,6 +162,7 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
     }
     known_ = known;
     isFilled_ = detection.filled != nullptr;
+    showMissing(*detection.scan);
     taken_->setText(chosen && known ? takenWords(classes) : QString());
     showRows();
     if (detection.filled) filled_->setText(tr("▥ Filled, not measured: %1").arg(countText(detection.filled->cells.size())));
@@ -158,6 +183,8 @@ void EdgeLegend::showRows() {
     unfold_->setVisible(known_ && brief_ && !low_);
     covered_->setVisible(isCovered_ && (open || !brief_));
     filled_->setVisible(isFilled_ && (open || !brief_));
+    missing_->setVisible(isMissing_ && open && roomy_);
+    ray_->setVisible(open && roomy_);
     taken_->setVisible(!taken_->text().isEmpty() && open);
 }
 
@@ -168,9 +195,12 @@ void EdgeLegend::showCovered(bool on) {
 }
 
 void EdgeLegend::fitInto(int height) {
-    constexpr int kLow = 260, kLowForGloves = 420; // px
-    const bool low = height < (brief_ ? kLowForGloves : kLow);
-    if (std::exchange(low_, low) == low) return;
+    constexpr int kLow = 260, kLowForGloves = 420, kForOthers = 140; // px
+    const int least = brief_ ? kLowForGloves : kLow;
+    const bool low = height < least, roomy = height >= least + kForOthers;
+    if (low == low_ && roomy == roomy_) return;
+    low_ = low;
+    roomy_ = roomy;
     showRows();
     adjustSize();
 }

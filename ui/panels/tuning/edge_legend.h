@@ -51,6 +51,8 @@ private:
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
     void showRows();
     void paintSwatches();
+    void addOthers(QGridLayout& grid);
+    void showMissing(const Scan& scan);
     void emitClasses();
 
     QCheckBox* edges_ = nullptr;
@@ -58,11 +60,13 @@ private:
     std::array<Row, kEdgeClasses> rows_;
     QCheckBox* byClass_ = nullptr;
     QLabel* filled_ = nullptr;
+    QLabel* missing_ = nullptr; // violet cells
+    QLabel* ray_ = nullptr;
     EdgeColours colours_ = kUsualColours;
     std::array<bool, kEdgeClasses> offered_{}; // the classes of the method
     bool known_ = false;                       // the counts of the classes are known
-    bool brief_ = false, low_ = false;
-    bool isCovered_ = false, isFilled_ = false;
+    bool brief_ = false, low_ = false, roomy_ = true;
+    bool isCovered_ = false, isFilled_ = false, isMissing_ = false;
     QLabel* covered_ = nullptr;
     QToolButton* unfold_ = nullptr; // visible in a cab only
     QLabel* taken_ = nullptr;       // where the cells of a class that is off went; empty: nowhere

@@ -204,8 +204,8 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
 
 void StatusLine::showProbe(const std::optional<edges::Probe>& probe, Cell cell) {
     const ProbeTexts words = probe ? probeWords(*probe) : ProbeTexts{};
-    probeMain_ =
-        (probe && cell == Cell::Pin ? tr("Pinned:") + " " : QString()) + words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
+    const QString whose = !probe || cell == Cell::Pointer ? QString() : (cell == Cell::Pin ? tr("Pinned:") : QString("A:")) + " ";
+    probeMain_ = whose + words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
     probeMore_ = words.cell;
     // Widgets at the right must not appear and disappear with mouse movements.
     longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));

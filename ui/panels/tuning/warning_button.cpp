@@ -20,19 +20,26 @@ void WarningButton::showWarnings(const QStringList& warnings) {
     emit warningsRaised(warnings_);
 }
 
+void WarningButton::showInstead(const std::optional<QStringList>& warnings) {
+    instead_ = warnings;
+    showState();
+}
+
 void WarningButton::acknowledge() {
+    if (instead_) return;
     acknowledged_ = true;
     showState();
     emit warningsAcknowledged();
 }
 
 void WarningButton::showState() {
-    const QString count = warnings_.size() == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings_.size());
+    const QString count = warnings().size() == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings().size());
+    const bool acknowledged = acknowledged_ && !instead_;
     // The text repeats the meaning of the colour.
-    setText("\u26A0 " + (acknowledged_ ? tr("%1, acknowledged").arg(count) : count));
-    setStyleSheet(acknowledged_ ? QString() : QString("QToolButton { color: %1; font-weight: bold; }").arg(themeInUse().warn.name()));
+    setText("\u26A0 " + (acknowledged ? tr("%1, acknowledged").arg(count) : count));
+    setStyleSheet(acknowledged ? QString() : QString("QToolButton { color: %1; font-weight: bold; }").arg(themeInUse().warn.name()));
     setToolTip(tr("Shows the warnings of this scan and acknowledges them. They remain in records and screenshots."));
-    setVisible(!warnings_.isEmpty());
+    setVisible(!warnings().isEmpty());
 }
 
 } // namespace edgescan::ui

@@ -4,6 +4,8 @@
 #include <QStringList>
 #include <QToolButton>
 
+#include <optional>
+
 namespace edgescan::ui {
 
 /// Hidden without warnings. docs/reference/rules.md, "S13".
@@ -14,8 +16,10 @@ public:
 
     /// A changed list of warnings is not acknowledged.
     void showWarnings(const QStringList& warnings);
+    /// Those of A while it is shown: they are not raised and not acknowledged. Empty: the scan's own again.
+    void showInstead(const std::optional<QStringList>& warnings);
     void acknowledge();
-    [[nodiscard]] const QStringList& warnings() const { return warnings_; }
+    [[nodiscard]] const QStringList& warnings() const { return instead_ ? *instead_ : warnings_; }
     [[nodiscard]] bool acknowledged() const { return acknowledged_; }
 
 signals:
@@ -26,6 +30,7 @@ private:
     void showState();
 
     QStringList warnings_;
+    std::optional<QStringList> instead_;
     bool acknowledged_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include "core/base/order_statistic.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -41,6 +42,38 @@ std::vector<Vector3d> samplePoints(const CloudGeometry& cloud) {
         if (points.size() > 5000) break;
     }
     return points;
+}
+
+/// Share of the picture in which the nearest surface shows the side that the scanner saw; 1 without a point in it.
+double shareFromFront(const CloudGeometry& cloud, const CameraPose& pose, double widthByHeight) {
+    constexpr int kAcross = 20;
+    constexpr std::size_t kEnough = 20000; // points
+    struct Seen {
+        double depth = 0.0; // 0: nothing
+        bool front = false;
+    };
+    std::array<Seen, std::size_t{kAcross} * kAcross> picture{};
+    const Vector3d forward = pose.forward(), right = pose.right();
+    const double tanV = tanHalf(pose);
+    std::size_t asked = 0;
+    for (const auto& part : cloud.drawOrder) {
+        for (const std::uint32_t k : part) {
+            const Vector3d way = cloud.point(k).cast<double>() - pose.position;
+            const double depth = way.dot(forward);
+            if (depth < kNearestM) continue;
+            const double x = way.dot(right) / (depth * tanV * widthByHeight), y = way.dot(pose.up) / (depth * tanV);
+            if (std::max(std::abs(x), std::abs(y)) >= 1.0) continue;
+            Seen& seen = picture[static_cast<std::size_t>((x + 1.0) / 2.0 * kAcross) * kAcross +
+                                 static_cast<std::size_t>((y + 1.0) / 2.0 * kAcross)];
+            const Vector3d normal(cloud.normals[3 * k], cloud.normals[3 * k + 1], cloud.normals[3 * k + 2]);
+            if (seen.depth == 0.0 || depth < seen.depth) seen = {depth, normal.dot(way) < 0.0};
+        }
+        asked += part.size();
+        if (asked > kEnough) break;
+    }
+    const auto some = std::ranges::count_if(picture, [](const Seen& seen) { return seen.depth > 0.0; });
+    const auto fronts = std::ranges::count_if(picture, [](const Seen& seen) { return seen.front; });
+    return some == 0 ? 1.0 : static_cast<double>(fronts) / static_cast<double>(some);
 }
 
 struct DepthSpan {
@@ -120,6 +153,20 @@ CameraPose lookingAt(const Box3f& box, const Vector3d& forward, const Vector3d& 
     }
     out.position = out.focus - forward * distance * kMargin;
     return out;
+}
+
+CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose& pose, double widthByHeight) {
+    constexpr double kMostly = 0.7, kNearer = 0.85, kNearest = 0.1; // shares
+    const CameraPose whole = lookingAt(box, pose.forward(), pose.up, pose, widthByHeight);
+    if (pose.parallel || cloud.normals.size() < 3 * cloud.cells()) return whole;
+    for (double share = 1.0; share > kNearest; share *= kNearer) {
+        CameraPose out = whole;
+        out.position = whole.focus - whole.forward() * whole.distance() * share;
+        const double angle = 2.0 * std::atan(tanHalf(whole) / share) * 180.0 / std::numbers::pi;
+        out.viewAngleDeg = std::clamp(angle, kUsualViewAngleDeg, kWidestViewAngleDeg);
+        if (shareFromFront(cloud, out, widthByHeight) >= kMostly) return out;
+    }
+    return fromScanner(cloud, pose, widthByHeight);
 }
 
 CameraPose lookingAtFrom(const Vector3d& place, const Box3f& box, const Vector3d& up, const CameraPose& lens, double widthByHeight) {

@@ -65,18 +65,18 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         const QPen light(QColor(255, 90, 80), 1.4, marks_.hidden ? Qt::DashLine : Qt::SolidLine);
         strokeTwice(painter, QPen(QColor(0, 0, 0, 120), 3.0), light, [&] { painter.drawLine(*marks_.ray); });
     }
-    tags_ = drawScreenMarks(painter, rect(), marks_.marks, plates_, texts);
-    painter.setBrush(Qt::NoBrush);
-    if (!marks_.dragged.isEmpty())
-        strokeTwice(painter, QPen(QColor(0, 0, 0, 170), 3.0), QPen(Qt::white, 1.0, Qt::DashLine),
-                    [&] { painter.drawPolygon(marks_.dragged); });
-    if (marks_.ring) {
+    if (marks_.ring) { // below the digits of the marks
         const QPen light(Qt::white, 2.0, marks_.hidden ? Qt::DotLine : Qt::SolidLine);
         strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), light, [&] { painter.drawEllipse(*marks_.ring, kRing, kRing); });
         painter.setPen(QPen(Qt::black, 1.0));
         painter.setBrush(Qt::white);
         painter.drawEllipse(*marks_.ring, 2.0, 2.0);
     }
+    tags_ = drawScreenMarks(painter, rect(), marks_.marks, plates_, texts);
+    painter.setBrush(Qt::NoBrush);
+    if (!marks_.dragged.isEmpty())
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 170), 3.0), QPen(Qt::white, 1.0, Qt::DashLine),
+                    [&] { painter.drawPolygon(marks_.dragged); });
     drawStaleOverlay(painter, rect(), marks_.stale);
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3 + marks_.topTaken, -kLabelMargin - 6, -kLabelMargin - 3);
     const auto* cube = parentWidget()->findChild<QWidget*>("view-cube", Qt::FindDirectChildrenOnly);

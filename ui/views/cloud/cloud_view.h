@@ -156,7 +156,7 @@ public slots:
     void viewBottom();
     void viewIsometric();
     void resetView(); ///< the scanner's view, without clipping
-    void zoomToFit(); ///< keeps the direction
+    void zoomToFit(); ///< keeps the direction, if anything but the backs of walls is seen in it
     /// CloudScene::keepReady().
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// Looks from the scanner's side at these cells and some of their surroundings. A few cells at the rim may be outside the view.

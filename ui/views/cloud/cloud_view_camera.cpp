@@ -81,7 +81,13 @@ void CloudView::viewBottom() {
 void CloudView::viewIsometric() {
     if (cloud_) look((cloud_->axes.forward - cloud_->axes.right - cloud_->axes.up).normalized(), cloud_->axes.up);
 }
-void CloudView::zoomToFit() { look(pose_.forward(), pose_.up); }
+void CloudView::zoomToFit() {
+    const Box3f all = extent().mainBounds;
+    if (!cloud_ || all.isEmpty()) return;
+    pose_ = fitted(*cloud_, all, pose_, aspect());
+    centre_ = pose_.focus;
+    applyCamera();
+}
 
 void CloudView::zoomToCells(const CellIndices& cells) {
     if (!cloud_) return;

@@ -318,6 +318,7 @@ void ImageView::drawMarks(QPainter& painter) const {
                     [&] { painter.drawRect(toPixels(QRectF(boxCells(press_.from, press_.last)))); });
     }
     if (drag_ == Drag::Select && press_.travelled) drawDragged(painter);
+    if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size())); // below the digits of the marks
     if (!marks_.targets.empty() || !marks_.measures.empty()) {
         const int beams = picture_.empty() ? 1 : picture_.image()->width();
         drawScreenMarks(painter, rect(),
@@ -330,7 +331,6 @@ void ImageView::drawMarks(QPainter& painter) const {
                             },
                             width() < kRoomForTags));
     }
-    if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size()));
 }
 
 void ImageView::drawDragged(QPainter& painter) const {
@@ -343,6 +343,9 @@ void ImageView::drawTexts(QPainter& painter) const {
     const QRect inner = rect().adjusted(11, 8 + topTaken_, -11, -8);
     if (picture_.empty()) drawLabel(painter, inner, Qt::AlignCenter, note_);
     drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_);
+    if (!picture_.empty() && !viewPort_->fitted())
+        drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignBottom,
+                  tr("Zoomed %1 × · Fit shows all").arg(viewPort_->magnification(), 0, 'f', 1));
 }
 
 } // namespace edgescan::ui

@@ -23,6 +23,8 @@ public:
     /// Height of a cell in (device-independent) pixels, in the smallest view; in larger views cells are larger, so that all views show
     /// the same part of the image.
     [[nodiscard]] double zoom() const { return zoom_; }
+    /// 1: as large as fits into the views; 4: four times as large.
+    [[nodiscard]] double magnification() const { return zoom_ / fittingZoom(imageSize_); }
     /// Width of a cell divided by its height: 1 = square pixels.
     [[nodiscard]] double aspect() const { return aspect_; }
     [[nodiscard]] QSizeF cellSize() const { return {zoom_ * aspect_, zoom_}; }

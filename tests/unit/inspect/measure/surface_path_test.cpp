@@ -243,6 +243,33 @@ TEST(Throat, SaysWhetherAWayNextToItIsNarrower) {
     }
 }
 
+// A click on a surface seen through the opening still finds a throat, but not without a warning; nor do two ends of different depth.
+TEST(Throat, WarnsOfAClickBehindItAndOfEndsOfDifferentDepth) {
+    const auto measured = [](double rightM, bool behind) {
+        const Scan scan = fineScan(101, 101, [&](const Eigen::Vector3d& d) {
+            const double x = 5.0 * d.x() / d.z();
+            return (x < -0.4 ? 5.0 : x < 0.4 ? 9.0 : rightM) / d.z();
+        });
+        int left = 0, right = 0;
+        for (int j = 1; j < 101; ++j) {
+            if (scan.rangeMm.at(50, j - 1) < 7000.0F && scan.rangeMm.at(50, j) > 7000.0F) left = j - 1;
+            if (scan.rangeMm.at(50, j - 1) > 7000.0F && scan.rangeMm.at(50, j) < 7000.0F) right = j;
+        }
+        const auto from = cellOf(scan, 50, behind ? left + 6 : left - 2), to = cellOf(scan, 50, right + 2);
+        const auto throat = throatAt(scan, CartesianTables(scan), from, to);
+        EXPECT_TRUE(throat);
+        return *measureStored(scan, kQuietNoise, {MeasureKind::Throat, {throat->ends[0], throat->ends[1]}, {from, to}});
+    };
+    const MeasuredCells onRock = measured(5.0, false), through = measured(5.0, true), oblique = measured(5.6, false);
+    EXPECT_FALSE(onRock.isWarned()) << measureBasis(onRock);
+    EXPECT_NEAR(through.clickBehindM, 4.0, 0.2);
+    EXPECT_TRUE(through.isWarned());
+    EXPECT_NE(measureBasis(through).find("m behind this throat: click the rock at each side"), std::string::npos) << measureBasis(through);
+    EXPECT_NEAR(oblique.endsApartM(), 0.6, 0.1);
+    EXPECT_TRUE(oblique.isWarned());
+    EXPECT_NE(measureBasis(oblique).find("farther away than the other"), std::string::npos) << measureBasis(oblique);
+}
+
 TEST(Throat, ItsToleranceIncludesWhatClicksNextToItFind) {
     // Narrower and narrower along the sides, so that each click finds another length.
     const Scan scan = fineScan(101, 101, [](const Eigen::Vector3d& d) {
