@@ -56,7 +56,7 @@ py::object reportOf(const ResultObject& result) {
 exports::ExportContent contentOf(const std::string& name) {
     std::string names;
     for (const exports::ExportKind& kind : exports::exportKinds()) {
-        if (kind.needs == exports::ExportKind::Needs::Rocks) continue;
+        if (kind.needs > exports::ExportKind::Needs::Edges) continue;
         if (name == kind.key) return kind.content;
         names += (names.empty() ? "" : ", ") + std::string(kind.key);
     }

@@ -125,6 +125,16 @@ std::string printableLines(std::string_view text) {
     }
 }
 
+std::vector<std::uint32_t> charactersOf(std::string_view text) {
+    std::vector<std::uint32_t> characters;
+    for (std::size_t at = 0; at < text.size();) {
+        const Character c = characterAt(text, at);
+        characters.push_back(c.valid ? c.code : 0xFFFD);
+        at += c.bytes;
+    }
+    return characters;
+}
+
 std::string escapedBytes(std::string_view bytes) {
     std::string text;
     text.reserve(bytes.size());

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace edgescan {
 
@@ -17,6 +19,9 @@ inline constexpr std::size_t kMostShown = 1000; ///< characters in one line
 
 /// The same for each line of a text of several lines that EdgeScan itself wrote.
 [[nodiscard]] std::string printableLines(std::string_view text);
+
+/// The numbers of the characters; U+FFFD for a byte that is not UTF-8.
+[[nodiscard]] std::vector<std::uint32_t> charactersOf(std::string_view text);
 
 /// Any bytes, such as a file name, as valid UTF-8 without loss (docs/reference/command-line.md, "Names that are not UTF-8"). Valid UTF-8
 /// stays as it is. Any other byte becomes the character U+EF00 + byte (U+EF80 to U+EFFF, private use). The three bytes of such a character

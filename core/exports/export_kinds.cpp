@@ -7,6 +7,7 @@
 #include "core/exports/rock_files.h"
 #include "core/exports/rock_outlines.h"
 #include "core/exports/section_files.h"
+#include "core/exports/target_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/scan/georef/placed_points.h"
@@ -51,6 +52,7 @@ Files rockOutlines(const ExportInput& in) { return one(in, outlineBytes(*in.opti
 Files rockPictureOutlines(const ExportInput& in) { return one(in, pictureOutlines(*in.options.rocks, in.record)); }
 Files rockHullFile(const ExportInput& in) { return one(in, hullBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
 Files section(const ExportInput& in) { return one(in, sectionBytes(in)); }
+Files targets(const ExportInput& in) { return one(in, targetBytes(in)); }
 constexpr std::array kCloudFile{ExportFile{".pcd", nullptr, Coordinates::InName}};
 constexpr std::array kPictureFile{ExportFile{".png", nullptr, Coordinates::None}};
 constexpr std::array kReportFile{ExportFile{".json", "Report with settings and edits", Coordinates::Inside}};
@@ -64,6 +66,8 @@ constexpr std::array kHullFiles{ExportFile{".ply", "Convex hulls of the visible 
 constexpr std::array kSectionFiles{ExportFile{".dxf", nullptr, Coordinates::Inside, false},
                                    ExportFile{".csv", nullptr, Coordinates::Inside, false},
                                    ExportFile{".png", nullptr, Coordinates::Inside, false}};
+constexpr std::array kTargetFiles{ExportFile{".csv", nullptr, Coordinates::InName, false},
+                                  ExportFile{".dxf", nullptr, Coordinates::InName, false}};
 
 // clang-format off
 constexpr ExportKind kKinds[]{
@@ -98,6 +102,8 @@ constexpr ExportKind kKinds[]{
      "--cloud", "All points in metres with a field for rocks", fullCloud},
     {ExportContent::Section, "section", "section", Needs::Rocks, Holds::Shapes, Counts::Rocks, "section", kSectionFiles,
      "--section", "Where a plane cuts the surfaces, in true scale, with edges and rocks: .dxf, .csv or .png", section},
+    {ExportContent::Targets, "targets", "targets", Needs::Targets, Holds::Shapes, Counts::Targets, "targets", kTargetFiles, nullptr,
+     nullptr, targets},
 };
 // clang-format on
 
@@ -121,7 +127,7 @@ const ExportKind* exportKindNamed(std::string_view record) {
 }
 
 const char* countedThings(const ExportKind& kind) {
-    constexpr std::array kThings{"edge points", "points", "cells", "rocks"};
+    constexpr std::array kThings{"edge points", "points", "cells", "rocks", "targets"};
     return kThings.at(static_cast<std::size_t>(kind.counts));
 }
 

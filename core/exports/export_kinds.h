@@ -19,6 +19,7 @@ namespace edgescan::rocks {
 struct Study;
 } // namespace edgescan::rocks
 namespace edgescan::inspect {
+struct PinnedTarget;
 struct SectionPlane;
 } // namespace edgescan::inspect
 namespace edgescan::files {
@@ -43,6 +44,7 @@ enum class ExportContent : std::uint8_t {
     RockHulls,
     RockCloud,
     Section,
+    Targets,
     End ///< how many there are
 };
 
@@ -53,10 +55,11 @@ struct ExportOptions {
     std::string role{};
     bool includeAttached = false; ///< of a projected cloud: also the points behind the nearest of each cell
     files::WritingChoices choices{};
-    std::shared_ptr<const rocks::Study> rocks{};                   ///< of the detection's scan, for exports of rocks
-    std::shared_ptr<const std::vector<std::uint32_t>> selection{}; ///< of a cloud: these cells alone, ascending; null = all
-    std::shared_ptr<const inspect::SectionPlane> section{};        ///< of a section
-    bool sidecar = true;                                           ///< also write the record to a sidecar
+    std::shared_ptr<const rocks::Study> rocks{};                         ///< of the detection's scan, for exports of rocks
+    std::shared_ptr<const std::vector<std::uint32_t>> selection{};       ///< of a cloud: these cells alone, ascending; null = all
+    std::shared_ptr<const inspect::SectionPlane> section{};              ///< of a section
+    std::shared_ptr<const std::vector<inspect::PinnedTarget>> targets{}; ///< of the detection's scan
+    bool sidecar = true;                                                 ///< also write the record to a sidecar
 };
 
 /// What an export is made from.
@@ -80,10 +83,11 @@ struct ExportFile {
 };
 
 struct ExportKind {
-    enum class Needs : std::uint8_t { Scan, Edges, Rocks }; ///< a cloud takes filled cells as well, where they are asked for
+    /// A cloud takes filled cells as well, where they are asked for. Targets: edges, and what the operator pinned.
+    enum class Needs : std::uint8_t { Scan, Edges, Rocks, Targets };
     /// In the order of the flags. Points: any format of points, the file of the table where none is asked for. Scan: any format.
     enum class Holds : std::uint8_t { Picture, Numbers, Points, Shapes, Scan };
-    enum class Counts : std::uint8_t { EdgePoints, Points, Cells, Rocks };
+    enum class Counts : std::uint8_t { EdgePoints, Points, Cells, Rocks, Targets };
     /// In the window: the command in the menu and its keys, the line of the question with %1 for the count, and the file's name.
     struct InWindow {
         const char* menu = nullptr;
@@ -116,7 +120,7 @@ struct ExportKind {
 [[nodiscard]] inline bool isCloud(ExportContent content) { return exportKind(content).holds == ExportKind::Holds::Points; }
 [[nodiscard]] inline bool isOfRocks(ExportContent content) { return exportKind(content).needs == ExportKind::Needs::Rocks; }
 
-/// "edge points", "points", "cells", "rocks".
+/// "edge points", "points", "cells", "rocks", "targets".
 [[nodiscard]] const char* countedThings(const ExportKind& kind);
 
 /// "edges_LOCAL.pcd": what follows the scan's name.

@@ -11,6 +11,7 @@
 #include "core/exports/report.h"
 #include "core/exports/rock_files.h"
 #include "core/exports/section_files.h"
+#include "core/exports/target_files.h"
 #include "core/files/point_tables/description.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/georef/placement_json.h"
@@ -182,6 +183,7 @@ std::string exportRecord(ExportContent content, const edges::Detection& detectio
     record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
     if (options.selection && isCloud(content)) record["selection"] = selectionRecord(options);
     if (options.section && content == ExportContent::Section) record["section"] = planeRecord(*options.section);
+    if (options.targets && content == ExportContent::Targets) record["targets"] = targetsRecord(*options.targets, scan);
     if (exportKind(content).needs != ExportKind::Needs::Scan) {
         record["settings"] = edges::settingsToJson(detection.settings);
         record["default_settings"] = {{"name", edges::kDefaultSet.name},

@@ -12,6 +12,7 @@
 #include "core/exports/frame_points.h"
 #include "core/exports/record_parts.h"
 #include "core/exports/section_files.h"
+#include "core/exports/target_files.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/save_scan.h"
 #include "core/files/point_tables/cell_runs.h"
@@ -47,7 +48,7 @@ struct Expected {
     std::size_t count = 0; ///< points or cells
     std::optional<PointBounds> bounds;
     const char* of = "points";
-    std::optional<Eigen::AlignedBox3d> box{}; ///< of what a section cuts
+    std::optional<Eigen::AlignedBox3d> box{}; ///< of what a section cuts, and of targets
 };
 
 Expected expectedOf(ExportContent content, const edges::Detection& detection, const fs::path& path, const ExportOptions& options) {
@@ -55,6 +56,10 @@ Expected expectedOf(ExportContent content, const edges::Detection& detection, co
     if (content == ExportContent::Section) {
         const SectionContent cut = sectionContent(detection, options, options.frame);
         return Expected{cut.rocks, std::nullopt, countedThings(kind), cut.box};
+    }
+    if (content == ExportContent::Targets) {
+        const TargetContent pinned = targetContent(detection, options, path, options.frame);
+        return Expected{pinned.targets, std::nullopt, countedThings(kind), pinned.box};
     }
     if (kind.counts == ExportKind::Counts::Rocks)
         return Expected{options.rocks ? options.rocks->rocks.size() : 0, std::nullopt, countedThings(kind)};

@@ -16,6 +16,7 @@
 #include "core/exports/record_parts.h"
 #include "core/exports/report.h"
 #include "core/exports/section_files.h"
+#include "core/exports/target_files.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/georef/placed_points.h"
@@ -296,6 +297,11 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
         const auto plane = planeOf(at(*record, "/section"), exported.string());
         if (!plane) return plane.error();
         options.section = *plane;
+    }
+    if (kind->content == ExportContent::Targets) {
+        const auto targets = targetsOf(at(*record, "/targets"), *(*detection)->scan, exported.string());
+        if (!targets) return targets.error();
+        options.targets = *targets;
     }
     if (kind->needs == ExportKind::Needs::Rocks && (kind->content != ExportContent::Section || record->contains("rocks"))) {
         const auto rocks = rocksOf(*record, **detection, v);

@@ -21,6 +21,7 @@ inline inspect::ViewerState exampleSession(const std::filesystem::path& path) {
     inspect::PinnedTarget target;
     target.number = 4;
     target.name = "keystone";
+    target.note = "do not blast";
     target.cell = 77;
     target.locked = true;
     target.pinnedUtc = "2026-11-21T07:00:00Z";

@@ -546,9 +546,9 @@ private slots:
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
         const auto& rocks = on.viewer.rocks.picture()->study.rocks;
         QVERIFY(rocks.size() >= 2);
-        on.viewer.rocks.jumpTo(rocks[0].label);
-        on.viewer.targets.lock(1, true); // clicks on rocks do not move it
-        on.viewer.rocks.jumpTo(rocks[1].label);
+        on.viewer.views.pin(rocks[0].cell);
+        on.viewer.views.pin(rocks[1].cell);
+        on.viewer.rocks.lookAt(rocks[1].label);
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(2));
         const auto second = on.viewer.views.cloud().outline();
         QVERIFY(second);

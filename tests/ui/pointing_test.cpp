@@ -7,6 +7,7 @@
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/tool_bar.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -201,6 +202,49 @@ private slots:
                  qPrintable(window_->viewer().explanation.card()->cell()));
     }
 
+    // The button of the tool bar leaves no cell under the pointer: the next click says which one, and pins nothing until the card is
+    // closed.
+    void whyWaitsForAClickThatPinsNothing() {
+        ImageView& gray = window_->viewer().views.gray();
+        const auto targets = [&] { return window_->viewer().targets.notebook().targets.size(); };
+        const auto press = [&] {
+            QToolButton* button = nullptr;
+            for (auto* each : window_->viewer().tools.findChildren<QToolButton*>()) {
+                if (each->defaultAction() != nullptr && each->defaultAction()->text().remove('&').startsWith("Why Is")) button = each;
+            }
+            emit gray.hoverLeft();
+            QTest::mouseClick(button, Qt::LeftButton);
+            return button;
+        };
+        const QToolButton* button = press();
+        QVERIFY(button->isChecked() && window_->viewer().tools.shown() == "Why: click a cell");
+        press();
+        QVERIFY2(!button->isChecked() && window_->viewer().tools.shown().isEmpty(), "a second press ends it");
+        press();
+        for (const auto& [line, beam] : {std::pair{60, 80}, {30, 40}}) {
+            QTest::mouseClick(&gray, Qt::LeftButton, Qt::ShiftModifier, pixelOf(gray, line, beam));
+            const WhyCard* card = window_->viewer().explanation.card();
+            QVERIFY(card != nullptr && card->isVisible());
+            QVERIFY2(card->cell().contains(QString("line %1, beam %2").arg(line).arg(beam)), qPrintable(card->cell()));
+            QVERIFY(!window_->viewer().views.pinned() && targets() == 0);
+        }
+        escape();
+        QVERIFY(!window_->viewer().explanation.card()->isVisible() && !button->isChecked());
+        QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixelOf(gray, 60, 80));
+        QCOMPARE(targets(), std::size_t{1});
+        QVERIFY(!window_->viewer().explanation.card()->isVisible());
+        // With a pin it explains that, and the next clicks pin no other.
+        press();
+        QTRY_VERIFY(window_->viewer().explanation.card()->isVisible());
+        QVERIFY2(window_->viewer().explanation.card()->cell().endsWith("(the pinned target)"),
+                 qPrintable(window_->viewer().explanation.card()->cell()));
+        QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixelOf(gray, 30, 40));
+        QCOMPARE(targets(), std::size_t{1});
+        QTest::keyClick(window_, Qt::Key_P);
+        QTest::mouseClick(&gray, Qt::LeftButton, Qt::NoModifier, pixelOf(gray, 30, 40));
+        QCOMPARE(targets(), std::size_t{2});
+    }
+
     void theMenuOfACellIsTheSameInEveryView() {
         CloudView& cloud = window_->viewer().views.cloud();
         std::uint32_t cell = 0;
@@ -223,7 +267,7 @@ private slots:
         QVERIFY(chooseInMenu(cloud, *pixel(), "Pin"));
         QCOMPARE(*window_->viewer().views.pinned(), std::size_t{cell});
         QTRY_VERIFY(pixel());
-        QVERIFY(chooseInMenu(cloud, *pixel(), "Remove the target"));
+        QVERIFY(chooseInMenu(cloud, *pixel(), "Remove Target 1"));
         QVERIFY(!window_->viewer().views.pinned());
         ImageView& gray = window_->viewer().views.gray();
         const CameraPose before = cloud.camera();

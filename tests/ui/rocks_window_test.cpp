@@ -78,6 +78,11 @@ class RocksWindowTest : public QObject {
         ImageView& view = on.viewer.views.gray();
         QTest::mouseClick(&view, Qt::LeftButton, modifiers, pixelOn(on, view, label));
     }
+    // Ctrl chooses, and pins nothing.
+    static void choose(WindowFixture& on, std::uint32_t label) {
+        on.viewer.rocks.select({});
+        click(on, label, Qt::ControlModifier);
+    }
     // Two rocks with a common border, the larger one first.
     static std::pair<std::uint32_t, std::uint32_t> neighbours(WindowFixture& on) {
         for (const rocks::RegionBorder& border : picture(on).study.map.borders) {
@@ -254,7 +259,7 @@ private slots:
         QVERIFY(gone());
         views.setTool(Tool::Pin);
 
-        click(on, 3);
+        choose(on, 3);
         QVERIFY(gone());
         QVERIFY(on.viewer.rocksPanel.card().isVisible());
         QVERIFY(on.viewer.rocksPanel.card().text().startsWith("Rock 3\n"));
@@ -279,7 +284,8 @@ private slots:
         for (const rocks::Rock& each : picture(on).study.rocks) {
             const auto pixel = views.cloud().pixelOf(each.cell);
             if (!pixel || views.cloud().cellAt(*pixel) != std::optional(each.cell)) continue;
-            QTest::mouseClick(&views.cloud(), Qt::LeftButton, Qt::NoModifier, pixel->toPoint());
+            on.viewer.rocks.select({});
+            QTest::mouseClick(&views.cloud(), Qt::LeftButton, Qt::ControlModifier, pixel->toPoint());
             QCOMPARE(on.viewer.rockTable.selected(), std::vector<std::uint32_t>{each.label});
             clicked = true;
             break;
@@ -292,21 +298,35 @@ private slots:
         QVERIFY(!views.cloud().outline());
     }
 
-    void aPinThatIsUndoneTakesItsOutlineAlong() {
+    // A click of Pin pins and chooses no rock; commands for a rock are for that of the pin while none is chosen.
+    void aClickPinsOrChoosesARock() {
         WindowFixture on;
         QVERIFY(showRocks(on));
+        const std::vector<std::size_t> none;
         click(on, 3);
-        QVERIFY(on.viewer.views.pinned() && on.viewer.views.cloud().outline());
-        on.viewer.undo.undo();
-        QVERIFY(!on.viewer.views.pinned());
-        QVERIFY(on.viewer.rocks.selected().empty());
-        QVERIFY(!on.viewer.views.cloud().outline());
-        // Several rocks that were chosen with Ctrl are not of the pin.
-        click(on, 3);
+        QVERIFY(on.viewer.views.pinned() && picture(on).labelAt(*on.viewer.views.pinned()) == 3);
+        QVERIFY(on.viewer.rocks.selected() == none && !on.viewer.views.cloud().outline());
+        QVERIFY(on.viewer.rocks.chosen() == on.viewer.views.pinned());
+        // With Ctrl the reverse.
+        click(on, 3, Qt::ControlModifier);
         click(on, 4, Qt::ControlModifier);
         QCOMPARE(on.viewer.rocks.selected().size(), std::size_t(2));
+        QVERIFY(picture(on).labelAt(*on.viewer.rocks.chosen()) == 4);
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         on.viewer.views.clearPin();
         QCOMPARE(on.viewer.rocks.selected().size(), std::size_t(2));
+        click(on, 2); // ends the choice
+        QVERIFY(on.viewer.rocks.selected() == none);
+        // The outline of the rock of a target goes with its pin.
+        on.viewer.rocks.select({*on.viewer.views.pinned()});
+        QVERIFY(on.viewer.views.cloud().outline());
+        on.viewer.undo.undo();
+        QVERIFY(!on.viewer.views.pinned() && on.viewer.rocks.selected() == none && !on.viewer.views.cloud().outline());
+        on.viewer.views.clearPin();
+        QVERIFY(on.activate());
+        QTest::keyClick(&on.window, Qt::Key_N);
+        QVERIFY2(on.viewer.notice.text().startsWith("Select a rock first"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(on.viewer.rocks.edits().empty());
     }
 
     void theTableSortsFiltersAndJumps() {
@@ -346,7 +366,7 @@ private slots:
         QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
         QTest::mouseDClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
         QVERIFY(!(on.viewer.views.cloud().camera() == before));
-        QCOMPARE(on.viewer.views.marked(), std::optional<std::size_t>(on.viewer.rocks.selected().back()));
+        QVERIFY(on.viewer.rocks.selected().size() == 1 && !on.viewer.views.pinned() && on.viewer.targets.notebook().targets.empty());
     }
 
     // At every width: a head, with its arrow where the table is sorted, and each number have their whole width; else the table scrolls.
@@ -474,7 +494,7 @@ private slots:
         QVERIFY(on.viewer.rocksPanel.text().contains(share));
         // The dot of the selected rock has a colour of its own.
         const QImage before = view->grab().toImage();
-        click(on, 2);
+        choose(on, 2);
         QCOMPARE(view->marked(), std::vector<double>{picture(on).rock(2)->shortestCaliperM});
         const QPoint dot = view->placeOf(view->marked()[0], view->curve().shareUpTo(view->marked()[0])).toPoint();
         QVERIFY(view->grab().toImage().pixel(dot) != before.pixel(dot));
@@ -490,7 +510,7 @@ private slots:
         const std::size_t cellA = picture(on).rock(a)->cell, cellB = picture(on).rock(b)->cell;
         const Grid<std::uint32_t> before = picture(on).labels;
         const auto one = [&, cellA = cellA, cellB = cellB] { return picture(on).regionAt(cellA) == picture(on).regionAt(cellB); };
-        click(on, a);
+        choose(on, a);
         click(on, b, Qt::ControlModifier);
         QCOMPARE(on.viewer.rocks.selected().size(), std::size_t{2});
         QTest::mouseClick(on.viewer.rocksPanel.card().merge(), Qt::LeftButton);
@@ -524,6 +544,10 @@ private slots:
             // The merged rock is split into what was merged.
             if (rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, k, study.edits).unjoined) continue;
             const std::size_t regions = study.map.regions.size();
+            QTest::keyClick(&on.window, Qt::Key_S);
+            QTest::keyClick(&on.window, Qt::Key_S); // ends it, and says so
+            QVERIFY(on.viewer.rocks.tool() == RockTool::None);
+            QVERIFY2(on.viewer.notice.text().contains("Split at Next Click” has ended"), qPrintable(on.viewer.notice.text()));
             QTest::keyClick(&on.window, Qt::Key_S);
             QVERIFY(on.viewer.rocks.tool() == RockTool::Split);
             QVERIFY(on.viewer.tools.shown().contains("click the part"));
@@ -611,10 +635,10 @@ private slots:
         QCOMPARE(on.viewer.undo.count(), 1);
         // A rock marked as one again has not changed: there is not another step.
         on.viewer.rocks.select({second});
-        on.viewer.rocks.callSelected(true);
+        on.viewer.rocks.callChosen(true);
         QVERIFY(settled(on));
         QCOMPARE(on.viewer.undo.count(), 2);
-        on.viewer.rocks.callSelected(true);
+        on.viewer.rocks.callChosen(true);
         QVERIFY(settled(on));
         QTRY_COMPARE(on.viewer.undo.count(), 2);
         QVERIFY(settled(on));
@@ -633,7 +657,7 @@ private slots:
         QVERIFY(on.viewer.rocks.edits().empty());
         // Without the largest rock each other one has another number.
         on.viewer.rocks.select({first});
-        on.viewer.rocks.callSelected(false);
+        on.viewer.rocks.callChosen(false);
         QVERIFY(settled(on));
         QVERIFY2(on.viewer.notice.text().startsWith(
                      "Numbers follow the visible area, so other rocks have new ones: 2 is now 1, 3 is now 2, 4 is now 3 and "),
@@ -1100,7 +1124,7 @@ private slots:
         WindowFixture on;
         QVERIFY(showRocks(on));
         const std::size_t cell = picture(on).rock(2)->cell;
-        click(on, 2);
+        choose(on, 2);
         QTest::mouseClick(on.viewer.rocksPanel.card().rockOrNot(), Qt::LeftButton);
         QVERIFY(settled(on));
         QCOMPARE(picture(on).labelAt(cell), 0U);

@@ -261,6 +261,16 @@ private slots:
         QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), QDir(elsewhere).canonicalPath());
         QVERIFY(QDir().rmdir(elsewhere));
         QCOMPARE(begins([&] { on.viewer.tuning.askOpenPreset(); }), folder);
+        // What one command saved is where the others begin, whatever they save.
+        QVERIFY(QDir().mkpath(elsewhere));
+        for (const auto content : {exports::ExportContent::EdgeImage, exports::ExportContent::EdgeCloud}) {
+            on.preferences.keepFolder("exports", QString::fromStdString(scan_));
+            QSignalSpy saved(&on.viewer.engine, &Engine::saved);
+            on.viewer.engine.save(content, elsewhere + (exports::isCloud(content) ? "/a.pcd" : "/a.png"));
+            QTRY_COMPARE(saved.count(), 1);
+            QCOMPARE(begins([&] { on.viewer.exports.askScreenshot(QImage(8, 8, QImage::Format_RGB32)); }), QDir(elsewhere).canonicalPath());
+            QCOMPARE(begins([&] { on.window.sessions().ask(); }), QDir(elsewhere).canonicalPath());
+        }
     }
 
     // The dialog has the same writing choices as the command line; the record names them.

@@ -12,6 +12,7 @@
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/export_dialog.h"
 #include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/keys/shortcuts.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/section/section_card.h"
 #include "ui/panels/section/section_plot.h"
@@ -25,11 +26,14 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
+#include <QContextMenuEvent>
 #include <QDir>
 #include <QDockWidget>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTimer>
@@ -844,6 +848,120 @@ private slots:
         QCOMPARE(static_cast<int>(seen.size()), 3);
         QVERIFY2(seen[0].toInt() > 60 && seen[1] == "1" && seen[2].startsWith("Measure > Vertical"), qPrintable(seen.join(' ')));
         QVERIFY(on.viewer.measures.kind() == inspect::MeasureKind::Vertical);
+    }
+
+    void thePaletteSaysThatNothingWasFound() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        CommandPalette palette(on.window.actions(), &on.window);
+        palette.show();
+        const auto* none = palette.findChild<QLabel*>("palette-none");
+        QVERIFY(!none->isVisible());
+        QTest::keyClicks(palette.words(), "zzz");
+        QVERIFY(none->isVisible() && none->text().startsWith("No command has these words"));
+        QVERIFY(palette.list()->viewport()->rect().contains(none->geometry()));
+        QTest::keyClick(palette.words(), Qt::Key_Return);
+        QVERIFY(palette.isVisible() && palette.chosen() == nullptr);
+        palette.words()->clear();
+        QVERIFY(!none->isVisible());
+    }
+
+    // From the menu, the tool bar and the palette; off, with its reason, while there are no targets.
+    void targetsAreExportedAsFiles() {
+        WindowFixture on;
+        QVERIFY(showWith(on, placed_));
+        QAction* command = nullptr;
+        for (const KeyedCommand& each : keyedCommands(on.window.actions())) {
+            if (each.id == "File/Export/Targets") command = each.action;
+        }
+        QVERIFY(command != nullptr && !command->isEnabled());
+        QVERIFY2(command->toolTip().startsWith("There are no targets yet"), qPrintable(command->toolTip()));
+        QVERIFY(on.window.findChild<QToolButton*>("tool-export")->menu()->actions().contains(command));
+        on.viewer.views.pin(cellUnder(on, 60, 80));
+        on.viewer.views.pin(cellUnder(on, 20, 30));
+        QVERIFY(known(on) && command->isEnabled());
+        on.viewer.targets.rename(1, "keystone");
+        on.viewer.targets.setNote(2, "loose");
+        for (const QString& name : {"targets.csv", "targets.dxf"}) {
+            const QString path = QString::fromStdString((folder_ / name.toStdString()).string());
+            QSignalSpy saved(&on.viewer.engine, &Engine::saved);
+            on.viewer.targets.exportTo(path);
+            QVERIFY(eventually([&] { return saved.count() == 1 && !on.viewer.engine.working(); }));
+            const QString said = on.viewer.notice.text();
+            QVERIFY2(said.contains("2 targets") && said.contains("Mine grid: E "), qPrintable(said));
+            const auto same = exports::verifyExport(exactBytes(path));
+            QVERIFY(same && same->identical);
+            const std::string text = test::fileText(path.toStdString());
+            QVERIFY(text.find("keystone") != text.npos && text.find("loose") != text.npos);
+        }
+        on.viewer.undo.undo(); // the note
+        QVERIFY(targets(on)[1].note.empty());
+        on.viewer.targets.removeAll();
+        QVERIFY(!command->isEnabled());
+    }
+
+    void aTargetHasANote() {
+        const QString ini = QString::fromStdString((folder_ / "notes" / "viewer.ini").string());
+        {
+            WindowFixture on(ini);
+            QVERIFY(showWith(on, boxes_));
+            click(on.viewer.views.gray(), 60, 80);
+            QVERIFY(known(on));
+            QLineEdit* note = on.viewer.targetsPanel.card().note();
+            QTest::keyClicks(note, "watch it");
+            QTest::keyClick(note, Qt::Key_Return);
+            QCOMPARE(targets(on)[0].note, std::string("watch it"));
+            QVERIFY(on.viewer.targetsPanel.targets()->item(0)->text().contains("\nwatch it"));
+            QVERIFY(on.viewer.targetsPanel.card().text().contains("Note: watch it"));
+            on.viewer.targets.copyAll();
+            QVERIFY(QGuiApplication::clipboard()->text().trimmed().endsWith("\twatch it"));
+            on.viewer.undo.undo();
+            QVERIFY(targets(on)[0].note.empty() && note->text().isEmpty());
+            on.viewer.undo.redo();
+            // The menu of its row, and of its pin, which is larger than its cell.
+            QListWidget* list = on.viewer.targetsPanel.targets();
+            const QStringList wanted{"Name of Target 1…", "Note on Target 1…", "Remove Target 1"};
+            const auto hasAll = [&](QWidget* view, QPoint at) {
+                QStringList entries;
+                QTimer look;
+                connect(&look, &QTimer::timeout, this, [&] {
+                    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+                    if (menu == nullptr) return;
+                    for (const QAction* each : menu->actions()) entries << each->text().remove('&');
+                    QTest::keyClick(menu, Qt::Key_Escape);
+                });
+                look.start(30);
+                if (view == list->viewport()) {
+                    QContextMenuEvent event(QContextMenuEvent::Mouse, at, view->mapToGlobal(at));
+                    QApplication::sendEvent(view, &event);
+                } else {
+                    QTest::mouseClick(view, Qt::RightButton, Qt::NoModifier, at);
+                }
+                return std::ranges::all_of(wanted, [&](const QString& each) { return entries.contains(each); });
+            };
+            QVERIFY(hasAll(list->viewport(), list->visualItemRect(list->item(0)).center()));
+            ImageView& gray = on.viewer.views.gray();
+            const QPoint cell = on.viewer.views.placeOf(targets(on)[0].cell);
+            QVERIFY(hasAll(&gray, pixelOf(gray, cell.y(), cell.x()) + QPoint(5, 0)));
+            QVERIFY(!hasAll(&gray, pixelOf(gray, cell.y(), cell.x()) + QPoint(25, 0)));
+            const auto answer = [&](const QString& text, const std::function<void()>& ask) {
+                QTimer look;
+                connect(&look, &QTimer::timeout, this, [&] {
+                    auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+                    if (dialog == nullptr) return;
+                    dialog->setTextValue(text);
+                    dialog->accept();
+                });
+                look.start(30);
+                ask();
+            };
+            answer("blast first", [&] { on.viewer.targets.askNote(1); });
+            answer("keystone", [&] { on.viewer.targets.askNameOf(1); });
+            QVERIFY(targets(on)[0].note == "blast first" && targets(on)[0].name == "keystone");
+        }
+        WindowFixture again(ini);
+        QVERIFY(showWith(again, boxes_));
+        QCOMPARE(targets(again)[0].note, std::string("blast first"));
     }
 
     void pageDownGoesThroughTheFolder() {

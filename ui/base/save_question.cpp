@@ -1,6 +1,7 @@
 // Asks where to save.
 #include "ui/base/save_question.h"
 
+#include "core/files/open_save/sidecar_grid.h"
 #include "ui/base/shown_text.h"
 
 #include <QFileDialog>
@@ -46,6 +47,8 @@ bool mayReplace(QWidget* parent, const QStringList& files) {
 }
 
 } // namespace
+
+QStringList withItsRecord(const QString& path) { return {path, exactText(files::sidecarPath(exactBytes(path)).string())}; }
 
 QString withExtension(const QString& path, const QStringList& filters, const QString& chosen) {
     QStringList all;

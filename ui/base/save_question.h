@@ -24,6 +24,9 @@ struct SaveQuestion {
 /// The path with its extension; empty if the operator cancelled.
 [[nodiscard]] QString askWhereToSave(QWidget* parent, const SaveQuestion& question);
 
+/// An export and its provenance record, which is replaced with it: for `files`.
+[[nodiscard]] QStringList withItsRecord(const QString& path);
+
 /// `path` with the extension of `chosen`, unless it already ends with an extension of `filters`.
 [[nodiscard]] QString withExtension(const QString& path, const QStringList& filters, const QString& chosen);
 

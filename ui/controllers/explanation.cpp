@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -64,7 +65,10 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
               if (card_ != nullptr && card_->isVisible()) card_->showExplanation(sentence);
           }) {
     connect(&views, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
-        if (card_ != nullptr && card_->isVisible()) explain(click, Subject::Click);
+        if (views_.tool() == Tool::Why || (card_ != nullptr && card_->isVisible())) explain(click, Subject::Click);
+    });
+    connect(&views, &LinkedViews::toolChanged, this, [this] {
+        if (views_.tool() != Tool::Why && std::exchange(asks_, false)) emit asked(QString());
     });
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
         menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, click] { explain(click, Subject::Click); });
@@ -78,6 +82,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     if (card_ == nullptr) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
+        connect(card_, &QDialog::finished, this, &Explanation::endWait);
         connect(card_, &WhyCard::nearestEdgeRequested, this, [this] {
             if (nearestEdge_) explain(inspect::exactly(*nearestEdge_), Subject::NearestEdge);
         });
@@ -118,9 +123,21 @@ QString Explanation::subjectText(const Question& question) const {
 }
 
 bool Explanation::closeCard() {
-    if (card_ == nullptr || !card_->isVisible()) return false;
+    const bool waited = views_.tool() == Tool::Why;
+    endWait();
+    if (card_ == nullptr || !card_->isVisible()) return waited;
     card_->reject();
     return true;
+}
+
+void Explanation::waitForClicks() {
+    views_.setTool(Tool::Why);
+    asks_ = true;
+    emit asked(tr("Why: click a cell"));
+}
+
+void Explanation::endWait() {
+    if (views_.tool() == Tool::Why) views_.setTool(Tool::Pin);
 }
 
 /// `still`: the picture is on the screen.
@@ -158,7 +175,9 @@ void Explanation::forgetTrail() { views_.setTrail({}); }
 
 void Explanation::explainMarked() {
     const auto cell = views_.marked();
-    if (!cell) return notice_.showHint(tr("Point at a cell or click one first. Why then shows what decides whether it is an edge."));
+    if (!cell && views_.tool() == Tool::Why) return endWait();                          // a second press
+    if (!cell || (views_.tool() == Tool::Pin && views_.pinsOnClick())) waitForClicks(); // else another tool is in use
+    if (!cell) return;
     explain(inspect::exactly(*cell), views_.hovered() ? Subject::Pointer : Subject::Pin);
 }
 

@@ -25,13 +25,18 @@ public:
     enum class Subject { Pointer, Pin, Click, NearestEdge };
     /// `click`: the text says if it was moved.
     void explain(const inspect::MeantCell& click, Subject subject);
-    /// Explains the cell in the status bar: under the pointer, else the pin.
+    /// Explains the cell in the status bar: under the pointer, else the pin. Where there is none, the next click says the cell. Until the
+    /// card is closed, a click explains and pins nothing.
     void explainMarked();
     void forgetTrail();
-    /// False: the card was not open.
+    /// Also ends the wait for a click. False: there was no card and no wait.
     bool closeCard();
     /// Null before the first question.
     [[nodiscard]] const WhyCard* card() const { return card_; }
+
+signals:
+    /// The prompt for the next click; empty: none.
+    void asked(const QString& words);
 
 private:
     struct Question {
@@ -42,10 +47,13 @@ private:
     [[nodiscard]] QString subjectText(const Question& question) const;
     void show(const Question& question, bool still, const edges::Why& why);
     void showTrail(const edges::Why& why);
+    void waitForClicks();
+    void endWait();
 
     LinkedViews& views_;
     NoticeBar& notice_;
     WhyCard* card_ = nullptr;                // child of the window
+    bool asks_ = false;                      // the prompt is shown
     std::optional<std::size_t> nearestEdge_; // the edge nearest to the cell on the card, if that cell is not an edge
     Derived<Question, edges::Why> why_;
 };

@@ -2,7 +2,6 @@
 #include "ui/controllers/sections.h"
 
 #include "core/files/open_save/save_scan.h"
-#include "core/files/open_save/sidecar_grid.h"
 #include "core/inspect/measure/cell_target.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
@@ -89,7 +88,7 @@ void Sections::throughMeasurement() {
 
 void Sections::throughRock() {
     const std::shared_ptr<const rocks::Study> rocks = study();
-    const std::uint32_t label = rocks && !rocks_.selected().empty() ? rocks_.picture()->labelAt(rocks_.selected().back()) : 0;
+    const std::uint32_t label = rocks && rocks_.chosen() ? rocks_.picture()->labelAt(*rocks_.chosen()) : 0;
     if (label == 0) {
         notice_.showHint(tr("Select a rock first: press K and click on its face."));
         return;
@@ -167,7 +166,7 @@ void Sections::askExport() {
     question.extension = ".dxf";
     const QString name = shownName(exactText(scan.name), 80).replace(' ', '-').replace('/', '-') + "_section.dxf";
     question.place = QDir(preferences_.folder("exports")).filePath(name);
-    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
+    question.files = withItsRecord;
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) exportTo(path);
 }

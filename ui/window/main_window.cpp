@@ -251,6 +251,7 @@ void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.measures, &Measures::asked, &viewer_.targetsPanel, &TargetsPanel::showAsked);
+    connect(&viewer_.explanation, &Explanation::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.rocks, &Rocks::toolChanged, &viewer_.tools, [this](RockTool tool) { viewer_.tools.showRockTool(promptOf(tool)); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
@@ -405,7 +406,8 @@ void MainWindow::escape() {
 /// With its unfinished clicks, and the hint about them. False: no tool is in use.
 bool MainWindow::leaveTool() {
     const bool isRocks = viewer_.rocks.tool() != RockTool::None;
-    if (!isRocks && viewer_.views.tool() == Tool::Pin) return false;
+    const Tool tool = viewer_.views.tool();
+    if (!isRocks && (tool == Tool::Pin || tool == Tool::Why)) return false; // Why ends with its card
     isRocks ? viewer_.rocks.useTool(RockTool::None) : viewer_.views.setTool(Tool::Pin);
     viewer_.notice.endPassing();
     return true;

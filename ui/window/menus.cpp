@@ -19,6 +19,7 @@
 #include "ui/views/cloud/gl_check.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/window/compare_menu.h"
+#include "ui/window/tool_menus.h"
 #include "ui/window/view_choices.h"
 #include "ui/window/viewer.h"
 
@@ -28,10 +29,22 @@
 #include <QMainWindow>
 #include <QMenu>
 
-#include <algorithm>
-
 namespace edgescan::ui {
 namespace {
+
+/// Disabled while there are no targets; its tip says so.
+Command targetsExport(Viewer& v) {
+    return linked(command("&Targets…", "", [&v] { v.targets.askExport(); }), [&v](QAction& action) {
+        const auto follow = [&v, &action] {
+            const bool some = !v.targets.notebook().targets.empty();
+            action.setEnabled(some);
+            action.setToolTip(some ? QString() : QObject::tr("There are no targets yet: pin a cell first."));
+        };
+        QObject::connect(&v.targets, &Targets::cardChanged, &action, follow);
+        if (auto* menu = qobject_cast<QMenu*>(action.parent())) menu->setToolTipsVisible(true);
+        follow();
+    });
+}
 
 Command fileMenu(Viewer& v, const WindowCommands& commands) {
     std::vector<Command> exports;
@@ -42,6 +55,7 @@ Command fileMenu(Viewer& v, const WindowCommands& commands) {
             exports.push_back(command("Edge &Drawing (DXF)…", "", [&v, content = kind.content] { v.exports.ask(content, ".dxf"); }));
     }
     exports.push_back(command("&Selected Cells…", "", [&v] { v.exports.askSelected(); }));
+    exports.push_back(targetsExport(v));
     Command recent = submenu("Open &Recent", {});
     recent.fill = [&v](QMenu& menu) { v.files.fillRecent(menu); };
     Command menu =
@@ -252,6 +266,11 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
         action.setChecked(panel.ratioLocked());
         QObject::connect(&panel, &EdgesPanel::ratioLockChanged, &action, &QAction::setChecked);
     };
+    const auto followWhy = [&v](QAction& action) { // pressed while a click explains
+        const auto follow = [&v, &action] { action.setChecked(v.views.tool() == Tool::Why); };
+        QObject::connect(&v.views, &LinkedViews::toolChanged, &action, follow);
+        QObject::connect(&action, &QAction::triggered, &action, follow); // a press alone does not switch it
+    };
     return submenu(
         "&Edges",
         {
@@ -263,108 +282,12 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
             command("Settings for These &Marks…", "", [&v] { v.markedEdges.propose(); }),
             command("Contact Shee&t…", "Shift+S", [sheets] { sheets->show(); }),
             command("Clear the Mar&ks", "", [&v] { v.markedEdges.clear(); }),
-            command("&Why Is This Cell an Edge or Not?", "W", [&v] { v.explanation.explainMarked(); }),
+            linked(toggle("&Why Is This Cell an Edge or Not?", "W", nullptr, false, [&v](bool) { v.explanation.explainMarked(); }),
+                   followWhy),
             confidenceCommand(v.confidence),
             command("&Reset to Preset", "", [&v] { v.tuning.usePreset(v.panel.preset()); }),
             command("Restore the &Default Settings", "Ctrl+D", [&v] { v.tuning.usePreset(edges::builtInPresets().front()); }),
         });
-}
-
-Command rocksMenu(Viewer& v, QMainWindow& window) {
-    Rocks& rocks = v.rocks;
-    CloudView& cloud = v.views.cloud();
-    const auto step = [&rocks](double by) {
-        rocks::RockSettings settings = rocks.settings();
-        const rocks::RockParameter& level = rocks::rockParameters().front();
-        level.set(settings, std::clamp(level.get(settings) + by, level.minimum, level.maximum));
-        rocks.change(settings);
-    };
-    const auto tool = [&rocks](const char* text, const char* keys, RockTool which) {
-        return linked(toggle(text, keys, nullptr, false, [&rocks, which](bool on) { rocks.useTool(on ? which : RockTool::None); }),
-                      [&rocks, which](QAction& action) {
-                          QObject::connect(&rocks, &Rocks::toolChanged, &action,
-                                           [&action, which](RockTool now) { action.setChecked(now == which); });
-                      });
-    };
-    return submenu("&Rocks", {
-                                 following(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
-                                           rocks, &Rocks::shownChanged),
-                                 linked(command("&Largest Rock by Width b", "", [&rocks] { rocks.lookAtLargest(); }),
-                                        [](QAction& action) { action.setObjectName("rocks-largest"); }),
-                                 command("Next Sm&aller Rock by Width b", "", [&rocks] { rocks.lookAtNextSmaller(); }),
-                                 kLine,
-                                 command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
-                                 tool("S&plit at Next Click", "S", RockTool::Split),
-                                 tool("&Join along a Line", "J", RockTool::Join),
-                                 tool("C&ut along a Line", "X", RockTool::Cut),
-                                 command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleSelected(); }),
-                                 kLine,
-                                 command("&Finer", ",", [step] { step(-0.5); }),
-                                 command("&Coarser", ".", [step] { step(0.5); }),
-                                 toggle("&Edges over Rocks", "", "rocks/edges", false, [&cloud](bool on) { cloud.setEdgesOverFaces(on); }),
-                                 kLine,
-                                 tool("Draw Region of &Interest", "G", RockTool::Region),
-                                 command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),
-                                 kLine,
-                                 {.made = window.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction()},
-                                 command("E&xport Rocks…", "", [&rocks] { rocks.askExport(); }),
-                             });
-}
-
-/// A tool. `on`: true while it is in use.
-Command tool(Viewer& v, const char* text, const char* keys, std::function<void()> start, std::function<bool()> on) {
-    const auto set = [&v, start = std::move(start)](bool wanted) { wanted ? start() : v.views.setTool(Tool::Pin); };
-    return linked(toggle(text, keys, nullptr, false, set), [&v, on = std::move(on)](QAction& action) {
-        const auto follow = [&action, on] { action.setChecked(on()); };
-        QObject::connect(&v.views, &LinkedViews::toolChanged, &action, follow);
-        QObject::connect(&v.measures, &Measures::kindChanged, &action, follow);
-        follow();
-    });
-}
-
-Command measureMenu(Viewer& v) {
-    LinkedViews& views = v.views;
-    Measures& measures = v.measures;
-    Selection& selection = v.selection;
-    const auto usual = [&](const char* text, const char* keys, Tool wanted) {
-        return tool(
-            v, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
-    };
-    const auto measure = [&](const char* text, const char* keys, inspect::MeasureKind kind) {
-        return tool(
-            v, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
-    };
-    const auto letGo = [&v] {
-        if (const inspect::PinnedTarget* target = v.targets.active()) v.targets.remove(target->number);
-    };
-    return submenu("&Measure", {
-                                   usual("&Pin", "P", Tool::Pin),
-                                   measure("&Distance", "U", inspect::MeasureKind::Distance),
-                                   measure("&Vertical", "V", inspect::MeasureKind::Vertical),
-                                   measure("&Angle", "A", inspect::MeasureKind::Angle),
-                                   measure("&Spans a × b", "Y", inspect::MeasureKind::Spans),
-                                   measure("Along S&urface", "Shift+U", inspect::MeasureKind::Path),
-                                   measure("Thr&oat Width", "Shift+Y", inspect::MeasureKind::Throat),
-                                   command("Se&ction through the Last Measurement", "", [&v] { v.sections.throughMeasurement(); }),
-                                   command("Section th&rough the Rock", "", [&v] { v.sections.throughRock(); }),
-                                   usual("&Box", "B", Tool::Box),
-                                   usual("&Lasso", "L", Tool::Lasso),
-                                   kLine,
-                                   command("Remove This Tar&get", "Del", letGo),
-                                   command("Remove All &Targets", "", [&v] { v.targets.removeAll(); }),
-                                   command("&Copy This Target", "", [&v] { v.targets.copyCard(); }),
-                                   kLine,
-                                   command("&Isolate Selected", "I", [&selection] { selection.isolateSelected(); }),
-                                   command("&Hide Selected", "Shift+I", [&selection] { selection.hideSelected(); }),
-                                   command("Sho&w All", "Ctrl+I", [&selection] { selection.showAll(); }),
-                                   command("Clip to Bo&x round Selected", "", [&selection] { selection.clipToSelected(); }),
-                                   command("&Range Gate…", "Shift+G", [&selection] { selection.askRangeGate(); }),
-                                   command("Hide &Farther than This Cell", "", [&v] { v.selection.hideFartherThan(v.views.marked()); }),
-                                   command("Hide Nearer than This Cell", "", [&v] { v.selection.hideNearerThan(v.views.marked()); }),
-                                   command("&Zoom to Selected", "Z", [&selection] { selection.zoomTo(); }),
-                                   command("Select &Nothing", "", [&selection] { selection.select({}); }),
-                                   command("&Export Selected…", "", [&v] { v.exports.askSelected(); }),
-                               });
 }
 
 } // namespace

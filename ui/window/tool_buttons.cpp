@@ -80,8 +80,8 @@ const MenuRow kExports{"tool-export",
                        "export",
                        QT_TRANSLATE_NOOP("QObject", "Export"),
                        {"File/Export/Edge Cloud", "File/Export/Edge Drawing (DXF)", "File/Export/Full Cloud", "File/Export/Selected Cells",
-                        "Rocks/Export Rocks", "", "File/Export/Edge Image", "File/Export/Gray Image", "File/Export/Range Image",
-                        "File/Screenshot", "", "File/Report"},
+                        "File/Export/Targets", "Rocks/Export Rocks", "", "File/Export/Edge Image", "File/Export/Gray Image",
+                        "File/Export/Range Image", "File/Screenshot", "", "File/Report"},
                        {}};
 
 QAction& actionOf(const QList<KeyedCommand>& commands, const char* id) {
@@ -110,6 +110,7 @@ void addMenu(ToolBar& bar, const QList<KeyedCommand>& commands, const MenuRow& r
         else
             menu->addAction(&actionOf(commands, id));
     }
+    menu->setToolTipsVisible(true); // why a command is off
     QList<QAction*> lights;
     for (const char* id : row.lights) lights << &actionOf(commands, id);
     bar.add(menu, row.name, row.sign, QObject::tr(row.word), lights);
@@ -129,7 +130,8 @@ void addToolButtons(MainWindow& window) {
     addRows(bar, commands, kLast);
     for (const KeyedCommand& command : commands) { // the menus whose commands have no meaning without a scan
         const auto isOf = [&command](const char* menu) { return command.id.startsWith(menu); };
-        if (isOf("Rocks/") || isOf("Measure/") || isOf("File/Export/")) bar.needsScan(*command.action);
+        const bool ofTargets = command.id == "File/Export/Targets"; // off also while there are none
+        if ((isOf("Rocks/") || isOf("Measure/") || isOf("File/Export/")) && !ofTargets) bar.needsScan(*command.action);
     }
     bar.setScanOpen(false);
     QObject::connect(&window, &MainWindow::pictureShown, &bar, [&bar] { bar.setScanOpen(true); });

@@ -59,8 +59,9 @@ std::string targetRow(const edges::Detection& detection, const RangeNoise& noise
     const Rows now = target.cell < scan.cells() ? placeRows(inspect::targetAt(detection, noise, target.cell)) : Rows{};
     Rows then = target.asPinned;
     std::erase_if(then, [&](const auto& row) { return std::ranges::find(now, row) != now.end(); });
-    return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) + "</td><td>" + cellText(scan, target.cell) +
-           "</td><td>" + rowsHtml(now) + "</td><td>" + rowsHtml(then) + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
+    return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) +
+           (target.note.empty() ? "" : "<br>" + htmlText(target.note)) + "</td><td>" + cellText(scan, target.cell) + "</td><td>" +
+           rowsHtml(now) + "</td><td>" + rowsHtml(then) + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
 }
 
 std::string measureRow(const edges::Detection& detection, const RangeNoise& noise, const inspect::StoredMeasure& measure) {
@@ -129,7 +130,7 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
     std::string html = "<h2>Targets and measures</h2>\n";
     const RangeNoise noise = inspect::noiseOf(detection);
     if (!notebook.targets.empty()) {
-        html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name</th><th>Cell</th><th>Now</th>"
+        html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name and note</th><th>Cell</th><th>Now</th>"
                 "<th>Also on its card when it was pinned</th><th>Pinned</th></tr></thead><tbody>\n";
         for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
         html += "</tbody></table></div>\n" + targetsPicture(detection, notebook, mostPixels);

@@ -1,17 +1,37 @@
 // Groups of a DXF file: a code and a value, a line each.
 #include "core/files/formats/dxf_text.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 
 #include <array>
 #include <charconv>
+#include <cstdio>
 
 namespace edgescan::files {
 namespace {
 
 constexpr int kDecimals = 4; // tenths of a millimetre
 constexpr std::size_t kSeedDigits = 16;
-constexpr const char* kRoot = "C"; // the handle that the dictionary of dictionaries has everywhere
+constexpr const char* kRoot = "C";         // the handle that the dictionary of dictionaries has everywhere
+constexpr std::size_t kLongestWords = 255; // bytes of a text, by the reference
+
+/// Letters by their numbers, and no line break, which would end the group.
+std::string asciiWords(const std::string& text) {
+    std::string words;
+    for (const std::uint32_t point : charactersOf(text)) {
+        std::string next(1, static_cast<char>(point));
+        if (point < 0x20 || point == 0x7F) next = " ";
+        if (point > 0x7F) {
+            std::array<char, 16> code{};
+            std::snprintf(code.data(), code.size(), "\\U+%04X", static_cast<unsigned>(point));
+            next = point > 0xFFFF ? "?" : code.data(); // four digits at most
+        }
+        if (words.size() + next.size() > kLongestWords) break;
+        words += next;
+    }
+    return words;
+}
 
 } // namespace
 
@@ -210,7 +230,7 @@ void DxfText::text(const char* layer, const Eigen::Vector3d& position, double he
     text_ += "40\n";
     appendFixed(text_, heightM, kDecimals);
     text_ += '\n';
-    pair("1", words);
+    pair("1", asciiWords(words));
     text_ += "72\n1\n"; // middle of the width
     at(position, 1);
     if (release2000_) text_ += "100\nAcDbText\n";

@@ -28,7 +28,8 @@ public:
     void beginLine(const char* layer, bool closed);
     void vertex(const char* layer, const Eigen::Vector3d& at);
     void endLine(const char* layer);
-    /// Text in the plane of x and y, its middle at the point.
+    /// Text in the plane of x and y, its middle at the point. Release 12 has ASCII only: other letters are written as "\U+00E9", which
+    /// readers of DXF show as letters. What is longer than a line of a drawing may be is cut off.
     void text(const char* layer, const Eigen::Vector3d& at, double heightM, const std::string& words);
     /// The whole file.
     [[nodiscard]] std::string end();

@@ -2,6 +2,7 @@
 #include "core/inspect/measure/cell_target.h"
 
 #include "core/edges/edgescan_plus/edgescan_plus.h"
+#include "core/edges/pipeline/methods.h"
 #include "core/scan/georef/placed_points.h"
 
 #include <algorithm>
@@ -26,8 +27,9 @@ std::optional<double> strengthAt(const edges::Detection& detection, const edges:
         return std::nullopt;
     if (probe.kind == edges::DepthEdge::Jump) return jump;
     if (probe.kind != edges::DepthEdge::None) return fold;
-    const double strongest = std::max(jump, fold);
-    return strongest > 0 ? std::optional(strongest) : std::nullopt; // suppressed by a neighbour: its own response is not stored
+    // Of a cell that is not an edge the stored responses are those after suppression; Why reports the one before.
+    const double strongest = edges::rowOf(detection.settings.method).decision.judge(detection, probe.cell).strength;
+    return strongest > 0 ? std::optional(strongest) : std::nullopt;
 }
 
 } // namespace

@@ -22,7 +22,8 @@ struct CellTarget {
     std::optional<SurfaceAtCell> surface; ///< empty if a plane does not fit
     std::optional<Dip> dip;               ///< of the surface, relative to the horizon of the mine; empty without a placement
     std::optional<BoomAtCell> boom;       ///< empty if the placement has no boom
-    /// of the edge, 1 = at the threshold; empty if the method does not measure the surface, or if a neighbour suppressed the cell
+    /// Of the edge, 1 = at the threshold; of a cell that is not an edge as Why reports it. Empty if the method does not measure the
+    /// surface.
     std::optional<double> strength;
 };
 

@@ -54,6 +54,7 @@ PinnedTarget targetFrom(JsonFields& fields, const NotebookScan& scan) {
     PinnedTarget target;
     target.number = static_cast<int>(fields.wholeNumber("number", 1, 1'000'000));
     target.name = shortText(fields, "name", kLongestTargetName);
+    target.note = shortText(fields, "note", kLongestTargetNote);
     target.cell = cellFrom(fields, fields.value("cell"), scan);
     if (fields.has("clicked")) target.clicked = cellFrom(fields, fields.value("clicked"), scan);
     target.locked = fields.boolean("locked", false);
@@ -150,6 +151,7 @@ std::string notebookText(const Notebook& notebook, const NotebookScan& scan) {
                            {"pinned_utc", target.pinnedUtc},
                            {"as_pinned", std::move(rows)}});
         if (target.clicked) targets.back()["clicked"] = cellJson(*target.clicked, scan.beams);
+        if (!target.note.empty()) targets.back()["note"] = target.note; // an earlier version refuses the key
     }
     Json measures = Json::array();
     for (const StoredMeasure& measure : notebook.measures) {

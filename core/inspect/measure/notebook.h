@@ -15,7 +15,8 @@ namespace edgescan::inspect {
 
 inline constexpr std::size_t kMostTargets = 200;
 inline constexpr std::size_t kMostMeasures = 200;
-inline constexpr std::size_t kLongestTargetName = 60; ///< bytes
+inline constexpr std::size_t kLongestTargetName = 60;  ///< bytes
+inline constexpr std::size_t kLongestTargetNote = 400; ///< bytes
 
 /// A picked cell, and the rows of its card at that time.
 struct PinnedTarget {
@@ -26,6 +27,7 @@ struct PinnedTarget {
     std::string pinnedUtc;                                     ///< ISO 8601
     std::vector<std::pair<std::string, std::string>> asPinned; ///< label and value of each row
     std::optional<std::uint32_t> clicked{};                    ///< the cell of the click, if meantCell() moved it (near_side.h)
+    std::string note{};                                        ///< of the operator; may be empty
 
     bool operator==(const PinnedTarget&) const = default;
 };

@@ -3,6 +3,7 @@
 #include "core/edges/pipeline/pipeline.h"
 #include "core/edges/settings/presets.h"
 #include "core/exports/provenance.h"
+#include "core/exports/target_files.h"
 #include "core/exports/verify.h"
 #include "core/files/formats/formats.h"
 #include "core/files/open_save/open_scan.h"
@@ -47,6 +48,25 @@ Scan recordedScan(unsigned seed, bool placed) {
     return scan;
 }
 
+/// The first cell with a range and the first without, with texts that no format may take for its own.
+TargetList targetsOn(const Scan& scan) {
+    TargetList targets;
+    for (const bool measured : {true, false}) {
+        for (std::uint32_t k = 0; k < scan.cells(); ++k) {
+            if ((scan.state[k] == CellState::Valid) != measured) continue;
+            inspect::PinnedTarget target;
+            target.number = measured ? 2 : 5;
+            target.name = measured ? "cl\xC3\xA9, \"left\"" : "";
+            target.note = measured ? "=1+1 \xE2\x96\xB2 loose" : "";
+            target.cell = k;
+            target.pinnedUtc = "2026-11-20T10:15:30.000Z";
+            targets.push_back(target);
+            break;
+        }
+    }
+    return targets;
+}
+
 // Exports and their files: every format, every content.
 struct WrittenFile {
     std::filesystem::path path;
@@ -83,6 +103,7 @@ std::vector<WrittenFile> exportAll(const Folder& folder, const edges::Detection&
     add(ExportContent::RockHulls, "hulls.ply");
     add(ExportContent::RockHulls, "hulls.obj");
     for (const char* name : {"section.dxf", "section.csv", "section.png"}) add(ExportContent::Section, name);
+    for (const char* name : {"targets.csv", "targets.dxf"}) add(ExportContent::Targets, name);
     return written;
 }
 
@@ -101,6 +122,7 @@ TEST(RecordSchema, EveryFormatsRecordsFollowIt) {
         std::vector<std::uint32_t> cells(detection->scan->cells());
         std::iota(cells.begin(), cells.end(), 0U);
         options.section = std::make_shared<const inspect::SectionPlane>(*inspect::planeThroughRock(*detection->scan, cells));
+        options.targets = std::make_shared<const TargetList>(targetsOn(*detection->scan));
         for (const WrittenFile& one : exportAll(folder, *detection, options)) {
             SCOPED_TRACE(one.path.filename().string() + ", seed " + std::to_string(seed));
             ++exports;

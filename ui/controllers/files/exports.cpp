@@ -5,7 +5,6 @@
 #include "core/edges/settings/command_text.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
-#include "core/files/open_save/sidecar_grid.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
@@ -91,19 +90,18 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QStr
     question.extension = dialog.extension();
     QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
     if (dialog.options().selection) name += "_selected";
-    question.place = QDir(preferences_.folder(cloud ? "exports" : "images")).filePath(name + question.extension);
+    question.place = QDir(preferences_.folder("exports")).filePath(name + question.extension);
     if (!cloud)
         question.filters << tr("PNG picture (*.png)");
     else
         question.filters = dialog.filters();
-    // The provenance record of the file is replaced too.
-    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
+    question.files = withItsRecord;
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) engine_.save(dialog.content(), path, dialog.options());
 }
 
 void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates) {
-    preferences_.keepFolder(exports::isCloud(what) ? "exports" : "images", path);
+    preferences_.keepFolder("exports", path);
     if (exports::isCloud(what)) preferences_.keep("export/extension", "." + QFileInfo(path).suffix());
     notice_.showSaved(path, QString("%1 %2").arg(countText(count)).arg(exports::countedThings(exports::exportKind(what))), coordinates);
 }
@@ -112,9 +110,9 @@ void Exports::askScreenshot(const QImage& image) {
     const QString time = QDateTime::currentDateTimeUtc().toString("yyyy-MM-dd'T'HHmmss'Z'");
     const QString path = askWhereToSave(
         notice_.window(),
-        {tr("Save screenshot"), QDir(preferences_.folder("images")).filePath("edgescan_" + time + ".png"), {tr("PNG picture (*.png)")}});
+        {tr("Save screenshot"), QDir(preferences_.folder("exports")).filePath("edgescan_" + time + ".png"), {tr("PNG picture (*.png)")}});
     if (path.isEmpty()) return;
-    preferences_.keepFolder("images", path);
+    preferences_.keepFolder("exports", path);
     if (const Result<Done> written = saveScreenshot(image, path); !written)
         notice_.showError(written.error());
     else

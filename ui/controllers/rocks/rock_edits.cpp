@@ -131,16 +131,15 @@ void Rocks::mergeSelected() {
     push(stepName("merge of rocks"), std::move(*join));
 }
 
-void Rocks::callSelected(bool rock) {
-    if (!picture_ || selected_.empty()) return;
-    const auto cell = static_cast<std::uint32_t>(selected_.back());
-    if (picture_->regionAt(cell) == nullptr) return;
+void Rocks::callChosen(bool rock) {
+    if (!picture_ || !chosen() || picture_->regionAt(*chosen()) == nullptr) return;
     push(rock ? stepName("mark as a rock") : stepName("mark as not a rock"),
-         {rock ? rocks::EditKind::Rock : rocks::EditKind::NotRock, {cell}});
+         {rock ? rocks::EditKind::Rock : rocks::EditKind::NotRock, {static_cast<std::uint32_t>(*chosen())}});
 }
 
-void Rocks::toggleSelected() {
-    if (picture_ && !selected_.empty()) callSelected(picture_->labelAt(selected_.back()) == 0);
+void Rocks::toggleChosen() {
+    if (!picture_ || !chosen()) return notice_.showHint(tr("Select a rock first: press K and click on its face."));
+    callChosen(picture_->labelAt(*chosen()) == 0);
 }
 
 } // namespace edgescan::ui

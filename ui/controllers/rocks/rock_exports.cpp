@@ -1,6 +1,5 @@
 // Exports of rocks: table, report, labels, outlines, hulls.
 #include "core/files/open_save/save_scan.h"
-#include "core/files/open_save/sidecar_grid.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/save_question.h"
@@ -60,8 +59,7 @@ void Rocks::askExport() {
     const QString name = shownName(exactText(picture_->detection->scan->name), 80).replace(' ', '-').replace('/', '-') + "_rocks" +
                          frameTail(files::usualFrame(*picture_->detection->scan));
     question.place = QDir(preferences_.folder("exports")).filePath(name + question.extension);
-    // The provenance record of the file is replaced too.
-    question.files = [](const QString& path) { return QStringList{path, exactText(files::sidecarPath(exactBytes(path)).string())}; };
+    question.files = withItsRecord;
     const QString path = askWhereToSave(notice_.window(), question);
     if (!path.isEmpty()) exportTo(path);
 }

@@ -132,8 +132,8 @@ void Rocks::takeStroke(const std::vector<QPoint>& cells) {
 void Rocks::takeJoin(const rocks::CutLine& stroke) {
     const rocks::Study& study = picture_->study;
     auto join = rocks::joinAlong(*study.segmentation, study.map, stroke);
-    if (!join && !stroke.empty() && !selected_.empty()) {
-        const std::array<std::uint32_t, 2> cells{static_cast<std::uint32_t>(selected_.back()), stroke.back()};
+    if (!join && !stroke.empty() && chosen()) {
+        const std::array<std::uint32_t, 2> cells{static_cast<std::uint32_t>(*chosen()), stroke.back()};
         join = rocks::joinOf(*study.segmentation, study.map, cells);
     }
     if (join) return push(stepName("merge of rocks"), std::move(*join));

@@ -47,7 +47,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
         select(std::move(cells));
         if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline());
     });
-    connect(&table_, &RockTable::jumpRequested, this, &Rocks::jumpTo);
+    connect(&table_, &RockTable::jumpRequested, this, &Rocks::lookAt);
     connect(&table_, &RockTable::exportRequested, this, &Rocks::askExport);
     connect(&table_, &RockTable::menuRequested, this, [this](std::uint32_t label, const QPoint& position) {
         views_.openMenu(position, inspect::exactly(picture_->rock(label)->cell));
@@ -56,7 +56,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&card, &RockCard::closeRequested, this, [this] { select({}); });
     connect(&card, &RockCard::splitRequested, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
     connect(&card, &RockCard::mergeRequested, this, &Rocks::mergeSelected);
-    connect(&card, &RockCard::markRequested, this, &Rocks::callSelected);
+    connect(&card, &RockCard::markRequested, this, &Rocks::callChosen);
     connect(this, &Rocks::toolChanged, card.split(), [&card](RockTool tool) { card.split()->setChecked(tool == RockTool::Split); });
     connect(&sidecar_, &RockSidecar::found, this, &Rocks::takePreset);
     connect(&sidecar_, &RockSidecar::readEnded, this, [this] {
@@ -213,10 +213,10 @@ void Rocks::showFaces() {
     views_.put(std::move(overlay));
 }
 
-/// The outline of the pinned cell's rock goes with the pin.
+/// The outline of the pinned cell's rock ends with the pin.
 void Rocks::followPin(std::optional<std::size_t> cell) {
     const auto was = std::exchange(pinned_, cell);
-    if (was && selected_ == std::vector{*was}) select(cell ? std::vector{*cell} : std::vector<std::size_t>());
+    if (was && selected_ == std::vector{*was}) select({});
 }
 
 void Rocks::setNames(const RockNames& names) { table_.setNames(names); }
@@ -262,8 +262,8 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
 void Rocks::click(const inspect::MeantCell& click) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(click.clicked);
+    if (!severalWanted()) return tool_ == RockTool::None ? select({}) : void(); // it pinned, which is all that it means
     const std::size_t cell = rockCellAt(click).value_or(click.clicked);
-    if (!severalWanted()) return select({cell});
     std::vector<std::size_t> cells = selected_;
     const auto sameRock = [&](std::size_t other) {
         return picture_->regionAt(cell) != nullptr && picture_->regionAt(other) == picture_->regionAt(cell);
@@ -292,7 +292,7 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
     const auto callIt = [this, cell](bool rock) {
         return [this, cell, rock] {
             select({cell});
-            callSelected(rock);
+            callChosen(rock);
         };
     };
     if (!at) {
@@ -303,6 +303,7 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
     QMenu* rock = menu.addMenu(tr("&Rock %1").arg(label));
     rock->setObjectName(kRockMenu);
     const auto isOther = [&](std::size_t other) { return picture_->labelAt(other) != label; };
+    rock->addAction(tr("Se&lect"), this, [this, cell] { select({cell}); });
     rock->addAction(tr("&Merge with Selected Rocks"), this,
                     [this, cell] {
                         std::vector<std::size_t> cells = selected_;
@@ -316,13 +317,8 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
     rock->addAction(tr("&Export Rocks…"), this, &Rocks::askExport);
 }
 
-void Rocks::jumpTo(std::uint32_t label) {
-    if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
-    views_.pinByClick(inspect::exactly(picture_->rock(label)->cell));
-    lookAt(label);
-}
-
 void Rocks::lookAt(std::uint32_t label) {
+    if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
     const std::size_t cell = picture_->rock(label)->cell;
     select({cell});
     ViewPort& images = *views_.gray().viewPort();

@@ -86,10 +86,10 @@ public:
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
     [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::MeantCell& click) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }
+    /// The cell of the rock that a command is for: the last one that was selected, else the pinned one.
+    [[nodiscard]] std::optional<std::size_t> chosen() const { return selected_.empty() ? pinned_ : std::optional(selected_.back()); }
     /// Selects the rock and turns the views to it.
     void lookAt(std::uint32_t label);
-    /// The same, and pins it.
-    void jumpTo(std::uint32_t label);
     /// Looks at the rock with the largest visible width b, or at the next smaller one than the selected. Shows rocks first if they are off.
     void lookAtLargest();
     void lookAtNextSmaller();
@@ -106,9 +106,9 @@ public:
     void useTool(RockTool tool);
     [[nodiscard]] RockTool tool() const { return tool_; }
     void clearRegion();
-    void callSelected(bool rock);
+    void callChosen(bool rock);
     /// Changes a rock to "not a rock", other regions to "rock".
-    void toggleSelected();
+    void toggleChosen();
 
     /// Asks for a path; the extension determines the content.
     void askExport();

@@ -13,8 +13,6 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QInputDialog>
-#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 
@@ -25,7 +23,7 @@ namespace edgescan::ui {
 
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Preferences& preferences,
                  QUndoStack& undo)
-    : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
+    : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), preferences_(preferences), undo_(undo),
       store_(preferences.dataFolder().isEmpty() ? QString() : preferences.dataFolder() + "/targets"),
       worked_(
           Urgency::Now, [this](const Question& question) { return workOut(question); },
@@ -35,16 +33,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
           },
           Older::Delivered) { // while a sweep grows
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
-    connect(&views_, &LinkedViews::pinRemoved, this, [this](std::size_t cell) {
-        const auto target = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
-        if (target != notebook_.targets.end()) remove(target->number);
-    });
-    connect(&views_, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
-        auto* rock = menu.findChild<QMenu*>(kRockMenu);
-        if (rock == nullptr) return;
-        rock->addAction(tr("Na&me…"), this, [this, click] { askName(click); });
-        rock->addAction(tr("Meas&ure from Here"), this, [this, click] { emit measureRequested(click.cell); });
-    });
+    connect(&views_, &LinkedViews::cellMenuOpens, this, &Targets::addToMenu);
     connect(&rocks_, &Rocks::rocksShown, this, &Targets::show);
     connect(&rocks_, &Rocks::shownChanged, this, &Targets::show);
     connect(&store_, &TargetStore::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
@@ -54,6 +43,10 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
 void Targets::connectPanel() {
     connect(&panel_, &TargetsPanel::targetChosen, this, [this](int place) {
         if (place < static_cast<int>(notebook_.targets.size())) views_.pin(notebook_.targets[static_cast<std::size_t>(place)].cell);
+    });
+    connect(&panel_, &TargetsPanel::targetMenuRequested, this, [this](int place, const QPoint& position) {
+        if (place < static_cast<int>(notebook_.targets.size()))
+            views_.openMenu(position, inspect::exactly(notebook_.targets[static_cast<std::size_t>(place)].cell));
     });
     connect(&panel_, &TargetsPanel::copyAllRequested, this, &Targets::copyAll);
     connect(&panel_, &TargetsPanel::removeAllRequested, this, &Targets::removeAll);
@@ -69,6 +62,8 @@ void Targets::connectPanel() {
             ofActive([this](const inspect::PinnedTarget& target, bool on) { lock(target.number, on); }));
     connect(&card, &TargetCard::renamed, this,
             ofActive([this](const inspect::PinnedTarget& target, const QString& name) { rename(target.number, name); }));
+    connect(&card, &TargetCard::noted, this,
+            ofActive([this](const inspect::PinnedTarget& target, const QString& note) { setNote(target.number, note); }));
     connect(card.why(), &QPushButton::clicked, this,
             ofActive([this](const inspect::PinnedTarget& target, bool) { emit explanationRequested(target.cell); }));
     connect(card.measure(), &QPushButton::clicked, this,
@@ -83,7 +78,7 @@ const inspect::PinnedTarget* Targets::active() const {
     return target == notebook_.targets.end() ? nullptr : &*target;
 }
 
-inspect::PinnedTarget* Targets::numbered(inspect::Notebook& notebook, int number) const {
+inspect::PinnedTarget* Targets::numbered(inspect::Notebook& notebook, int number) {
     const auto target = std::ranges::find(notebook.targets, number, &inspect::PinnedTarget::number);
     return target == notebook.targets.end() ? nullptr : &*target;
 }
@@ -178,44 +173,6 @@ void Targets::removeAll() {
     const std::size_t locked = after.targets.size();
     change(stepName("Remove All"), std::move(after));
     notice_.showRemoved(undo_, tr("Targets %1").arg(names.join(", ")), locked > 0 ? tr("Locked targets stay: %1.").arg(locked) : QString());
-}
-
-/// The target on the rock at this cell that has its name, else any target on it; null: the rock has no target.
-const inspect::PinnedTarget* Targets::onRockAt(std::size_t cell) const {
-    const std::uint32_t label = rocks_.picture() ? rocks_.picture()->labelAt(cell) : 0;
-    const inspect::PinnedTarget* found = nullptr;
-    for (const inspect::PinnedTarget& target : notebook_.targets) {
-        if (label == 0 || rocks_.picture()->labelAt(target.cell) != label) continue;
-        if (found == nullptr || (found->name.empty() && !target.name.empty())) found = &target;
-    }
-    return found;
-}
-
-// In a dialog of its own: the card may be behind the rock table or folded. A rock without a target gets one with its name, not before.
-void Targets::askName(const inspect::MeantCell& click) {
-    const std::size_t cell = rocks_.rockCellAt(click).value_or(click.cell);
-    const inspect::PinnedTarget* target = onRockAt(cell);
-    const int number = target != nullptr ? target->number : inspect::nextNumber(notebook_);
-    QInputDialog dialog(panel_.window());
-    dialog.setWindowTitle(tr("Name of a rock"));
-    dialog.setLabelText(target != nullptr ? tr("Name of target %1, which is on this rock:").arg(number)
-                                          : tr("Name of this rock. A new target on it, number %1, holds the name:").arg(number));
-    dialog.setTextValue(target != nullptr ? shownName(exactText(target->name)) : QString());
-    if (auto* field = dialog.findChild<QLineEdit*>()) field->setMaxLength(panel_.card().name()->maxLength());
-    if (dialog.exec() != QDialog::Accepted) return;
-    const QString name = dialog.textValue().simplified();
-    if (onRockAt(cell) == nullptr && !name.isEmpty()) views_.pinByClick(cell == click.cell ? click : inspect::exactly(cell));
-    if (const inspect::PinnedTarget* named = onRockAt(cell)) rename(named->number, name);
-}
-
-void Targets::rename(int number, const QString& name) {
-    inspect::Notebook after = notebook_;
-    inspect::PinnedTarget* target = numbered(after, number);
-    if (target == nullptr) return;
-    const std::string text = name.toStdString();
-    if (text.size() > inspect::kLongestTargetName) return;
-    target->name = text;
-    if (after != notebook_) change(stepName("Name %1", number), std::move(after));
 }
 
 void Targets::lock(int number, bool on) {

@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+class QMenu;
 class QUndoStack;
 
 namespace edgescan::ui {
@@ -81,6 +82,13 @@ public:
     /// Asks for the name of the rock at the click and stores it with a target on it.
     void askName(const inspect::MeantCell& click);
     void rename(int number, const QString& name);
+    void setNote(int number, const QString& note);
+    /// Asks for it.
+    void askNameOf(int number);
+    void askNote(int number);
+    /// Asks for a path: a table (.csv) or a drawing (.dxf).
+    void askExport();
+    void exportTo(const QString& path);
     void lock(int number, bool on);
     void keepMeasure(const inspect::StoredMeasure& measure);
     void removeMeasure(std::size_t place);
@@ -123,6 +131,9 @@ private:
     };
     [[nodiscard]] KnownTargets workOut(const Question& question); // pool's thread
     void connectPanel();
+    void addToMenu(QMenu& menu, const inspect::MeantCell& click);
+    [[nodiscard]] std::optional<QString> askText(const QString& title, const QString& label, const QString& text, int mostLetters) const;
+    void setText(int number, const QString& text, std::string inspect::PinnedTarget::*member, std::size_t mostBytes, const QString& step);
     void followPin(std::optional<std::size_t> cell);
     void change(const QString& what, inspect::Notebook after);
     void use(const inspect::Notebook& notebook);
@@ -137,7 +148,8 @@ private:
     [[nodiscard]] QString keyOf(const Picture& picture) const;
     [[nodiscard]] static QString leftBehind(std::size_t entries);
     [[nodiscard]] const inspect::PinnedTarget* onRockAt(std::size_t cell) const;
-    [[nodiscard]] inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number) const;
+    [[nodiscard]] const inspect::PinnedTarget* at(const inspect::MeantCell& click) const;
+    [[nodiscard]] static inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number);
     [[nodiscard]] const inspect::CellTarget* knownOf(std::uint32_t cell) const;
     [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;
     [[nodiscard]] CellMarks marks() const;
@@ -149,6 +161,7 @@ private:
     Rocks& rocks_;
     TargetsPanel& panel_;
     NoticeBar& notice_;
+    Preferences& preferences_;
     QUndoStack& undo_;
     TargetStore store_;
     QString key_;         // of the scan of the notebook

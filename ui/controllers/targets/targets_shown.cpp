@@ -159,6 +159,7 @@ void Targets::show() {
         const inspect::CellTarget* now = knownOf(target.cell);
         QString words = wordsOf(target).join("   ");
         if (target.locked) words += "   " + tr("locked");
+        if (!target.note.empty()) words += "\n" + shownName(exactText(target.note), 80);
         if (const QString place = now != nullptr ? positionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
         lines.push_back({words, tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown});
     }
@@ -215,8 +216,7 @@ void Targets::copyCard() {
 
 void Targets::copyAll() {
     QStringList rows{tableHeading()};
-    for (const inspect::PinnedTarget& target : notebook_.targets)
-        rows << tableRow(target.number, shownName(exactText(target.name)), knownOf(target.cell));
+    for (const inspect::PinnedTarget& target : notebook_.targets) rows << tableRow(target, knownOf(target.cell));
     QGuiApplication::clipboard()->setText(rows.join('\n') + "\n");
     notice_.showNotice(NoticeBar::Kind::Done,
                        tr("On the clipboard, as a table for a spreadsheet: %1.").arg(targetCount(notebook_.targets.size())));

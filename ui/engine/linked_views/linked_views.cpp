@@ -271,12 +271,6 @@ void LinkedViews::clearPin() {
     emit boxed(QString());
 }
 
-void LinkedViews::removePin() {
-    const std::optional<std::size_t> was = pinned_;
-    clearPin();
-    if (was) emit pinRemoved(*was);
-}
-
 void LinkedViews::pointAt(std::optional<std::size_t> cell) { hover(cell, nullptr); }
 
 void LinkedViews::flyToHovered() {

@@ -26,7 +26,7 @@ class ImageView;
 struct EdgeTrail;
 
 /// The meaning of a click or a drag over a view.
-enum class Tool { Pin, Measure, Box, Lasso };
+enum class Tool { Pin, Measure, Box, Lasso, Why };
 
 /// GUI thread only. Engine and views must outlive it.
 class LinkedViews : public QObject {
@@ -73,10 +73,9 @@ public:
     [[nodiscard]] const std::optional<inspect::MeantCell>& pinningClick() const { return byClick_; }
     /// Clears the pinned cell and the box; its target stays.
     void clearPin();
-    /// And its target, unless it is locked.
-    void removePin();
     /// Off: a click with the tool Pin sets no target.
     void setPinsOnClick(bool on) { pinsOnClick_ = on; }
+    [[nodiscard]] bool pinsOnClick() const { return pinsOnClick_; }
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.
@@ -131,8 +130,6 @@ signals:
     void edgeColoursChanged();
     /// Another cell is pinned, or the pin was cleared.
     void pinChanged(std::optional<std::size_t> cell);
-    /// The operator removed the pinned cell; pinChanged() was emitted before.
-    void pinRemoved(std::size_t cell);
     /// A click on a cell in any view, with any tool; Pin has pinned it.
     void clicked(const edgescan::inspect::MeantCell& click);
     /// End of a selecting drag over an image: corners in cells (x = beam, y = line) ...

@@ -73,10 +73,7 @@ void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::
     if (click) {
         const std::size_t cell = click->clicked;
         emit cellMenuOpens(menu, *click);
-        if (pinned_ == cell || pinned_ == click->cell)
-            menu.addAction(tr("Remove the target of this ce&ll"), this, &LinkedViews::removePin);
-        else
-            menu.addAction(tr("&Pin this cell"), this, [this, click] { pinByClick(*click); });
+        if (pinned_ != cell && pinned_ != click->cell) menu.addAction(tr("&Pin this cell"), this, [this, click] { pinByClick(*click); });
         QAction* fly = menu.addAction(tr("&Fly to this point"), this, [this, cell] { cloud_.flyTo(static_cast<qint64>(cell)); });
         fly->setEnabled(shown() && shown()->cloud->drawable(cell));
         menu.addSeparator();

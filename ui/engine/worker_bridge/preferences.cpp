@@ -118,7 +118,7 @@ void Preferences::forgetRecentFile(const QString& path) {
 }
 
 QString Preferences::folder(const QString& kind) const {
-    for (const QString& each : {kind, QString("scans")}) {
+    for (const QString& each : {kind, QString("exports"), QString("scans")}) {
         const auto now = folders_.find(each);
         const QString place = now != folders_.end() ? now->second : text("folder/" + each);
         if (!place.isEmpty() && QFileInfo(place).isDir()) return place;

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -32,7 +33,8 @@ bool holdsAll(const QString& name, const QString& typed) {
 } // namespace
 
 CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
-    : QDialog(parent), words_(new QLineEdit), list_(new QListWidget) {
+    : QDialog(parent), words_(new QLineEdit), list_(new QListWidget),
+      none_(new QLabel(tr("No command has these words, or it cannot be used now."), list_)) {
     setObjectName("command-palette");
     setWindowTitle(tr("Commands"));
     for (QAction* action : actions) {
@@ -42,6 +44,11 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
     words_->setPlaceholderText(tr("A few letters of a command"));
     words_->installEventFilter(this);
     list_->setFocusPolicy(Qt::NoFocus); // arrow keys in the text field move the selection
+    none_->setObjectName("palette-none");
+    none_->setWordWrap(true);
+    none_->setAlignment(Qt::AlignCenter);
+    auto* over = new QVBoxLayout(list_->viewport());
+    over->addWidget(none_);
     auto* column = new QVBoxLayout(this);
     column->addWidget(words_);
     column->addWidget(list_);
@@ -64,6 +71,7 @@ void CommandPalette::find() {
         item->setData(Qt::UserRole, n);
     }
     list_->setCurrentRow(list_->count() > 0 ? 0 : -1);
+    none_->setVisible(list_->count() == 0);
 }
 
 void CommandPalette::take() {

@@ -5,6 +5,7 @@
 #include <QList>
 
 class QAction;
+class QLabel;
 class QLineEdit;
 class QListWidget;
 
@@ -31,6 +32,7 @@ private:
     QList<QAction*> actions_;
     QLineEdit* words_;
     QListWidget* list_;
+    QLabel* none_; // in the empty list
     QAction* chosen_ = nullptr;
 };
 

@@ -44,8 +44,8 @@ std::vector<std::pair<std::string, std::string>> measuredRows(const inspect::Cel
 } // namespace
 
 TargetCard::TargetCard(QWidget* parent)
-    : QFrame(parent), number_(new QLabel), name_(new QLineEdit), lock_(new QToolButton), close_(new QToolButton), distance_(new QLabel),
-      tolerance_(new QLabel), lines_(new QVBoxLayout), caveat_(new QLabel), why_(new QPushButton(tr("Why"))),
+    : QFrame(parent), number_(new QLabel), name_(new QLineEdit), note_(new QLineEdit), lock_(new QToolButton), close_(new QToolButton),
+      distance_(new QLabel), tolerance_(new QLabel), lines_(new QVBoxLayout), caveat_(new QLabel), why_(new QPushButton(tr("Why"))),
       measure_(new QPushButton(tr("Measure"))), copy_(new QPushButton(tr("Copy"))) {
     setObjectName("target-card");
     setFrameShape(QFrame::StyledPanel);
@@ -58,6 +58,10 @@ TargetCard::TargetCard(QWidget* parent)
     name_->setPlaceholderText(tr("Target"));
     name_->setMaxLength(static_cast<int>(inspect::kLongestTargetName) / 4); // a character may take four bytes
     name_->setToolTip(tr("Its name: keystone, left shoulder …"));
+    note_->setObjectName("target-note");
+    note_->setPlaceholderText(tr("Note"));
+    note_->setMaxLength(static_cast<int>(inspect::kLongestTargetNote) / 4);
+    note_->setToolTip(tr("Your note on it, stored with its name"));
     lock_->setObjectName("target-lock");
     lock_->setText(tr("Lock"));
     lock_->setCheckable(true);
@@ -97,12 +101,18 @@ TargetCard::TargetCard(QWidget* parent)
     column->addLayout(head);
     column->addLayout(number);
     column->addLayout(buttons); // above the rows: in sight also where the card must be scrolled
+    column->addWidget(note_);
     column->addLayout(lines_);
     column->addWidget(caveat_);
 
     connect(close_, &QToolButton::clicked, this, &TargetCard::closeRequested);
     connect(lock_, &QToolButton::clicked, this, &TargetCard::lockRequested);
-    connect(name_, &QLineEdit::editingFinished, this, [this] { emit renamed(name_->text().simplified()); });
+    connect(name_, &QLineEdit::editingFinished, this, [this] {
+        if (name_->isModified()) emit renamed(name_->text().simplified()); // else a longer name of a file would be cut
+    });
+    connect(note_, &QLineEdit::editingFinished, this, [this] {
+        if (note_->isModified()) emit noted(note_->text().simplified());
+    });
     hide();
 }
 
@@ -110,6 +120,7 @@ void TargetCard::show(const inspect::PinnedTarget& target, const inspect::CellTa
     setVisible(true);
     number_->setText(QString::number(target.number));
     if (!name_->hasFocus()) name_->setText(shownName(exactText(target.name)));
+    if (!note_->hasFocus()) note_->setText(shownName(exactText(target.note), note_->maxLength()));
     lock_->setChecked(target.locked);
     lock_->setText(target.locked ? tr("Locked") : tr("Lock"));
     close_->setEnabled(!target.locked);
@@ -153,7 +164,9 @@ void TargetCard::setRow(std::size_t row, const TargetRow& words, const QString& 
 QString TargetCard::text() const {
     const QString title =
         name_->text().isEmpty() ? tr("Target %1").arg(number_->text()) : tr("Target %1: %2").arg(number_->text(), name_->text());
-    QStringList lines{title, (distance_->text() + " " + tolerance_->text()).trimmed()};
+    QStringList lines{title};
+    if (!note_->text().isEmpty()) lines << tr("Note") + ": " + note_->text();
+    lines << (distance_->text() + " " + tolerance_->text()).trimmed();
     for (const auto& [row, value] : rows_) {
         if (!row->isHidden()) lines << row->text() + ": " + value->text();
     }

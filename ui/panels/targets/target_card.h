@@ -26,6 +26,7 @@ public:
     [[nodiscard]] QString text() const;
 
     [[nodiscard]] QLineEdit* name() const { return name_; }
+    [[nodiscard]] QLineEdit* note() const { return note_; }
     [[nodiscard]] QToolButton* lock() const { return lock_; }
     [[nodiscard]] QToolButton* close() const { return close_; }
     [[nodiscard]] QPushButton* why() const { return why_; }
@@ -36,12 +37,14 @@ signals:
     void closeRequested();
     void lockRequested(bool on);
     void renamed(const QString& name);
+    void noted(const QString& note);
 
 private:
     void setRow(std::size_t row, const TargetRow& words, const QString& was);
 
     QLabel* number_;
     QLineEdit* name_;
+    QLineEdit* note_;
     QToolButton* lock_;
     QToolButton* close_;
     QLabel* distance_;

@@ -177,12 +177,13 @@ QString tableHeading() {
                        "N [m]",
                        "RL [m]",
                        QObject::tr("Line"),
-                       QObject::tr("Beam")}
+                       QObject::tr("Beam"),
+                       QObject::tr("Note")}
         .join('\t');
 }
 
-QString tableRow(int number, const QString& name, const inspect::CellTarget* target) {
-    QStringList row{QString::number(number), name};
+QString tableRow(const inspect::PinnedTarget& pinned, const inspect::CellTarget* target) {
+    QStringList row{QString::number(pinned.number), shownName(exactText(pinned.name))};
     const bool some = target != nullptr && target->probe.state == CellState::Valid;
     const auto add = [&](bool known, double metres) { row << (known ? fixed(metres, 3) : QString()); };
     add(some, some ? target->distanceM : 0.0);
@@ -192,6 +193,7 @@ QString tableRow(int number, const QString& name, const inspect::CellTarget* tar
     for (int axis = 0; axis < 3; ++axis) add(placed, placed ? (*target->probe.mineM)[axis] : 0.0);
     for (const bool line : {true, false})
         row << (target == nullptr ? QString() : QString::number(line ? target->probe.line : target->probe.beam));
+    row << shownName(exactText(pinned.note), static_cast<int>(inspect::kLongestTargetNote));
     return row.join('\t');
 }
 

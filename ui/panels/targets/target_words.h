@@ -3,6 +3,7 @@
 
 #include "core/inspect/measure/cell_target.h"
 #include "core/inspect/measure/near_side.h"
+#include "core/inspect/measure/notebook.h"
 #include "core/rocks/attributes/attributes.h"
 
 #include <QString>
@@ -48,8 +49,9 @@ struct TargetRow {
 [[nodiscard]] QString toleranceText(const inspect::CellTarget& target);
 /// "E 498765.432  N 5150123.456  RL 287.654 m", without a pose "x 1.234  y 5.678  z 9.012 m"; empty if the cell is not valid.
 [[nodiscard]] QString positionText(const inspect::CellTarget& target);
-/// A row of the table of all targets: number, name, distance, X Y Z, E N RL, line, beam; tabs between the columns. Null: not computed yet.
-[[nodiscard]] QString tableRow(int number, const QString& name, const inspect::CellTarget* target);
+/// A row of the table of all targets: number, name, distance, X Y Z, E N RL, line, beam, note; tabs between the columns. `known`: null
+/// before it is computed.
+[[nodiscard]] QString tableRow(const inspect::PinnedTarget& target, const inspect::CellTarget* known);
 /// Its heading, with units.
 [[nodiscard]] QString tableHeading();
 /// All rows except the distance.

@@ -73,6 +73,11 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     // Not currentRowChanged: a list that gets the focus sets a current row itself.
     for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated})
         connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
+    targets_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(targets_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+        if (QListWidgetItem* item = targets_->itemAt(at))
+            emit targetMenuRequested(targets_->row(item), targets_->viewport()->mapToGlobal(at));
+    });
     connect(copyAll_, &QPushButton::clicked, this, &TargetsPanel::copyAllRequested);
     connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::removeAllRequested);
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {

@@ -22,6 +22,7 @@ Notebook someNotebook() {
     notebook.measures.push_back({MeasureKind::Distance, {31, 40}, {32, 40}});
     notebook.measures.push_back({MeasureKind::Section, {31, 32, 70, 100}, {}, {0.25, 0.4375}});
     notebook.targets.back().clicked = 598;
+    notebook.targets.back().note = "watch \xE2\x96\xB2 it";
     return notebook;
 }
 
