@@ -356,6 +356,7 @@
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
 <message><source>Forget A</source><translation>Olvidar A</translation></message>
 <message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>Se olvidó A: la demo y %1 no son de un mismo lugar.</translation></message>
+<message><source>The comparison ended, because another scan was opened.</source><translation>La comparación terminó porque se abrió otro escaneo.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Todavía no hay nada con qué compararla: abra primero el escaneo posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Leyendo %1 como A</translation></message>
 <message><source>the demo</source><translation>la demo</translation></message>
@@ -394,11 +395,11 @@ visible %6 m², a %7 m</translation></message>
 <message><source>the near side of your click at %1</source><translation>el lado cercano de su clic en %1</translation></message>
 <message><source>the cell that you clicked</source><translation>la celda en la que hizo clic</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Celda: %1 (%2)</translation></message>
+<message><source>Why: click a cell</source><translation>Por qué: haga clic en una celda</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, la cadena aparece enmarcada.</translation></message>
 <message><source>Clicked</source><translation>Clic</translation></message>
-<message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Primero apunte a una celda o haga clic en ella. Por qué muestra luego qué decide si es un borde.</translation></message>
 <message><source>the demo after the blast</source><translation>la demo tras la tronadura</translation></message>
 <message><source>%1, scan %2</source><translation>%1, escaneo %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>el primero: los demás se colocan respecto a él</translation></message>
@@ -609,6 +610,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
+<message><source>Se&amp;lect</source><translation>Se&amp;leccionar</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir con las rocas seleccionadas</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aquí</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Pared, no es una roca</translation></message>
@@ -662,8 +664,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
 <message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
-<message><source>click one side</source><translation>haga clic en un lado</translation></message>
-<message><source>click the other side</source><translation>haga clic en el otro lado</translation></message>
+<message><source>click the rock at one side</source><translation>haga clic en la roca de un lado</translation></message>
+<message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>No se vio un paso libre entre estos dos lados, que distan %1 m en profundidad: haga clic en el borde cercano de la garganta en cada lado.</translation></message>
@@ -694,10 +696,22 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Isolate Selected</source><translation>&amp;Aislar la selección</translation></message>
 <message><source>Show &amp;All</source><translation>&amp;Mostrar todo</translation></message>
 <message><source>&amp;Export Selected…</source><translation>E&amp;xportar la selección…</translation></message>
-<message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
-<message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>No&amp;mbre…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
+<message><source>Na&amp;me of Target %1…</source><translation>No&amp;mbre del objetivo %1…</translation></message>
+<message><source>No&amp;te on Target %1…</source><translation>No&amp;ta sobre el objetivo %1…</translation></message>
+<message><source>Remo&amp;ve Target %1</source><translation>&amp;Quitar el objetivo %1</translation></message>
+<message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nombre del objetivo %1, que está en esta roca:</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nombre de esta roca. Un nuevo objetivo sobre ella, número %1, lleva el nombre:</translation></message>
+<message><source>Name of a target</source><translation>Nombre de un objetivo</translation></message>
+<message><source>Name of target %1:</source><translation>Nombre del objetivo %1:</translation></message>
+<message><source>Note on a target</source><translation>Nota sobre un objetivo</translation></message>
+<message><source>Note on target %1:</source><translation>Nota sobre el objetivo %1:</translation></message>
+<message><source>Name %1</source><translation>Nombrar %1</translation></message>
+<message><source>Note %1</source><translation>Nota %1</translation></message>
+<message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
+<message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados y vuelven con él.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>No guardado: esta imagen es parte de una grabación o de un barrido en vivo, no un archivo entero.</translation></message>
@@ -710,10 +724,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Remove All</source><translation>Quitar todos</translation></message>
 <message><source>Targets %1</source><translation>Objetivos %1</translation></message>
 <message><source>Locked targets stay: %1.</source><translation>Quedan objetivos bloqueados: %1.</translation></message>
-<message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
-<message><source>Name of target %1, which is on this rock:</source><translation>Nombre del objetivo %1, que está en esta roca:</translation></message>
-<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nombre de esta roca. Un nuevo objetivo sobre ella, número %1, lleva el nombre:</translation></message>
-<message><source>Name %1</source><translation>Nombrar %1</translation></message>
 <message><source>Lock %1</source><translation>Bloquear %1</translation></message>
 <message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Esto no se guardó: hay %1 mediciones, primero quite algunas.</translation></message>
@@ -732,8 +742,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagen preliminar de %1 millones de celdas, falta el resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Los bordes llegan con el resto del escaneo</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Aquí no hay ningún punto: no se midió nada, o está oculto.</translation></message>
+<message><source>A is shown; go back to B to pin or to measure.</source><translation>Se muestra A; vuelva a B para fijar o medir.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>Se puede hacer clic en las celdas cuando el escaneo está completo: esta es una imagen preliminar.</translation></message>
-<message><source>Remove the target of this ce&amp;ll</source><translation>Quitar e&amp;l objetivo de esta celda</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vista desde el &amp;escáner</translation></message>
@@ -787,23 +797,28 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
 <message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ FUERA DE TOLERANCIA</translation></message>
 <message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
 <message><source>cells</source><translation>celdas</translation></message>
 <message><source>Other points have the colours of rocks</source><translation>Los demás puntos tienen los colores de las rocas</translation></message>
 <message><source>Previous changed region</source><translation>Región cambiada anterior</translation></message>
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
+<message><source>End</source><translation>Terminar</translation></message>
+<message><source>Ends the comparison: A is forgotten</source><translation>Termina la comparación: se olvida A</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>sin comparar con el escaneo en pantalla</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada con qué comparar todavía:
 cambie un ajuste o abra otro escaneo</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ FUERA DE TOLERANCIA</translation></message>
 <message><source>median difference %1 mm
 a change is more than %2 mm at 5 m</source><translation>diferencia mediana %1 mm
 un cambio supera %2 mm a 5 m</translation></message>
 <message><source>median distance %1
 %2 are farther than %3</source><translation>distancia mediana %1
 %2 están a más de %3</translation></message>
+<message><source>Next</source><translation>Siguiente</translation></message>
+<message><source>Folds the legend</source><translation>Pliega la leyenda</translation></message>
+<message><source>Unfolds the legend</source><translation>Despliega la leyenda</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para verla: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>hold \ to see it</source><translation>mantenga \ para verla</translation></message>
@@ -838,6 +853,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>working …</source><translation>trabajando …</translation></message>
 <message><source>Save the file first: a record names the file from which a place was computed</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
 <message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
+<message><source>No command has these words, or it cannot be used now.</source><translation>Ningún comando tiene estas palabras, o no se puede usar ahora.</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algunas letras de un comando</translation></message>
 <message><source>Values of %1</source><translation>Valores de %1</translation></message>
@@ -1185,11 +1201,11 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Show the keys</source><translation>Mostrar las teclas</translation></message>
 <message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
-<message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Why</source><translation>Por qué</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
+<message><source>Your note on it, stored with its name</source><translation>Su nota sobre él, guardada con su nombre</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Supr y Quitar todos no lo quitan</translation></message>
 <message><source>Remove this target</source><translation>Quitar este objetivo</translation></message>
@@ -1265,6 +1281,10 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rocas &gt; Bordes sobre las rocas los dibuja encima; las imágenes los muestran.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayado de verde en las imágenes; nadie midió estas celdas, y la nube no las muestra.</translation></message>
+<message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Rayas violetas en las imágenes: sin retorno, fuera de la ventana de distancias o enmascarado. La barra de estado cuenta cada caso.</translation></message>
+<message><source>Laser ray to the marked cell</source><translation>Rayo láser a la celda marcada</translation></message>
+<message><source>No return: %1</source><translation>Sin retorno: %1</translation></message>
+<message><source>No range: %1</source><translation>Sin distancia: %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
@@ -1275,6 +1295,7 @@ RL %3 m</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
+<message><source>A is shown: these are the settings and counts of B</source><translation type="unfinished"></translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
 <message><source>default</source><translation>predeterminado</translation></message>
 <message><source>log</source><translation>logarítmico</translation></message>
@@ -1360,6 +1381,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Top</source><translation>Arriba</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
+<message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Encuadrar muestra todo</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
@@ -1410,6 +1432,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
+<message><source>&amp;Targets…</source><translation>&amp;Objetivos…</translation></message>
+<message><source>There are no targets yet: pin a cell first.</source><translation>Aún no hay objetivos: fije primero una celda.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Dibujo de bordes (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;reciente</translation></message>
@@ -1495,6 +1519,34 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>¿Por &amp;qué esta celda es un borde, o no?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Volver al preajuste</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar los ajustes pre&amp;determinados</translation></message>
+<message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
+<message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
+<message><source>&amp;Manual</source><translation>&amp;Manual</translation></message>
+<message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
+<message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
+<message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
+<message><source>by class</source><translation>por clase</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
+<message><source>growing</source><translation>creciendo</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % de puntos dibujados</translation></message>
+<message><source>turntable</source><translation>plato giratorio</translation></message>
+<message><source>free rotation</source><translation>rotación libre</translation></message>
+<message><source>orthographic</source><translation>ortográfica</translation></message>
+<message><source>perspective</source><translation>perspectiva</translation></message>
+<message><source>coarse picture</source><translation>imagen preliminar</translation></message>
+<message><source>Next Sweep</source><translation>Barrido siguiente</translation></message>
+<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>El barrido siguiente ha sustituido a %1, que tiene objetivos o mediciones. Deshacer (Ctrl+Z) lo recupera con ellos.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 ya no se compara como A, porque puede ser de otro lugar. Deshacer (Ctrl+Z) lo recupera.</translation></message>
+<message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
+<message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
+<message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
+<message><source>Tools</source><translation>Herramientas</translation></message>
+<message><source>Redo</source><translation>Rehacer</translation></message>
+<message><source>Scanner view</source><translation>Vista escáner</translation></message>
+<message><source>Cab</source><translation>Cabina</translation></message>
+<message><source>“%1” has ended; a click pins again.</source><translation>«%1» ha terminado; un clic vuelve a fijar.</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rocas</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>Roca con el m&amp;ayor ancho b</translation></message>
@@ -1532,33 +1584,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Hide Nearer than This Cell</source><translation>Ocultar lo que está más cerca que esta celda</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom a la selección</translation></message>
 <message><source>Select &amp;Nothing</source><translation>No selecc&amp;ionar nada</translation></message>
-<message><source>&amp;Help</source><translation>A&amp;yuda</translation></message>
-<message><source>&amp;Find a Command…</source><translation>&amp;Buscar un comando…</translation></message>
-<message><source>&amp;Manual</source><translation>&amp;Manual</translation></message>
-<message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado y mouse</translation></message>
-<message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
-<message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
-<message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
-<message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
-<message><source>by class</source><translation>por clase</translation></message>
-<message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>
-<message><source>growing</source><translation>creciendo</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % de puntos dibujados</translation></message>
-<message><source>turntable</source><translation>plato giratorio</translation></message>
-<message><source>free rotation</source><translation>rotación libre</translation></message>
-<message><source>orthographic</source><translation>ortográfica</translation></message>
-<message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>coarse picture</source><translation>imagen preliminar</translation></message>
-<message><source>Next Sweep</source><translation>Barrido siguiente</translation></message>
-<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>El barrido siguiente ha sustituido a %1, que tiene objetivos o mediciones. Deshacer (Ctrl+Z) lo recupera con ellos.</translation></message>
-<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 ya no se compara como A, porque puede ser de otro lugar. Deshacer (Ctrl+Z) lo recupera.</translation></message>
-<message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
-<message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
-<message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
-<message><source>Tools</source><translation>Herramientas</translation></message>
-<message><source>Redo</source><translation>Rehacer</translation></message>
-<message><source>Scanner view</source><translation>Vista escáner</translation></message>
-<message><source>Cab</source><translation>Cabina</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>La ventana habla este idioma desde su próximo inicio.</translation></message>
@@ -1902,6 +1927,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 celdas de ellos</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>sus extremos están como máximo a %1 celdas de los clics</translation></message>
+<message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ un clic está %1 m detrás de esta garganta: haga clic en la roca de cada lado</translation></message>
+<message><source>▲ one end is %1 m farther away than the other</source><translation>▲ un extremo está %1 m más lejos que el otro</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ más allá, la garganta se estrecha hasta %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
 <message><source>clicks %1 cells away find %2 to %3 m</source><translation>clics a %1 celdas de ahí encuentran de %2 a %3 m</translation></message>

@@ -356,6 +356,7 @@
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
 <message><source>Forget A</source><translation>Oublier A</translation></message>
 <message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>A a été oublié : la démo et %1 ne sont pas d'un même lieu.</translation></message>
+<message><source>The comparison ended, because another scan was opened.</source><translation>La comparaison est terminée, car un autre scan a été ouvert.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Il n'y a encore rien à quoi la comparer : ouvrez d'abord le scan plus récent.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lecture de %1 comme A</translation></message>
 <message><source>the demo</source><translation>la démo</translation></message>
@@ -394,11 +395,11 @@ visible %6 m², à %7 m</translation></message>
 <message><source>the near side of your click at %1</source><translation>le côté proche de votre clic à %1</translation></message>
 <message><source>the cell that you clicked</source><translation>la cellule que vous avez cliquée</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Cellule : %1 (%2)</translation></message>
+<message><source>Why: click a cell</source><translation>Pourquoi : cliquez sur une cellule</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 La cellule la plus forte de sa chaîne est entourée dans les deux images ; en zoomant, la chaîne est encadrée.</translation></message>
 <message><source>Clicked</source><translation>Cliqué</translation></message>
-<message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Pointez d'abord une cellule ou cliquez dessus. Pourquoi montre ensuite ce qui décide si elle est une arête.</translation></message>
 <message><source>the demo after the blast</source><translation>la démo après le tir</translation></message>
 <message><source>%1, scan %2</source><translation>%1, scan %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>le premier : les autres sont placés par rapport à lui</translation></message>
@@ -609,6 +610,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
+<message><source>Se&amp;lect</source><translation>Sé&amp;lectionner</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Fusionner avec les blocs sélectionnés</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Diviser ici</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Paroi, pas un bloc</translation></message>
@@ -662,8 +664,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
 <message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
-<message><source>click one side</source><translation>cliquez un côté</translation></message>
-<message><source>click the other side</source><translation>cliquez l'autre côté</translation></message>
+<message><source>click the rock at one side</source><translation>cliquez la roche d'un côté</translation></message>
+<message><source>click the rock at the other side</source><translation>cliquez la roche de l'autre côté</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Aucun passage libre n'a été vu entre ces deux côtés, éloignés de %1 m en profondeur : cliquez le bord proche du goulot de chaque côté.</translation></message>
@@ -694,10 +696,22 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Isolate Selected</source><translation>&amp;Isoler la sélection</translation></message>
 <message><source>Show &amp;All</source><translation>Tout a&amp;fficher</translation></message>
 <message><source>&amp;Export Selected…</source><translation>E&amp;xporter la sélection…</translation></message>
-<message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
-<message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
+<message><source>Na&amp;me of Target %1…</source><translation>No&amp;m de la cible %1…</translation></message>
+<message><source>No&amp;te on Target %1…</source><translation>Remarque sur la cible %1…</translation></message>
+<message><source>Remo&amp;ve Target %1</source><translation>&amp;Supprimer la cible %1</translation></message>
+<message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
+<message><source>Name of a target</source><translation>Nom d'une cible</translation></message>
+<message><source>Name of target %1:</source><translation>Nom de la cible %1 :</translation></message>
+<message><source>Note on a target</source><translation>Remarque sur une cible</translation></message>
+<message><source>Note on target %1:</source><translation>Remarque sur la cible %1 :</translation></message>
+<message><source>Name %1</source><translation>Nommer %1</translation></message>
+<message><source>Note %1</source><translation>Remarque %1</translation></message>
+<message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
+<message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées et reviennent avec lui.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Non enregistré : cette image est une partie d'un enregistrement ou d'un balayage en direct, pas un fichier entier.</translation></message>
@@ -710,10 +724,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Remove All</source><translation>Tout supprimer</translation></message>
 <message><source>Targets %1</source><translation>Cibles %1</translation></message>
 <message><source>Locked targets stay: %1.</source><translation>Des cibles verrouillées restent : %1.</translation></message>
-<message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
-<message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
-<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
-<message><source>Name %1</source><translation>Nommer %1</translation></message>
 <message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
 <message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été enregistré : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
@@ -732,8 +742,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Image grossière de %1 millions de cellules, le reste arrive</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Les arêtes arrivent avec le reste du scan</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est masqué.</translation></message>
+<message><source>A is shown; go back to B to pin or to measure.</source><translation>A est affiché ; revenez à B pour épingler ou mesurer.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>On peut cliquer sur les cellules quand le scan est là en entier : ceci en est une image grossière.</translation></message>
-<message><source>Remove the target of this ce&amp;ll</source><translation>Supprimer &amp;la cible de cette cellule</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vue depuis le &amp;scanner</translation></message>
@@ -787,23 +797,28 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
 <message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ HORS TOLÉRANCE</translation></message>
 <message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
 <message><source>cells</source><translation>cellules</translation></message>
 <message><source>Other points have the colours of rocks</source><translation>Les autres points ont les couleurs des blocs</translation></message>
 <message><source>Previous changed region</source><translation>Région modifiée précédente</translation></message>
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
+<message><source>End</source><translation>Terminer</translation></message>
+<message><source>Ends the comparison: A is forgotten</source><translation>Termine la comparaison : A est oublié</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>pas comparé au scan affiché</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>rien encore à comparer :
 changez un réglage, ou ouvrez un autre scan</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ HORS TOLÉRANCE</translation></message>
 <message><source>median difference %1 mm
 a change is more than %2 mm at 5 m</source><translation>différence médiane %1 mm
 un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>median distance %1
 %2 are farther than %3</source><translation>distance médiane %1
 %2 sont à plus de %3</translation></message>
+<message><source>Next</source><translation>Suivant</translation></message>
+<message><source>Folds the legend</source><translation>Replie la légende</translation></message>
+<message><source>Unfolds the legend</source><translation>Déplie la légende</translation></message>
 <message><source>to see it: A/B, %1</source><translation>pour la voir : A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>hold \ to see it</source><translation>tenez \ pour la voir</translation></message>
@@ -838,6 +853,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>working …</source><translation>en cours …</translation></message>
 <message><source>Save the file first: a record names the file from which a place was computed</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
 <message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
+<message><source>No command has these words, or it cannot be used now.</source><translation>Aucune commande n'a ces mots, ou elle n'est pas utilisable maintenant.</translation></message>
 <message><source>Commands</source><translation>Commandes</translation></message>
 <message><source>A few letters of a command</source><translation>Quelques lettres d'une commande</translation></message>
 <message><source>Values of %1</source><translation>Valeurs de %1</translation></message>
@@ -1185,11 +1201,11 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Show the keys</source><translation>Afficher les touches</translation></message>
 <message><source>End the tour</source><translation>Terminer la visite</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
-<message><source>Next</source><translation>Suivant</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Why</source><translation>Pourquoi</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
+<message><source>Your note on it, stored with its name</source><translation>Votre remarque sur elle, enregistrée avec son nom</translation></message>
 <message><source>Lock</source><translation>Verrouiller</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Verrouillée : Suppr et Tout supprimer ne la suppriment pas</translation></message>
 <message><source>Remove this target</source><translation>Supprimer cette cible</translation></message>
@@ -1265,6 +1281,10 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Blocs &gt; Arêtes sur les blocs les dessine dessus ; les images les montrent.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Rayé de vert dans les images ; personne n'a mesuré ces cellules, et le nuage ne les montre pas.</translation></message>
+<message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Rayures violettes dans les images : sans retour, hors de la fenêtre de distance, ou masqué. La barre d'état compte chaque cas.</translation></message>
+<message><source>Laser ray to the marked cell</source><translation>Rayon laser vers la cellule marquée</translation></message>
+<message><source>No return: %1</source><translation>Sans retour : %1</translation></message>
+<message><source>No range: %1</source><translation>Sans distance : %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
@@ -1275,6 +1295,7 @@ RL %3 m</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
+<message><source>A is shown: these are the settings and counts of B</source><translation type="unfinished"></translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
 <message><source>default</source><translation>par défaut</translation></message>
 <message><source>log</source><translation>logarithmique</translation></message>
@@ -1360,6 +1381,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Top</source><translation>Haut</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
+<message><source>Zoomed %1 × · Fit shows all</source><translation>Agrandi %1 × · Ajuster montre tout</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
@@ -1410,6 +1432,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
+<message><source>&amp;Targets…</source><translation>&amp;Cibles…</translation></message>
+<message><source>There are no targets yet: pin a cell first.</source><translation>Il n'y a pas encore de cible : épinglez d'abord une cellule.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Dessin des arêtes (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Ouvrir un fichier &amp;récent</translation></message>
@@ -1495,6 +1519,34 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Revenir au préréglage</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Rétablir les réglages par &amp;défaut</translation></message>
+<message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
+<message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
+<message><source>&amp;Manual</source><translation>&amp;Manuel</translation></message>
+<message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
+<message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
+<message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
+<message><source>by class</source><translation>par classe</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
+<message><source>growing</source><translation>en cours</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
+<message><source>turntable</source><translation>plateau tournant</translation></message>
+<message><source>free rotation</source><translation>rotation libre</translation></message>
+<message><source>orthographic</source><translation>orthographique</translation></message>
+<message><source>perspective</source><translation>perspective</translation></message>
+<message><source>coarse picture</source><translation>image grossière</translation></message>
+<message><source>Next Sweep</source><translation>Balayage suivant</translation></message>
+<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>Le balayage suivant a remplacé %1, qui a des cibles ou des mesures. Annuler (Ctrl+Z) le ramène avec elles.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 n'est plus comparé comme A, car il peut venir d'un autre endroit. Annuler (Ctrl+Z) le ramène.</translation></message>
+<message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
+<message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
+<message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
+<message><source>Tools</source><translation>Outils</translation></message>
+<message><source>Redo</source><translation>Rétablir</translation></message>
+<message><source>Scanner view</source><translation>Vue scanner</translation></message>
+<message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>“%1” has ended; a click pins again.</source><translation>« %1 » est terminé ; un clic épingle à nouveau.</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
@@ -1532,33 +1584,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Hide Nearer than This Cell</source><translation>Masquer ce qui est plus proche que cette cellule</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoomer sur la sélection</translation></message>
 <message><source>Select &amp;Nothing</source><translation>&amp;Ne rien sélectionner</translation></message>
-<message><source>&amp;Help</source><translation>A&amp;ide</translation></message>
-<message><source>&amp;Find a Command…</source><translation>&amp;Trouver une commande…</translation></message>
-<message><source>&amp;Manual</source><translation>&amp;Manuel</translation></message>
-<message><source>&amp;Keys and Mouse</source><translation>&amp;Clavier et souris</translation></message>
-<message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
-<message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
-<message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
-<message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
-<message><source>by class</source><translation>par classe</translation></message>
-<message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>
-<message><source>growing</source><translation>en cours</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % des points dessinés</translation></message>
-<message><source>turntable</source><translation>plateau tournant</translation></message>
-<message><source>free rotation</source><translation>rotation libre</translation></message>
-<message><source>orthographic</source><translation>orthographique</translation></message>
-<message><source>perspective</source><translation>perspective</translation></message>
-<message><source>coarse picture</source><translation>image grossière</translation></message>
-<message><source>Next Sweep</source><translation>Balayage suivant</translation></message>
-<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>Le balayage suivant a remplacé %1, qui a des cibles ou des mesures. Annuler (Ctrl+Z) le ramène avec elles.</translation></message>
-<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 n'est plus comparé comme A, car il peut venir d'un autre endroit. Annuler (Ctrl+Z) le ramène.</translation></message>
-<message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
-<message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
-<message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
-<message><source>Tools</source><translation>Outils</translation></message>
-<message><source>Redo</source><translation>Rétablir</translation></message>
-<message><source>Scanner view</source><translation>Vue scanner</translation></message>
-<message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Thème</translation></message>
 <message><source>Lan&amp;guage</source><translation>Lan&amp;gue</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>La fenêtre parle cette langue à partir de son prochain démarrage.</translation></message>
@@ -1902,6 +1927,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 cellules</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>ses extrémités sont à %1 cellules des clics au plus</translation></message>
+<message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ un clic est %1 m derrière ce goulot : cliquez la roche de chaque côté</translation></message>
+<message><source>▲ one end is %1 m farther away than the other</source><translation>▲ une extrémité est %1 m plus loin que l'autre</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ plus loin, le goulot se resserre à %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
 <message><source>clicks %1 cells away find %2 to %3 m</source><translation>des clics à %1 cellules de là trouvent %2 à %3 m</translation></message>

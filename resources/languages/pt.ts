@@ -356,6 +356,7 @@
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
 <message><source>Forget A</source><translation>Esquecer A</translation></message>
 <message><source>A was forgotten: the demo and %1 are not of one place.</source><translation>A foi esquecido: a demonstração e %1 não são de um mesmo lugar.</translation></message>
+<message><source>The comparison ended, because another scan was opened.</source><translation>A comparação terminou porque outro escaneamento foi aberto.</translation></message>
 <message><source>There is nothing to compare with it yet: open the later scan first.</source><translation>Ainda não há nada com que comparar: abra primeiro a varredura posterior.</translation></message>
 <message><source>Reading %1 as A</source><translation>Lendo %1 como A</translation></message>
 <message><source>the demo</source><translation>a demo</translation></message>
@@ -394,11 +395,11 @@ visível %6 m², a %7 m</translation></message>
 <message><source>the near side of your click at %1</source><translation>o lado próximo do seu clique em %1</translation></message>
 <message><source>the cell that you clicked</source><translation>a célula em que você clicou</translation></message>
 <message><source>Cell: %1 (%2)</source><translation>Célula: %1 (%2)</translation></message>
+<message><source>Why: click a cell</source><translation>Por quê: clique em uma célula</translation></message>
 <message><source>
 The strongest cell of its chain is ringed in both images; zoomed in, the chain is framed.</source><translation>
 A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a cadeia aparece emoldurada.</translation></message>
 <message><source>Clicked</source><translation>Clique</translation></message>
-<message><source>Point at a cell or click one first. Why then shows what decides whether it is an edge.</source><translation>Primeiro aponte para uma célula ou clique nela. Por quê mostra depois o que decide se ela é uma borda.</translation></message>
 <message><source>the demo after the blast</source><translation>a demonstração após o desmonte</translation></message>
 <message><source>%1, scan %2</source><translation>%1, varredura %2</translation></message>
 <message><source>the first: the others are placed against it</source><translation>o primeiro: os outros são posicionados em relação a ele</translation></message>
@@ -609,6 +610,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
+<message><source>Se&amp;lect</source><translation>Se&amp;lecionar</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir às rochas selecionadas</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aqui</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Parede, não é uma rocha</translation></message>
@@ -662,8 +664,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
 <message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
-<message><source>click one side</source><translation>clique num lado</translation></message>
-<message><source>click the other side</source><translation>clique no outro lado</translation></message>
+<message><source>click the rock at one side</source><translation>clique na rocha de um lado</translation></message>
+<message><source>click the rock at the other side</source><translation>clique na rocha do outro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Não se viu passagem livre entre estes dois lados, que distam %1 m em profundidade: clique na borda próxima da garganta em cada lado.</translation></message>
@@ -694,10 +696,22 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Isolate Selected</source><translation>&amp;Isolar a seleção</translation></message>
 <message><source>Show &amp;All</source><translation>&amp;Mostrar tudo</translation></message>
 <message><source>&amp;Export Selected…</source><translation>Ex&amp;portar a seleção…</translation></message>
-<message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
-<message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Na&amp;me…</source><translation>No&amp;me…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
+<message><source>Na&amp;me of Target %1…</source><translation>No&amp;me do alvo %1…</translation></message>
+<message><source>No&amp;te on Target %1…</source><translation>No&amp;ta sobre o alvo %1…</translation></message>
+<message><source>Remo&amp;ve Target %1</source><translation>Remo&amp;ver o alvo %1</translation></message>
+<message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
+<message><source>Name of target %1, which is on this rock:</source><translation>Nome do alvo %1, que está nesta rocha:</translation></message>
+<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nome desta rocha. Um novo alvo sobre ela, número %1, leva o nome:</translation></message>
+<message><source>Name of a target</source><translation>Nome de um alvo</translation></message>
+<message><source>Name of target %1:</source><translation>Nome do alvo %1:</translation></message>
+<message><source>Note on a target</source><translation>Nota sobre um alvo</translation></message>
+<message><source>Note on target %1:</source><translation>Nota sobre o alvo %1:</translation></message>
+<message><source>Name %1</source><translation>Nomear %1</translation></message>
+<message><source>Note %1</source><translation>Nota %1</translation></message>
+<message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
+<message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos e voltam com ela.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Não guardado: esta imagem é parte de uma gravação ou de uma varredura ao vivo, não um arquivo inteiro.</translation></message>
@@ -710,10 +724,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Remove All</source><translation>Remover todos</translation></message>
 <message><source>Targets %1</source><translation>Alvos %1</translation></message>
 <message><source>Locked targets stay: %1.</source><translation>Ficam alvos bloqueados: %1.</translation></message>
-<message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
-<message><source>Name of target %1, which is on this rock:</source><translation>Nome do alvo %1, que está nesta rocha:</translation></message>
-<message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nome desta rocha. Um novo alvo sobre ela, número %1, leva o nome:</translation></message>
-<message><source>Name %1</source><translation>Nomear %1</translation></message>
 <message><source>Lock %1</source><translation>Bloquear %1</translation></message>
 <message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Isto não foi guardado: há %1 medições, primeiro remova algumas.</translation></message>
@@ -732,8 +742,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagem grosseira de %1 milhões de células, falta o resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>As arestas chegam com o resto da varredura</translation></message>
 <message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Não há ponto aqui: nada foi medido, ou está oculto.</translation></message>
+<message><source>A is shown; go back to B to pin or to measure.</source><translation>A está à mostra; volte a B para fixar ou medir.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>Pode-se clicar nas células quando a varredura está completa: esta é uma imagem grosseira dela.</translation></message>
-<message><source>Remove the target of this ce&amp;ll</source><translation>Remover o a&amp;lvo desta célula</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vista a partir do s&amp;canner</translation></message>
@@ -787,23 +797,28 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
 <message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>▲ OUT OF SPEC</source><translation>▲ FORA DE TOLERÂNCIA</translation></message>
 <message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
 <message><source>cells</source><translation>células</translation></message>
 <message><source>Other points have the colours of rocks</source><translation>Os outros pontos têm as cores das rochas</translation></message>
 <message><source>Previous changed region</source><translation>Região alterada anterior</translation></message>
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
+<message><source>End</source><translation>Encerrar</translation></message>
+<message><source>Ends the comparison: A is forgotten</source><translation>Encerra a comparação: A é esquecido</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>não comparado com a varredura na tela</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada ainda para comparar:
 mude um ajuste ou abra outra varredura</translation></message>
-<message><source>▲ OUT OF SPEC</source><translation>▲ FORA DE TOLERÂNCIA</translation></message>
 <message><source>median difference %1 mm
 a change is more than %2 mm at 5 m</source><translation>diferença mediana %1 mm
 uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>median distance %1
 %2 are farther than %3</source><translation>distância mediana %1
 %2 estão a mais de %3</translation></message>
+<message><source>Next</source><translation>Seguinte</translation></message>
+<message><source>Folds the legend</source><translation>Recolhe a legenda</translation></message>
+<message><source>Unfolds the legend</source><translation>Expande a legenda</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para vê-la: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>hold \ to see it</source><translation>segure \ para vê-la</translation></message>
@@ -838,6 +853,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>working …</source><translation>trabalhando …</translation></message>
 <message><source>Save the file first: a record names the file from which a place was computed</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
 <message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
+<message><source>No command has these words, or it cannot be used now.</source><translation>Nenhum comando tem estas palavras, ou não pode ser usado agora.</translation></message>
 <message><source>Commands</source><translation>Comandos</translation></message>
 <message><source>A few letters of a command</source><translation>Algumas letras de um comando</translation></message>
 <message><source>Values of %1</source><translation>Valores de %1</translation></message>
@@ -1185,11 +1201,11 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
 <message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
-<message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Why</source><translation>Por quê</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
+<message><source>Your note on it, stored with its name</source><translation>A sua nota sobre ele, guardada com o seu nome</translation></message>
 <message><source>Lock</source><translation>Bloquear</translation></message>
 <message><source>Locked: Del and Remove All do not remove it</source><translation>Bloqueado: Del e Remover todos não o removem</translation></message>
 <message><source>Remove this target</source><translation>Remover este alvo</translation></message>
@@ -1265,6 +1281,10 @@ RL %3 m</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
 <message><source>Rocks &gt; Edges over Rocks draws them over the rocks; the images show them.</source><translation>Rochas &gt; Bordas sobre as rochas as desenha por cima; as imagens as mostram.</translation></message>
 <message><source>Striped green in the images; no beam measured these cells, and the cloud does not show them.</source><translation>Listrado de verde nas imagens; ninguém mediu estas células, e a nuvem não as mostra.</translation></message>
+<message><source>Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each.</source><translation>Listras violetas nas imagens: sem retorno, fora da janela de distâncias ou mascarado. A barra de status conta cada caso.</translation></message>
+<message><source>Laser ray to the marked cell</source><translation>Raio laser até a célula marcada</translation></message>
+<message><source>No return: %1</source><translation>Sem retorno: %1</translation></message>
+<message><source>No range: %1</source><translation>Sem distância: %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
@@ -1275,6 +1295,7 @@ RL %3 m</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
+<message><source>A is shown: these are the settings and counts of B</source><translation type="unfinished"></translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
 <message><source>default</source><translation>padrão</translation></message>
 <message><source>log</source><translation>logarítmico</translation></message>
@@ -1360,6 +1381,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Top</source><translation>Topo</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
+<message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Enquadrar mostra tudo</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
 <message><source>No scan</source><translation>Nenhuma varredura</translation></message>
@@ -1410,6 +1432,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
+<message><source>&amp;Targets…</source><translation>&amp;Alvos…</translation></message>
+<message><source>There are no targets yet: pin a cell first.</source><translation>Ainda não há alvos: fixe primeiro uma célula.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Desenho das bordas (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
 <message><source>Open &amp;Recent</source><translation>Abrir &amp;recente</translation></message>
@@ -1495,6 +1519,34 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Why Is This Cell an Edge or Not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>&amp;Reset to Preset</source><translation>&amp;Voltar à predefinição</translation></message>
 <message><source>Restore the &amp;Default Settings</source><translation>Restaurar os ajustes pa&amp;drão</translation></message>
+<message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
+<message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
+<message><source>&amp;Manual</source><translation>&amp;Manual</translation></message>
+<message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
+<message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
+<message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
+<message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
+<message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
+<message><source>by class</source><translation>por classe</translation></message>
+<message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
+<message><source>growing</source><translation>a crescer</translation></message>
+<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
+<message><source>turntable</source><translation>mesa giratória</translation></message>
+<message><source>free rotation</source><translation>rotação livre</translation></message>
+<message><source>orthographic</source><translation>ortográfica</translation></message>
+<message><source>perspective</source><translation>perspectiva</translation></message>
+<message><source>coarse picture</source><translation>imagem grosseira</translation></message>
+<message><source>Next Sweep</source><translation>Varredura seguinte</translation></message>
+<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>A varredura seguinte substituiu %1, que tem alvos ou medições. Desfazer (Ctrl+Z) recupera-a com eles.</translation></message>
+<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 já não é comparado como A, porque pode ser de outro lugar. Desfazer (Ctrl+Z) recupera-o.</translation></message>
+<message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
+<message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
+<message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
+<message><source>Tools</source><translation>Ferramentas</translation></message>
+<message><source>Redo</source><translation>Refazer</translation></message>
+<message><source>Scanner view</source><translation>Vista scanner</translation></message>
+<message><source>Cab</source><translation>Cabine</translation></message>
+<message><source>“%1” has ended; a click pins again.</source><translation>«%1» terminou; um clique volta a fixar.</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rochas</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>Rocha com a m&amp;aior largura b</translation></message>
@@ -1532,33 +1584,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Hide Nearer than This Cell</source><translation>Ocultar o que está mais perto que esta célula</translation></message>
 <message><source>&amp;Zoom to Selected</source><translation>&amp;Zoom na seleção</translation></message>
 <message><source>Select &amp;Nothing</source><translation>Não seleciona&amp;r nada</translation></message>
-<message><source>&amp;Help</source><translation>Aj&amp;uda</translation></message>
-<message><source>&amp;Find a Command…</source><translation>&amp;Localizar um comando…</translation></message>
-<message><source>&amp;Manual</source><translation>&amp;Manual</translation></message>
-<message><source>&amp;Keys and Mouse</source><translation>&amp;Teclado e mouse</translation></message>
-<message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
-<message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
-<message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
-<message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
-<message><source>by class</source><translation>por classe</translation></message>
-<message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>
-<message><source>growing</source><translation>a crescer</translation></message>
-<message><source>%1 % of the points drawn</source><translation>%1 % dos pontos desenhados</translation></message>
-<message><source>turntable</source><translation>mesa giratória</translation></message>
-<message><source>free rotation</source><translation>rotação livre</translation></message>
-<message><source>orthographic</source><translation>ortográfica</translation></message>
-<message><source>perspective</source><translation>perspectiva</translation></message>
-<message><source>coarse picture</source><translation>imagem grosseira</translation></message>
-<message><source>Next Sweep</source><translation>Varredura seguinte</translation></message>
-<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>A varredura seguinte substituiu %1, que tem alvos ou medições. Desfazer (Ctrl+Z) recupera-a com eles.</translation></message>
-<message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 já não é comparado como A, porque pode ser de outro lugar. Desfazer (Ctrl+Z) recupera-o.</translation></message>
-<message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
-<message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
-<message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
-<message><source>Tools</source><translation>Ferramentas</translation></message>
-<message><source>Redo</source><translation>Refazer</translation></message>
-<message><source>Scanner view</source><translation>Vista scanner</translation></message>
-<message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>&amp;Theme</source><translation>&amp;Tema</translation></message>
 <message><source>Lan&amp;guage</source><translation>Id&amp;ioma</translation></message>
 <message><source>The window uses this language from the next start on.</source><translation>A janela fala este idioma a partir do seu próximo início.</translation></message>
@@ -1902,6 +1927,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 células deles</translation></message>
 <message><source>its ends are up to %1 cells from the clicks</source><translation>suas pontas estão a até %1 células dos cliques</translation></message>
+<message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ um clique está %1 m atrás desta garganta: clique na rocha de cada lado</translation></message>
+<message><source>▲ one end is %1 m farther away than the other</source><translation>▲ uma extremidade está %1 m mais longe que a outra</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ mais adiante, a garganta estreita-se até %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
 <message><source>clicks %1 cells away find %2 to %3 m</source><translation>cliques a %1 células dali encontram de %2 a %3 m</translation></message>
