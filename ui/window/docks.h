@@ -44,6 +44,8 @@ public:
     /// For the settings memory; 0: it was never dragged.
     [[nodiscard]] int draggedWidth() const { return dragged_; }
     void setDraggedWidth(int width) { dragged_ = width; }
+    /// On: A is in the views; the titles say that the panels are of B.
+    void showOfB(bool on);
 
 signals:
     /// A dock is wanted, or the operator opened or folded one: fit() is needed.
@@ -77,6 +79,7 @@ private:
     std::vector<Dock> docks_;                // in their order from top to bottom
     const QDockWidget* behindTab_ = nullptr; // the operator chose it in a menu while another tab hid it
     std::set<DockLock> locks_;
+    bool ofB_ = false;
     bool restacked_ = false; // docks left or joined a place: each place gets its height again
     int arranged_ = 0;       // width set by setWidths()
     int dragged_ = 0;        // 0: the width follows the window
