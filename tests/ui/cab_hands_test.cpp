@@ -279,6 +279,14 @@ private slots:
         QVERIFY2(!legend.titleText().contains('\\') && legend.titleText().contains("Show A"), qPrintable(legend.titleText()));
         for (const ChangeRow row : {ChangeRow::Gained, ChangeRow::Lost, ChangeRow::Unchanged})
             QCOMPARE(legend.row(row)->isVisibleTo(&legend), legend.counted(row) != "0");
+        // While A is shown, the numbers of a target say that they are of B.
+        on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
+        const auto& target = *on.window.findChild<QLabel*>("cab-target");
+        QTRY_VERIFY2(target.text().startsWith("Target 1"), qPrintable(target.text()));
+        on.viewer.comparing.flip(true);
+        QVERIFY2(target.text().startsWith("B: Target 1"), qPrintable(target.text()));
+        on.viewer.comparing.flip(false);
+        QVERIFY2(target.text().startsWith("Target 1"), qPrintable(target.text()));
     }
 
     // All text is in sight, or there is a bar to scroll it with.

@@ -159,6 +159,17 @@ private slots:
         }
     }
 
+    // The label in the pictures has the digits of the card.
+    void labelAndCardHaveTheSameDigits() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 1)));
+        const auto& known = on.viewer.targets.known().targets;
+        QVERIFY(known.size() == 1);
+        const QString tag = on.viewer.views.gray().marks().targets.front().tag;
+        QVERIFY2(tag.endsWith(" · " + distanceText(known.begin()->second)), qPrintable(tag));
+    }
+
     void initTestCase() {
         Scan scan = test::boxesScan(120, 160, 3, 0.02);
         bare_ = (folder_ / "boxes.json").string();

@@ -351,10 +351,17 @@ private slots:
             QVERIFY(viewer.waitForStarted(kPatienceMs));
             QVERIFY(eventually([&] { return isWhole(saved(viewer.processId())); }));
             QTRY_COMPARE(textOfAll(saved(viewer.processId())), before);
-            ::kill(static_cast<pid_t>(viewer.processId()), SIGKILL);
+            const qint64 process = viewer.processId();
+            ::kill(static_cast<pid_t>(process), SIGKILL);
             QVERIFY(viewer.waitForFinished(kPatienceMs));
+            // As if the images had been zoomed to a changed region.
+            auto zoomed = saved(process);
+            zoomed->state.view.images = inspect::SessionImages{80.0, 60.0, 12.0};
+            const QString path = sessions + "/running-" + QString::number(process) + "-0" + inspect::kSessionEnding;
+            QVERIFY(bool(writeWholeFile(path.toStdString(), inspect::sessionText(zoomed->state, sessions.toStdString(), ""))));
+            QVERIFY(saved(process)->state.view.images.has_value());
         }
-        // The window reports it, and its button continues the session.
+        // The window reports it, and its button continues the session, with whole images.
         WindowFixture on(home + "/config/edgescan/viewer.ini");
         QVERIFY(on.show());
         on.window.sessions().offerToContinue();
@@ -363,6 +370,7 @@ private slots:
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_COMPARE(int(on.viewer.targets.notebook().targets.size()), 2);
         QVERIFY(atRest(on));
+        QVERIFY(on.viewer.gray.viewPort()->fitted());
         QVERIFY(on.window.sessions().autosaves().afterCrash().size() <= 1); // the first one; the second was continued
     }
 

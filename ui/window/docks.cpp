@@ -163,9 +163,14 @@ void Docks::showTitles() {
         const bool tab = std::ranges::any_of(others, [](const QDockWidget* other) { return !other->isHidden(); });
         const bool below = tab && !dock.widget->isHidden();
         if (auto* title = dock.widget->titleBarWidget()->findChild<QLabel*>())
-            title->setText(below ? QString() : dock.widget->windowTitle());
+            title->setText((below ? QString() : dock.widget->windowTitle()) + (ofB_ ? QString(" · B") : QString()));
         if (auto* fold = dock.widget->titleBarWidget()->findChild<QToolButton*>()) fold->setText(below ? tr("Fold") + " »" : QString("»"));
     }
+}
+
+void Docks::showOfB(bool on) {
+    ofB_ = on;
+    showTitles();
 }
 
 int Docks::usualWidth(const QDockWidget& dock) const {

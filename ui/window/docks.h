@@ -46,6 +46,8 @@ public:
     void setDraggedWidth(int width) { dragged_ = width; }
     [[nodiscard]] int draggedTableHeight() const { return draggedTable_; }
     void setDraggedTableHeight(int height) { draggedTable_ = height; }
+    /// On: A is in the views; the titles say that the panels are of B.
+    void showOfB(bool on);
 
 signals:
     /// A dock is wanted, or the operator opened or folded one: fit() is needed.
@@ -81,6 +83,7 @@ private:
     std::vector<Dock> docks_;                // in their order from top to bottom
     const QDockWidget* behindTab_ = nullptr; // the operator chose it in a menu while another tab hid it
     std::set<DockLock> locks_;
+    bool ofB_ = false;
     bool restacked_ = false; // docks left or joined a place: each place gets its height again
     int arranged_ = 0;       // width set by setWidths()
     int dragged_ = 0;        // 0: the width follows the window

@@ -295,7 +295,7 @@ void MainWindow::connectEngine() {
         showTitle();
     });
     connect(&viewer_.views, &LinkedViews::flippedChanged, this, [this](bool on) {
-        viewer_.panel.showOtherDrawn(on);
+        docks_->showOfB(on);
         viewer_.warnings.showInstead(on ? std::optional(warningsOf(*viewer_.views.shown())) : std::nullopt);
         showFacts();
         showOrigin();

@@ -246,7 +246,6 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     warned_ = comparison != nullptr && comparison->change.earlier.how.outOfSpec;
     showRegion(QString());
     showFlipped(flipped_);
-    showRows();
     show();
     fit();
 }
@@ -290,11 +289,11 @@ bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
 /// In a cab the rows that count something: the plate must leave the rocks in sight. A warning is always there. Folded: the title and the
 /// buttons.
 void ChangeLegend::showRows() {
-    const bool open = !fold_->isChecked();
+    const bool open = !fold_->isChecked() && !flipped_; // A has the colours of edges
     fold_->setArrowType(open ? Qt::DownArrow : Qt::UpArrow);
     fold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     fold_->setAccessibleName(fold_->toolTip());
-    fold_->setVisible(compared_ && rowsShown_);
+    fold_->setVisible(compared_ && rowsShown_ && !flipped_);
     for (const Row& row : rows_) {
         const QString count = row.count->text();
         const bool shown = open && rowsShown_ && !count.isEmpty() && (!brief_ || count != "0");
@@ -311,7 +310,6 @@ void ChangeLegend::showRows() {
 
 void ChangeLegend::setBrief(bool on) {
     brief_ = on;
-    showRows();
     showFlipped(flipped_);
 }
 
@@ -321,6 +319,8 @@ void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;
     const QString toSee = brief_ ? tr("to see it: A/B, %1").arg(QObject::tr("Show &A").remove('&')) : tr("hold \\ to see it");
     setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_) + '\n' + toSee);
+    showRows();
+    fitContent();
 }
 
 void ChangeLegend::showOverRocks(bool on) {

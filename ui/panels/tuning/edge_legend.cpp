@@ -9,6 +9,7 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPixmap>
@@ -113,18 +114,32 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     hide(); // no content yet
 }
 
-/// What else has a colour of its own in the views.
+/// What else has a colour of its own in the views: hatched violet cells, a thin red line.
 void EdgeLegend::addOthers(QGridLayout& grid) {
-    missing_ = new QLabel;
-    missing_->setObjectName("legend-missing");
+    QPixmap hatch(16, 11), line(16, 11);
+    hatch.fill(QColor(112, 72, 160));
+    line.fill(Qt::transparent);
+    QPainter(&hatch).fillRect(hatch.rect(), QBrush(QColor(24, 12, 36), Qt::BDiagPattern));
+    QPainter(&line).fillRect(QRect(0, 5, 16, 2), QColor(255, 90, 80));
+    const auto add = [&](const char* name, const QPixmap& sign) {
+        auto* place = new QWidget;
+        place->setObjectName(name);
+        auto* row = new QHBoxLayout(place);
+        row->setContentsMargins(0, 0, 0, 0);
+        auto* picture = new QLabel;
+        picture->setPixmap(sign);
+        auto* words = new QLabel;
+        row->addWidget(picture);
+        row->addWidget(words, 1);
+        place->hide();
+        grid.addWidget(place, grid.rowCount(), 0, 1, 2);
+        return words;
+    };
+    missing_ = add("legend-missing", hatch);
     missing_->setToolTip(
         tr("Violet stripes in the images: no return, outside of the range window, or masked. The status bar counts each."));
-    ray_ = new QLabel(QString("<span style=\"color:#ff5a50\">─</span> ") + tr("Laser ray to the marked cell"));
-    ray_->setObjectName("legend-ray");
-    for (QLabel* each : {missing_, ray_}) {
-        each->hide();
-        grid.addWidget(each, grid.rowCount(), 0, 1, 2);
-    }
+    ray_ = add("legend-ray", line);
+    ray_->setText(tr("Laser ray to the marked cell"));
 }
 
 void EdgeLegend::showMissing(const Scan& scan) {
@@ -133,7 +148,7 @@ void EdgeLegend::showMissing(const Scan& scan) {
     const std::size_t none = of(CellState::NoReturn), others = of(CellState::OutOfWindow) + of(CellState::Masked);
     isMissing_ = none + others > 0;
     const QString words = others == 0 ? tr("No return: %1") : tr("No range: %1");
-    missing_->setText(QString("<span style=\"color:#8860b8\">▨</span> ") + words.arg(countText(none + others)));
+    missing_->setText(words.arg(countText(none + others)));
 }
 
 EdgeLegend::Row EdgeLegend::addRow(QGridLayout& grid, const QString& name, const char* objectName) {
@@ -183,8 +198,8 @@ void EdgeLegend::showRows() {
     unfold_->setVisible(known_ && brief_ && !low_);
     covered_->setVisible(isCovered_ && (open || !brief_));
     filled_->setVisible(isFilled_ && (open || !brief_));
-    missing_->setVisible(isMissing_ && open && roomy_);
-    ray_->setVisible(open && roomy_);
+    missing_->parentWidget()->setVisible(isMissing_ && open && roomy_);
+    ray_->parentWidget()->setVisible(open && roomy_);
     taken_->setVisible(!taken_->text().isEmpty() && open);
 }
 

@@ -60,7 +60,7 @@ private:
     std::array<Row, kEdgeClasses> rows_;
     QCheckBox* byClass_ = nullptr;
     QLabel* filled_ = nullptr;
-    QLabel* missing_ = nullptr; // violet cells
+    QLabel* missing_ = nullptr; // violet cells, with its sign before it
     QLabel* ray_ = nullptr;
     EdgeColours colours_ = kUsualColours;
     std::array<bool, kEdgeClasses> offered_{}; // the classes of the method

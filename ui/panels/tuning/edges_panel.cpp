@@ -69,11 +69,6 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(6, 6, 6, 6);
-    otherDrawn_ = new QLabel(tr("A is shown: these are the settings and counts of B"));
-    otherDrawn_->setObjectName("other-drawn");
-    otherDrawn_->setWordWrap(true);
-    otherDrawn_->hide();
-    column->addWidget(otherDrawn_);
     auto* grid = new QGridLayout;
     grid->setColumnStretch(1, 1);
     grid->setColumnMinimumWidth(0, kNarrowestLabel);
@@ -350,8 +345,6 @@ void EdgesPanel::setPreset(const edges::Preset& preset) {
     presets_->setCurrentIndex(index);
     showPresetName();
 }
-
-void EdgesPanel::showOtherDrawn(bool on) { otherDrawn_->setVisible(on); }
 
 void EdgesPanel::setBehind(bool behind) { behind_->setText(behind ? tr("computing …") : QString()); }
 

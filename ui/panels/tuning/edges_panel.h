@@ -43,8 +43,6 @@ public:
     void forgetCounts();
     /// On: the picture does not match the numbers yet.
     void setBehind(bool behind);
-    /// On: A is in the views, and says that settings and counts are not those of A.
-    void showOtherDrawn(bool on);
 
     /// The preset that reset buttons restore, and that "modified" refers to.
     void setPreset(const edges::Preset& preset);
@@ -110,7 +108,6 @@ private:
     QLabel* meaning_ = nullptr;
     QLabel* noise_ = nullptr;
     QLabel* behind_ = nullptr;
-    QLabel* otherDrawn_ = nullptr;
     QToolButton* lock_ = nullptr;
     QWidget* advanced_ = nullptr;
 };
