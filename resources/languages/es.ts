@@ -1295,7 +1295,6 @@ RL %3 m</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruido en uso: %1; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
-<message><source>A is shown: these are the settings and counts of B</source><translation type="unfinished"></translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
 <message><source>default</source><translation>predeterminado</translation></message>
 <message><source>log</source><translation>logarítmico</translation></message>

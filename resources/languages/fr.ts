@@ -1295,7 +1295,6 @@ RL %3 m</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Bruit retenu : %1 ; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
-<message><source>A is shown: these are the settings and counts of B</source><translation type="unfinished"></translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
 <message><source>default</source><translation>par défaut</translation></message>
 <message><source>log</source><translation>logarithmique</translation></message>

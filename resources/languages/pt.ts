@@ -1295,7 +1295,6 @@ RL %3 m</translation></message>
 <message><source>Noise in use: %1; sigma %2, %3, %4.</source><translation>Ruído em uso: %1; sigma %2, %3, %4.</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
-<message><source>A is shown: these are the settings and counts of B</source><translation type="unfinished"></translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
 <message><source>default</source><translation>padrão</translation></message>
 <message><source>log</source><translation>logarítmico</translation></message>
