@@ -302,8 +302,15 @@ private slots:
     void aClickPinsOrChoosesARock() {
         WindowFixture on;
         QVERIFY(showRocks(on));
+        QTRY_VERIFY((on.window.resize(1280, 800), on.window.size() == QSize(1280, 800))); // panels behind each other
         const std::vector<std::size_t> none;
+        click(on, 2);
+        on.window.findChild<QDockWidget*>("dock-rocks")->raise();
+        const auto* targets = on.window.findChild<QDockWidget*>("dock-targets");
+        QTRY_VERIFY(targets->visibleRegion().isEmpty());
+        on.viewer.undo.undo();
         click(on, 3);
+        QTRY_VERIFY2(!targets->visibleRegion().isEmpty(), "the card of the new target is in front");
         QVERIFY(on.viewer.views.pinned() && picture(on).labelAt(*on.viewer.views.pinned()) == 3);
         QVERIFY(on.viewer.rocks.selected() == none && !on.viewer.views.cloud().outline());
         QVERIFY(on.viewer.rocks.chosen() == on.viewer.views.pinned());

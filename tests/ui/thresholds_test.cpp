@@ -31,6 +31,7 @@ class ThresholdsTest : public QObject {
     void use(const edges::Settings& settings) { QVERIFY(on_->use(settings)); }
     // Clicks the very cell and asks why, by the key.
     void askWhy(std::uint32_t cell) {
+        window_->viewer().explanation.closeCard(); // while it is open, a click explains and pins nothing
         ImageView& view = window_->viewer().views.edges();
         const QPointF at = view.viewPort()->toPixel(QPointF(cell % 160 + 0.5, cell / 160 + 0.5), view.size());
         QTest::mouseClick(&view, Qt::LeftButton, Qt::ShiftModifier, at.toPoint());

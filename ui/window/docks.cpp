@@ -60,7 +60,10 @@ Docks::Docks(QMainWindow& window, DockRail& rail, Viewer& viewer)
         want(kRocks, on);
     });
     connect(&viewer.layers, &Layers::shownChanged, this, [this](bool on) { want(kLayers, on); });
-    connect(&viewer.targets, &Targets::pinned, this, [this] { want(kTargets, true); });
+    connect(&viewer.targets, &Targets::pinned, this, [this] {
+        want(kTargets, true);
+        if (QDockWidget& dock = *named(kTargets).widget; !dock.isHidden()) dock.raise(); // its card, also over the panel of the rocks
+    });
 }
 
 void Docks::add(const QString& title, const char* name, QWidget* content, Side side, int opensFrom) {
