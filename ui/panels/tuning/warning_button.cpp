@@ -3,6 +3,8 @@
 
 #include "ui/base/themes.h"
 
+#include <algorithm>
+
 namespace edgescan::ui {
 
 WarningButton::WarningButton(QWidget* parent) : QToolButton(parent) {
@@ -12,16 +14,19 @@ WarningButton::WarningButton(QWidget* parent) : QToolButton(parent) {
     followColours(*this, [this](const Theme&) { showState(); });
 }
 
-void WarningButton::showWarnings(const QStringList& warnings) {
-    if (warnings == warnings_) return;
+void WarningButton::showWarnings(const QStringList& warnings, const QString& of) {
+    if (warnings == warnings_ && of == of_) return;
     warnings_ = warnings;
-    acknowledged_ = false;
+    of_ = of;
+    const QSet<QString>& read = read_[of];
+    acknowledged_ = !warnings.isEmpty() && std::ranges::all_of(warnings, [&](const QString& each) { return read.contains(each); });
     showState();
     emit warningsRaised(warnings_);
 }
 
 void WarningButton::acknowledge() {
     acknowledged_ = true;
+    for (const QString& each : warnings_) read_[of_].insert(each);
     showState();
     emit warningsAcknowledged();
 }

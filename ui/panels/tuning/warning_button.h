@@ -1,8 +1,11 @@
 // The number of warnings of the scan on the screen. The operator can read and acknowledge them; they stay in the list.
 #pragma once
 
+#include <QSet>
 #include <QStringList>
 #include <QToolButton>
+
+#include <map>
 
 namespace edgescan::ui {
 
@@ -12,8 +15,8 @@ class WarningButton : public QToolButton {
 public:
     explicit WarningButton(QWidget* parent = nullptr);
 
-    /// A changed list of warnings is not acknowledged.
-    void showWarnings(const QStringList& warnings);
+    /// Of the scan or the scanner `of`. Acknowledged warnings of it stay so when they come back; a new one among them is not acknowledged.
+    void showWarnings(const QStringList& warnings, const QString& of = {});
     void acknowledge();
     [[nodiscard]] const QStringList& warnings() const { return warnings_; }
     [[nodiscard]] bool acknowledged() const { return acknowledged_; }
@@ -26,6 +29,8 @@ private:
     void showState();
 
     QStringList warnings_;
+    QString of_;
+    std::map<QString, QSet<QString>> read_; // by scan
     bool acknowledged_ = false;
 };
 
