@@ -1,13 +1,13 @@
 // edgescan-cli record: records a live scanner to disk.
 #include "app/cli/commands.h"
 #include "app/cli/live_report.h"
-#include "app/shared/host_port.h"
 #include "app/shared/interrupt.h"
 #include "app/shared/json_output.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
 #include "core/exports/report.h"
 #include "core/files/live_feed/live_feed.h"
+#include "core/scanner/cola/host_port.h"
 
 #include <nlohmann/json.hpp>
 
@@ -119,7 +119,7 @@ nlohmann::ordered_json summary(const Record& record, const files::LiveStatus& st
 }
 
 int run(const Record& record) {
-    const Result<HostPort> address = hostPort(record.address);
+    const Result<scanner::HostPort> address = scanner::hostPort(record.address);
     if (!address) {
         printError(address.error());
         return kWrongUsage;

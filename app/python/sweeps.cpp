@@ -1,13 +1,13 @@
 // Growing sweeps in Python: recordings and live scanners as iterators.
 #include "app/python/module.h"
 
-#include "app/shared/host_port.h"
 #include "app/shared/mounting.h"
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/physical_limits.h"
 #include "core/files/live_feed/live_feed.h"
 #include "core/files/open_save/open_scan.h"
+#include "core/scanner/cola/host_port.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -109,7 +109,7 @@ class ConnectionObject {
 public:
     ConnectionObject(const std::string& address, const scanner::SweepSettings& sweep, const std::string& record, double timeout)
         : address_(address), timeout_(timeout) {
-        const cli::HostPort typed = taken(cli::hostPort(address));
+        const scanner::HostPort typed = taken(scanner::hostPort(address));
         scanner::ConnectionSettings scanner;
         scanner.host = typed.host;
         scanner.port = typed.port;

@@ -4,6 +4,7 @@
 #include "app/shared/exits.h"
 #include "app/shared/pages.h"
 #include "app/shared/usage.h"
+#include "core/scanner/cola/host_port.h"
 #include "ui/base/language/languages.h"
 
 #include <CLI/CLI.hpp>
@@ -43,7 +44,7 @@ std::optional<Error> contradiction(const CommandLine& wanted) {
 
 std::optional<Refusal> understandScanner(const CommandLine& wanted, ParsedCommandLine& understood) {
     if (wanted.live.empty()) return std::nullopt;
-    const Result<cli::HostPort> scanner = cli::hostPort(wanted.live);
+    const Result<scanner::HostPort> scanner = scanner::hostPort(wanted.live);
     if (!scanner) return Refusal{scanner.error(), cli::kWrongUsage};
     understood.scanner = *scanner;
     const Result<scanner::SweepSettings> sweep = sweepOf(wanted);

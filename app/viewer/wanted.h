@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/shared/cells.h"
-#include "app/shared/host_port.h"
 #include "app/shared/mounting.h"
 #include "app/shared/options.h"
+#include "core/scanner/cola/host_port.h"
 
 #include <optional>
 #include <string>
@@ -38,7 +38,7 @@ void addFlags(CLI::App& app, CommandLine& wanted);
 struct ParsedCommandLine {
     std::vector<cli::TypedCell> pins; ///< cells of the first picture
     std::optional<edges::Settings> settings;
-    std::optional<cli::HostPort> scanner;
+    std::optional<scanner::HostPort> scanner;
     scanner::SweepSettings sweep; ///< of the live scanner
 };
 

@@ -16,6 +16,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/theme.h"
 
+#include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -28,6 +29,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSpinBox>
 #include <QTimer>
 #include <QToolButton>
 
@@ -178,15 +180,15 @@ private slots:
         QTRY_VERIFY(remove->isEnabled() && on.viewer.targets.settled());
         QMenu* menu = opened(remove);
         QVERIFY(menu != nullptr);
-        QCOMPARE(menu->actions().size(), 2);
-        const QString words = menu->actions()[0]->text();
+        QCOMPARE(menu->actions().size(), 3); // the first closes it
+        const QString words = menu->actions()[1]->text();
         QVERIFY2(words.startsWith("Target 1 · ") && words.contains(" m") && words.contains("x "), qPrintable(words));
-        QVERIFY2(menu->actions()[1]->text().startsWith("Distance"), qPrintable(menu->actions()[1]->text()));
-        choose(menu, 1);
+        QVERIFY2(menu->actions()[2]->text().startsWith("Distance"), qPrintable(menu->actions()[2]->text()));
+        choose(menu, 2);
         QTRY_VERIFY(on.viewer.targets.notebook().measures.empty());
         QVERIFY(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("Removed: Distance"));
         menu = opened(remove);
-        choose(menu, 0);
+        choose(menu, 1);
         QTRY_VERIFY(on.viewer.targets.notebook().targets.empty() && !remove->isEnabled());
         QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton);
         QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton);
@@ -255,11 +257,39 @@ private slots:
         QVERIFY(fields != nullptr && QTest::qWaitForWindowActive(fields, kPatienceMs));
         Keypad& pad = on.window.cab().keypad();
         QTRY_VERIFY(pad.isVisible() && pad.key("7") != nullptr);
-        QToolButton* key = pad.key("7");
-        QTest::mouseClick(key->window()->windowHandle(), Qt::LeftButton, Qt::NoModifier, key->mapTo(key->window(), key->rect().center()));
+        const auto tapOnScreen = [](QWidget& widget) {
+            QTest::mouseClick(widget.window()->windowHandle(), Qt::LeftButton, Qt::NoModifier,
+                              widget.mapTo(widget.window(), widget.rect().center()));
+        };
+        tapOnScreen(*pad.key("7"));
         QTRY_COMPARE(on.viewer.livePanel.sweep().expectedLines, 7);
+        // A tap selects what a field shows: the next key replaces it, also "not known".
+        for (auto* box : fields->findChildren<QAbstractSpinBox*>()) {
+            auto* line = box->findChild<QLineEdit*>();
+            for (const char* digit : {"8", "9"}) {
+                tapOnScreen(*line);
+                QTRY_VERIFY(pad.field() == line && pad.key(digit) != nullptr && line->hasSelectedText());
+                tapOnScreen(*pad.key(digit));
+                QTRY_COMPARE(line->text().remove(QString::fromUtf8("°")), QString(digit));
+            }
+        }
         QVERIFY(fields->isVisible());
         fields->close();
+        // So are port and address of the scanner.
+        on.viewer.livePanel.askAddress();
+        auto* port = on.window.findChild<QSpinBox*>("live-port");
+        tapOnScreen(*port->findChild<QLineEdit*>());
+        QTRY_VERIFY(pad.field() == port->findChild<QLineEdit*>() && pad.key("2") != nullptr);
+        for (const char* digit : {"2", "1", "1", "1"}) tapOnScreen(*pad.key(digit));
+        QTRY_COMPARE(port->value(), 2111);
+        auto* host = on.window.findChild<QLineEdit*>("live-host");
+        host->setText("10.0.0.7");
+        for (const char* digit : {"8", "9"}) {
+            tapOnScreen(*host);
+            QTRY_VERIFY(pad.field() == host && pad.key(digit) != nullptr && host->hasSelectedText());
+            tapOnScreen(*pad.key(digit));
+            QTRY_COMPARE(host->text(), QString(digit));
+        }
         on.window.cab().set(false);
     }
 

@@ -485,18 +485,159 @@ private slots:
         press(on.window, "cab-menu");
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         QVERIFY(menu != nullptr);
-        QCOMPARE(menu->actions(), on.window.menuBar()->actions());
-        for (QAction* entry : menu->actions()) QVERIFY(menu->actionGeometry(entry).height() >= kGlovePx);
+        QList<QAction*> entries = menu->actions();
+        QCOMPARE(entries.takeFirst()->objectName(), QString("close-menu"));
+        QCOMPARE(entries.mid(entries.size() - on.window.menuBar()->actions().size()), on.window.menuBar()->actions());
+        for (QAction* entry : menu->actions()) QVERIFY(entry->isSeparator() || menu->actionGeometry(entry).height() >= kGlovePx);
         menu->close();
         press(on.window, "cab-measure");
         menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         QVERIFY(menu != nullptr);
-        QVERIFY(menu->actionGeometry(menu->actions().front()).height() >= kGlovePx);
+        QVERIFY(menu->actionGeometry(menu->actions()[1]).height() >= kGlovePx);
+        // The first entry closes it and does nothing else; so does a tap next to it.
         QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(menu->actions().front()).center());
+        QTRY_VERIFY(!menu->isVisible());
+        for (QMenu* each : on.window.menuBar()->findChildren<QMenu*>()) { // no text is cut: Fusion takes 0.79 of the height for the mark
+            each->ensurePolished();
+            for (QAction* entry : each->actions()) {
+                const QRect row = each->actionGeometry(entry);
+                const int text = each->fontMetrics().size(Qt::TextSingleLine | Qt::TextShowMnemonic, entry->text()).width();
+                QVERIFY2(entry->isSeparator() || !entry->isVisible() || row.width() >= text + 0.79 * row.height() + 10,
+                         qPrintable(QString("%1: %2 for %3").arg(entry->text()).arg(row.width()).arg(text)));
+            }
+        }
+        QVERIFY(!on.viewer.measures.kind() && menu->testAttribute(Qt::WA_NoMouseReplay));
+        press(on.window, "cab-measure");
+        QTRY_VERIFY(menu->isVisible());
+        QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(menu->actions()[1]).center());
         QTRY_VERIFY(on.viewer.measures.kind() == inspect::MeasureKind::Distance);
         QVERIFY(tool(on.window, "cab-measure")->isChecked() && !tool(on.window, "cab-pin")->isChecked());
         press(on.window, "cab-pin");
         QVERIFY(!on.viewer.measures.kind());
+    }
+
+    // What a small screen has no button for is in Menu, in every language.
+    void everyCommandOfTheHeadIsThereOnASmallScreen() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useLanguage(language.code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775)}) {
+                resizeTo(on.window, size);
+                press(on.window, "cab-menu");
+                auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+                QVERIFY(menu != nullptr);
+                QStringList texts;
+                for (const QAction* each : menu->actions()) texts << each->text();
+                menu->close();
+                const CabHead& head = on.window.cab().frame().head();
+                const auto isReached = [&](const QWidget& button, const QString& text) {
+                    return button.isVisible() || texts.contains(text);
+                };
+                const QByteArray where = texts.join(", ").toUtf8();
+                for (const QToolButton* each : {head.open(), head.connectScanner()}) QVERIFY2(isReached(*each, each->text()), where);
+                QVERIFY2(isReached(*head.clock(), head.clock()->text().simplified()), where);
+                const Stepper& stepper = *on.window.cab().frame().side().mainStepper();
+                for (const char* text : {"More edges", "Fewer edges"})
+                    QVERIFY2(language.code != QLatin1String("en") || isReached(stepper, text), where);
+            }
+            on.window.cab().set(false);
+        }
+        useLanguage("en");
+    }
+
+    // Another badge, a warning, and a running work move no button of the head.
+    void noButtonOfTheHeadMoves() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        CabHead& head = on.window.cab().frame().head();
+        auto* badge = on.window.findChild<StateBadge*>("cab-origin");
+        for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775)}) {
+            resizeTo(on.window, size);
+            const auto places = [&] {
+                QApplication::processEvents();
+                QVector<QRect> all;
+                for (const QWidget* each :
+                     std::initializer_list<const QWidget*>{head.menu(), head.open(), head.connectScanner(), badge, head.leave()})
+                    all << (each->isVisible() ? each->geometry() : QRect());
+                return all;
+            };
+            const QVector<QRect> before = places();
+            badge->showState(StateBadge::Sign::Waiting, "HELD · 2026-11-24 09:09:09 UTC");
+            QCOMPARE(places(), before);
+            QCOMPARE(badge->linesIn(badge->width()).size(), 2);
+            head.showWork("Finding rocks: growing, 34 %");
+            QCOMPARE(places(), before);
+            head.warnings()->setVisible(!head.warnings()->isVisible());
+            QCOMPARE(places(), before);
+            head.showWork(QString());
+            QCOMPARE(places(), before);
+        }
+        on.window.cab().set(false);
+    }
+
+    // An arrow at the rim points to a target that the view does not show; the switch of the edges has their colour.
+    void whatIsOutsideOfTheViewIsPointedTo() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        CloudView& cloud = on.viewer.views.cloud();
+        const auto cell = cloud.cellAt(pointOnCloud(cloud));
+        QVERIFY(cell);
+        on.viewer.views.pin(*cell);
+        const auto* overlay = cloud.findChild<CloudOverlay*>();
+        QTRY_VERIFY(overlay->marks().ring.has_value());
+        QVERIFY(!overlay->arrow());
+        CameraPose pose = cloud.camera();
+        const Eigen::Vector3d aside = 2.0 * pose.halfHeight() * cloud.width() / cloud.height() * pose.right();
+        pose.position += aside;
+        pose.focus += aside;
+        cloud.setCamera(pose);
+        QTRY_VERIFY(!overlay->marks().ring && overlay->arrow().has_value());
+        const QLineF arrow = *overlay->arrow();
+        QVERIFY(overlay->rect().contains(arrow.p2().toPoint()) && arrow.p2().x() < 20 && arrow.dx() < 0);
+        QVERIFY(!on.viewer.legend.findChild<QCheckBox*>("legend-edges")->icon().isNull());
+        on.window.cab().set(false);
+        QVERIFY(on.viewer.legend.findChild<QCheckBox*>("legend-edges")->icon().isNull());
+    }
+
+    // More, Less and what a note offers leave Close where it is.
+    void closeOfANoteStaysInItsPlace() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        NoticeBar& notice = on.viewer.notice;
+        auto* close = notice.findChild<QToolButton*>("notice-close");
+        auto* more = notice.findChild<QToolButton*>("notice-unfold");
+        for (const bool cab : {false, true}) {
+            on.window.cab().set(cab);
+            for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775)}) {
+                resizeTo(on.window, size);
+                notice.showNotice(NoticeBar::Kind::Warning, QString("a note of several words ").repeated(40));
+                QTRY_VERIFY(close->isVisible() && more->isVisible());
+                const auto place = [&](const QWidget& each) {
+                    QApplication::processEvents();
+                    return QRect(each.mapTo(&on.window, QPoint()), each.size());
+                };
+                const QRect closeAt = place(*close), moreAt = place(*more);
+                const QRect views(on.viewer.cloud.mapTo(&on.window, QPoint()), on.viewer.cloud.size());
+                QTest::mouseClick(more, Qt::LeftButton);
+                QTRY_VERIFY(notice.unfolded());
+                QCOMPARE(place(*close), closeAt);
+                QCOMPARE(place(*more), moreAt);
+                QVERIFY(on.window.rect().contains(closeAt));
+                QTRY_VERIFY2(place(notice).bottom() < views.bottom() - views.height() / 5, "the views are seen below it");
+                QVERIFY(notice.height() > closeAt.height());
+                QTest::mouseClick(more, Qt::LeftButton);
+                QCOMPARE(place(*close), closeAt);
+                notice.offer("Undo", [] {});
+                QCOMPARE(place(*close), closeAt);
+                QTest::mouseClick(close, Qt::LeftButton);
+                QVERIFY(!notice.isVisible());
+            }
+        }
+        on.window.cab().set(false);
     }
 
     void onlyASecondOnItsButtonLeavesIt() {
@@ -731,8 +872,6 @@ private slots:
         QTRY_VERIFY(side.findChild<QLabel*>("cab-hint")->text().startsWith("Tap the ends"));
         measure(a, b); // without a target or a rock
         QTRY_COMPARE(title->text().section('\n', 0, 0), QString("Measured"));
-        QTest::mouseClick(side.findChild<QToolButton*>("cab-previous"), Qt::LeftButton);
-        QCOMPARE(title->text(), QString("No target"));
         on.viewer.views.pin(b);
         QTRY_VERIFY(title->text().startsWith("Target 1"));
         measure(b, c);
@@ -743,6 +882,18 @@ private slots:
         QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("at "), qPrintable(words.basis));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QVERIFY(title->text().startsWith("Target 1") && kind->text() == "Distance");
+        // The arrows go over the target and both measurements, each with its value and its ±.
+        const auto& measures = on.viewer.targets.notebook().measures;
+        for (const std::size_t place : {std::size_t(0), std::size_t(1)}) {
+            QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
+            QCOMPARE(title->text(), QString("Measured\n%1 of 2").arg(place + 1));
+            QCOMPARE(side.distanceShown() + " " + tolerance->text(), on.viewer.targets.wordsOf(measures[place]).value);
+        }
+        QTest::mouseClick(side.findChild<QToolButton*>("cab-previous"), Qt::LeftButton);
+        QCOMPARE(title->text(), QString("Measured\n1 of 2"));
+        on.viewer.targets.removeMeasure(0);
+        QTRY_VERIFY(title->text().startsWith("Target 1"));
+        on.viewer.undo.undo();
         measure(a, c);
         QTRY_VERIFY(title->text().startsWith("Measured"));
         on.viewer.rocks.lookAtLargest();
@@ -882,6 +1033,18 @@ private slots:
         QTRY_VERIFY(asked);
         QTest::touchEvent(&cloud, touch_).release(0, at, &cloud);
         QVERIFY(!low);
+        // A finger on a plate over the cloud is not on the cloud, and switches what it is on.
+        QCheckBox* edges = on.viewer.legend.findChild<QCheckBox*>("legend-edges");
+        const QPoint onSwitch = edges->mapTo(&cloud, QPoint(10, edges->height() / 2));
+        QTest::touchEvent(&on.window, touch_).press(0, onSwitch, &cloud);
+        QTest::touchEvent(&on.window, touch_).release(0, onSwitch, &cloud);
+        QTRY_VERIFY(!edges->isChecked());
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        edges->setChecked(true);
+        const auto* scale = cloud.findChild<QWidget*>("scale-plate");
+        QTRY_VERIFY(scale->isVisible());
+        QTest::mouseClick(on.window.windowHandle(), Qt::LeftButton, Qt::NoModifier, scale->mapTo(&on.window, scale->rect().center()));
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         // The same with a screen that reports touches as a mouse.
         asked = false;
         QTest::mousePress(&cloud, Qt::LeftButton, Qt::NoModifier, at);

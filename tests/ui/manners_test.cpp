@@ -5,16 +5,22 @@
 #include "core/exports/verify.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/sized_window.h"
+#include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
+#include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/panels/tuning/warning_button.h"
+#include "ui/window/tool_bar.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -263,6 +269,73 @@ private slots:
         QVERIFY(on.open(hostile_));
         QVERIFY(!warnings.acknowledged());
         QCOMPARE(warnings.warnings().size(), 3);
+        QVERIFY(on.open(placed_)); // whose warning was read
+        QVERIFY(warnings.acknowledged() && warnings.isVisible());
+    }
+
+    // The unit is never cut, at the font of the desktop and at 150 % of it, in every language and for every method.
+    void everyNumberOfTheEdgesPanelHasItsUnit() {
+        const QFont usual = QApplication::font();
+        for (const double factor : {1.0, 1.5}) {
+            QFont letters = usual;
+            letters.setPointSizeF(factor * usual.pointSizeF());
+            QApplication::setFont(letters);
+            for (const Language& language : kLanguages) {
+                QVERIFY(useLanguage(language.code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+                WindowFixture on;
+                QVERIFY(on.showWith(placed_));
+                resizeTo(on.window, {1280, 800});
+                for (const edges::Choice& method : edges::findParameter("method")->choices) {
+                    edges::Settings settings = on.viewer.engine.settings();
+                    settings.method = static_cast<edges::Method>(static_cast<int>(method.value));
+                    QVERIFY(on.use(settings));
+                    QApplication::processEvents();
+                    for (const auto* box : on.viewer.panel.findChildren<QDoubleSpinBox*>()) {
+                        if (!box->isVisible()) continue;
+                        const auto* line = box->findChild<QLineEdit*>();
+                        QVERIFY2(line->fontMetrics().horizontalAdvance(line->text()) + 2 <= line->width(),
+                                 qPrintable(QString("%1, %2: %3").arg(language.code, method.name, line->text())));
+                    }
+                }
+            }
+        }
+        QApplication::setFont(usual);
+        useLanguage("en");
+    }
+
+    // What the badge says moves no button of the tool bar.
+    void theBadgeMovesNoToolButton() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        resizeTo(on.window, {1280, 800});
+        const auto places = [&] {
+            QApplication::processEvents();
+            QVector<QRect> all;
+            for (const auto* each : on.viewer.tools.findChildren<QToolButton*>()) all << (each->isVisible() ? each->geometry() : QRect());
+            return all;
+        };
+        const QVector<QRect> before = places();
+        const std::string named = (folder_ / "b.json").string();
+        std::filesystem::copy_file(placed_, named, std::filesystem::copy_options::overwrite_existing);
+        QVERIFY(on.open(named));
+        QCOMPARE(places(), before);
+        QVERIFY(on.open(placed_));
+        QCOMPARE(places(), before);
+    }
+
+    // Qt would show a long one as wide as the screen.
+    void aLongToolTipHasSeveralLines() {
+        WindowFixture on;
+        QVERIFY(on.show() && on.activate());
+        QWidget& asked = on.viewer.origin;
+        asked.setToolTip(QString("a word of a tip ").repeated(30).trimmed());
+        QHelpEvent help(QEvent::ToolTip, QPoint(4, 4), asked.mapToGlobal(QPoint(4, 4)));
+        QApplication::sendEvent(&asked, &help);
+        QTRY_VERIFY(QToolTip::isVisible());
+        QVERIFY2(QToolTip::text().contains('\n') && QToolTip::text().simplified() == asked.toolTip(), qPrintable(QToolTip::text()));
+        for (const QWidget* each : QApplication::topLevelWidgets())
+            QVERIFY(!each->inherits("QTipLabel") || !each->isVisible() || each->width() < 520);
+        QToolTip::hideText();
     }
 
     void aScreenshotCarriesTheWarnings() {

@@ -44,6 +44,11 @@ bool Touch::read(QEvent* event) {
     if (sending_) return false;
     switch (event->type()) {
     case QEvent::TouchBegin:
+        if (isOverChild(*static_cast<QTouchEvent*>(event))) {
+            event->ignore(); // a button or a plate over the view: Qt sends it the mouse event instead
+            return true;
+        }
+        [[fallthrough]];
     case QEvent::TouchUpdate:
     case QEvent::TouchEnd:
         event->accept();
@@ -76,6 +81,11 @@ bool Touch::isOfAnother(const QMouseEvent& event) {
         return std::exchange(ofAnother_, false);
     }
     return ofAnother_;
+}
+
+bool Touch::isOverChild(const QTouchEvent& event) const {
+    const std::vector<QPointF> fingers = fingersOf(event);
+    return !fingers.empty() && view_.childAt(fingers.front().toPoint()) != nullptr;
 }
 
 bool Touch::readTouch(const QTouchEvent& event) {

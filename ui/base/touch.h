@@ -37,6 +37,7 @@ private:
         bool spent = false;   ///< it rested, or a second finger touched: its release has no effect
     };
     bool isOfAnother(const QMouseEvent& event);
+    [[nodiscard]] bool isOverChild(const QTouchEvent& event) const;
     bool readTouch(const QTouchEvent& event);
     bool readMouse(const QMouseEvent& event);
     void begin(QPointF at);

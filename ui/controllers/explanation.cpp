@@ -50,6 +50,29 @@ std::optional<std::size_t> edgeNextTo(const edges::Detection& detection, std::si
     return isNear ? edge : std::nullopt;
 }
 
+/// For readers who do not know the terms of the verdict.
+QString plainWords(const edges::Why& why) {
+    if (why.probe.state != CellState::Valid && !why.probe.filled) return Explanation::tr("Nothing was measured here.");
+    if (!why.probe.edge)
+        return why.level == edges::StrengthLevel::Below ? Explanation::tr("The surface changes too little here to be an edge.")
+                                                        : Explanation::tr("The surface changes here, but another cell of it is the edge.");
+    switch (why.probe.kind) {
+    case edges::DepthEdge::Jump:
+    case edges::DepthEdge::Silhouette:
+        return Explanation::tr("One surface ends here in front of another.");
+    case edges::DepthEdge::Convex:
+        return Explanation::tr("The surface bends outwards here, as at the corner of a rock.");
+    case edges::DepthEdge::Concave:
+        return Explanation::tr("The surface bends inwards here, as where two rocks meet.");
+    case edges::DepthEdge::Border:
+    case edges::DepthEdge::VoidRim:
+        return Explanation::tr("The measured surface ends here.");
+    case edges::DepthEdge::None:
+        break;
+    }
+    return Explanation::tr("The surface changes strongly here.");
+}
+
 } // namespace
 
 Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
@@ -94,6 +117,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     const Question question{picture, click, subject};
     card_->offerNearestEdge(0);
     card_->showCell(subjectText(question), views_.onScreen(click.cell));
+    card_->showPlain(QString());
     card_->showExplanation(tr("Finding the reason …"));
     why_.ask(question);
 }
@@ -155,6 +179,7 @@ void Explanation::show(const Question& question, bool still, const edges::Why& w
         return static_cast<int>(std::lround(std::hypot(way.x(), way.y())));
     };
     card_->offerNearestEdge(still && nearestEdge_ ? away(*nearestEdge_) : 0);
+    card_->showPlain(plainWords(why));
     card_->showExplanation(shownText(edges::whyVerdict(why, picture.detection->settings, edges::Naming::Labels, inLanguage)),
                            profileOf(*picture.detection, why), numbers);
     if (still)

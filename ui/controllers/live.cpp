@@ -3,6 +3,7 @@
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
+#include "core/scanner/cola/host_port.h"
 #include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
@@ -87,7 +88,8 @@ void Live::connectPanel() {
             notice_.showHint(tr("There is no host to connect to: type the scanner's name or address."));
             return panel_.askAddress();
         }
-        if (panel_.host().contains("://") && !panel_.bridge()) {
+        panel_.splitAddress();
+        if ((panel_.host().contains("://") && !panel_.bridge()) || !scanner::hostPort(panel_.host().toStdString())) {
             notice_.showNotice(NoticeBar::Kind::Warning,
                                tr("%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.")
                                    .arg(shownName(panel_.host(), 60)));
@@ -115,9 +117,6 @@ void Live::connectPanel() {
 }
 
 void Live::connectScanner() {
-    connect(&panel_, &LivePanel::pressIgnored, this, [this](const QString& meaning) {
-        notice_.showHint(tr("Nothing was done: the button had just changed to “%1”. Press it again.").arg(meaning));
-    });
     connect(&scanner_, &ScannerLink::connectedChanged, &panel_, &LivePanel::setConnected);
     connect(&scanner_, &ScannerLink::recordingChanged, &panel_, &LivePanel::setRecording);
     connect(&scanner_, &ScannerLink::followingChanged, &panel_, &LivePanel::setFollowing);

@@ -8,9 +8,11 @@
 #include "ui/controllers/files/source.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/cab/glove_menus.h"
 #include "ui/panels/cab/hold_button.h"
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/cab/stepper.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
@@ -26,6 +28,7 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QLabel>
 #include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
@@ -46,8 +49,8 @@ constexpr int kCancelAfterMs = 300;
 CabMode::CabMode(MainWindow& window, QWidget* middle)
     : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
-      menu_(new QMenu(&window)), keypad_(new Keypad(&window)) {
-    badge_->setShrinks();
+      menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)) {
+    badge_->setTwoLines();
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
     back_->setObjectName("cab-back");
@@ -71,8 +74,7 @@ CabMode::~CabMode() {
 void CabMode::connectHead() {
     CabHead& head = frame_->head();
     connect(head.menu(), &QToolButton::clicked, this, [this, button = head.menu()] {
-        menu_->clear();
-        menu_->addActions(window_.menuBar()->actions());
+        fillMenu();
         menu_->popup(button->mapToGlobal(QPoint(0, button->height())));
     });
     connect(head.open(), &QToolButton::clicked, this, [this] { window_.viewer().files.ask(); });
@@ -99,16 +101,30 @@ void CabMode::connectHead() {
     });
 }
 
+/// What a small screen has no button for, then all menus.
+void CabMode::fillMenu() {
+    menu_->clear();
+    CabHead& head = frame_->head();
+    if (head.clock()->isHidden()) menu_->addAction(head.clock()->text().simplified())->setEnabled(false);
+    for (QToolButton* each : {head.open(), head.connectScanner()}) {
+        if (each->isHidden()) menu_->addAction(each->text(), each, &QToolButton::click);
+    }
+    NumbersSide& side = frame_->side();
+    if (side.hasStepper() && !side.mainStepper()->isVisible() && !side.tuning()) {
+        menu_->addAction(tr("More edges"), side.mainStepper()->less(), &QToolButton::click);
+        menu_->addAction(tr("Fewer edges"), side.mainStepper()->more(), &QToolButton::click);
+    }
+    if (!menu_->isEmpty()) menu_->addSeparator();
+    menu_->addActions(window_.menuBar()->actions());
+}
+
 void CabMode::connectSide() {
     NumbersSide& side = frame_->side();
+    side.mainStepper()->setMeaning(tr("More edges"), tr("Fewer edges"));
     connect(&side, &NumbersSide::stepped, &window_.viewer().panel,
             [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
-    connect(&side, &NumbersSide::targetStepRequested, this, [this](int by) {
-        if (std::exchange(measure_, std::nullopt)) return showNumbers(); // back to what was shown before
-        window_.viewer().targets.goTo(by);
-        if (const inspect::PinnedTarget* target = window_.viewer().targets.active()) window_.viewer().rocks.select({target->cell});
-    });
+    connect(&side, &NumbersSide::entryStepRequested, this, &CabMode::step);
 }
 
 /// The tool bar, which has the prompts, is hidden here.
@@ -130,6 +146,7 @@ void CabMode::follow() {
     });
     connect(&window_.viewer().targets, &Targets::measured, this, [this] {
         measure_ = window_.viewer().targets.notebook().measures.back();
+        measureAt_ = window_.viewer().targets.notebook().measures.size() - 1;
         showNumbers();
     });
     connect(&window_.viewer().measures, &Measures::kindChanged, this, &CabMode::showNumbers);
@@ -167,6 +184,7 @@ void CabMode::set(bool on) {
     window_.viewer().live.panel().setBrief(on);
     frame_->setCab(on);
     keypad_->setOn(on);
+    gloveMenus_->setOn(on);
     window_.viewer().viewCube.setForGloves(on);
     for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
     window_.viewer().views.cloud().setForGloves(on);
@@ -214,7 +232,8 @@ void CabMode::showScan() {
     badge_->setToolTip(origin.more);
     const QStringList warnings = window_.viewer().warnings.warnings();
     QToolButton* button = frame_->head().warnings();
-    button->setText("▲ " + QString::number(warnings.size()));
+    button->setText((window_.viewer().warnings.acknowledged() ? QStringLiteral("✓ ") : QStringLiteral("▲ ")) +
+                    QString::number(warnings.size()));
     button->setAccessibleName(window_.viewer().warnings.text());
     button->setVisible(!warnings.isEmpty());
     for (QWidget* each : ofScan_) each->setEnabled(picture != nullptr);

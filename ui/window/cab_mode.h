@@ -24,6 +24,7 @@ namespace edgescan::ui {
 
 class CabFrame;
 class CornerPicture;
+class GloveMenus;
 class Keypad;
 class MainWindow;
 class StateBadge;
@@ -51,6 +52,7 @@ signals:
 private:
     enum class Corner { Range, Edges, None };
     void connectHead();
+    void fillMenu();
     void addTools();
     void addSideButtons();
     void addMeasures(QMenu& menu);
@@ -70,6 +72,7 @@ private:
     [[nodiscard]] TargetNumbers ofMeasure(const inspect::StoredMeasure& measure) const;
     [[nodiscard]] const rocks::Rock* chosenRock() const;
     void followChoice();
+    void step(int by);
     [[nodiscard]] std::optional<QPoint> markedPlace() const;
 
     MainWindow& window_;
@@ -79,10 +82,12 @@ private:
     CornerPicture* back_; // returns to the cloud, over the image
     QMenu* menu_;
     Keypad* keypad_;
+    GloveMenus* gloveMenus_;
     QToolButton* remove_ = nullptr;
     std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;
-    std::optional<inspect::StoredMeasure> measure_;                            // shown until a target, a rock or a measurement is chosen
+    std::optional<inspect::StoredMeasure> measure_; // shown until a target, a rock or another measurement is chosen
+    std::size_t measureAt_ = 0;                     // its place in the notebook, while it is there: two of them may be equal
     std::pair<std::optional<std::uint32_t>, std::vector<std::size_t>> chosen_; // cells of the target and of the rocks
     Corner shown_ = Corner::Range;
     bool on_ = false;

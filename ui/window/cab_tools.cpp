@@ -241,7 +241,7 @@ TargetNumbers CabMode::ofMeasure(const inspect::StoredMeasure& measure) const {
     const MeasureWords words = window_.viewer().targets.wordsOf(measure);
     TargetNumbers values;
     values.title = tr("Measured");
-    values.place = tr("‹ › back");
+    values.place = tr("%1 of %2").arg(measureAt_ + 1).arg(window_.viewer().targets.notebook().measures.size());
     values.distanceName = words.kind;
     const bool one = words.value.count("±") == 1; // several lengths have one each
     values.distance = !window_.viewer().targets.settled() ? QStringLiteral("…") : one ? words.value.section(" ± ", 0, 0) : words.value;
@@ -250,7 +250,6 @@ TargetNumbers CabMode::ofMeasure(const inspect::StoredMeasure& measure) const {
     for (const QString& part : words.basis.split("; ", Qt::SkipEmptyParts)) (part.startsWith("▲") ? warned : basis) << part;
     values.warned = warned.join('\n');
     values.sizeRemark = basis.join('\n');
-    values.stepsBack = true;
     return values;
 }
 
@@ -268,7 +267,35 @@ void CabMode::followChoice() {
     const inspect::PinnedTarget* target = targets.active();
     const decltype(chosen_) now{target != nullptr ? std::optional(target->cell) : std::nullopt, window_.viewer().rocks.selected()};
     const auto& measures = targets.notebook().measures;
-    if (std::exchange(chosen_, now) != now || (measure_ && std::ranges::find(measures, *measure_) == measures.end())) measure_.reset();
+    if (std::exchange(chosen_, now) != now) measure_.reset();
+    if (!measure_ || (measureAt_ < measures.size() && measures[measureAt_] == *measure_)) return;
+    const auto found = std::ranges::find(measures, *measure_); // an earlier one was removed
+    measureAt_ = static_cast<std::size_t>(found - measures.begin());
+    if (found == measures.end()) measure_.reset();
+}
+
+/// Goes over the targets and then over the measurements, cyclically.
+void CabMode::step(int by) {
+    followChoice();
+    const inspect::Notebook& notebook = window_.viewer().targets.notebook();
+    const inspect::PinnedTarget* const target = window_.viewer().targets.active();
+    const auto targets = static_cast<int>(notebook.targets.size()), all = targets + static_cast<int>(notebook.measures.size());
+    if (all == 0) return;
+    const int now = measure_            ? targets + static_cast<int>(measureAt_)
+                    : target != nullptr ? static_cast<int>(target - notebook.targets.data())
+                    : by > 0            ? -1
+                                        : 0;
+    const int next = ((now + by) % all + all) % all;
+    measure_.reset();
+    if (next >= targets) {
+        measureAt_ = static_cast<std::size_t>(next - targets);
+        measure_ = notebook.measures[measureAt_];
+        return showNumbers();
+    }
+    const std::uint32_t cell = notebook.targets[static_cast<std::size_t>(next)].cell;
+    window_.viewer().views.pin(cell);
+    window_.viewer().rocks.select({cell});
+    showNumbers(); // also if it was pinned already, under the measurement
 }
 
 TargetNumbers CabMode::numbers() const {
@@ -278,6 +305,7 @@ TargetNumbers CabMode::numbers() const {
     const rocks::Rock* const rock = chosenRock();
     TargetNumbers values = measure_ ? ofMeasure(*measure_) : rock != nullptr ? ofRock(*rock) : TargetNumbers{};
     values.targets = static_cast<int>(all.size());
+    values.measures = static_cast<int>(targets.notebook().measures.size());
     values.measuring = window_.viewer().measures.kind().has_value();
     if (measure_ || rock != nullptr || target == nullptr) return values;
     values.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);

@@ -347,7 +347,13 @@ void MainWindow::showTitle() {
     setWindowTitle(arriving + drawn + " - EdgeScan");
 }
 
-void MainWindow::showWarnings() { viewer_.warnings.showWarnings(warningsOf(*viewer_.engine.picture())); }
+void MainWindow::showWarnings() {
+    const Picture& picture = *viewer_.engine.picture();
+    const Scan& scan = *picture.detection->scan;
+    // The sweeps of one connection have one scanner, whose warnings were read once.
+    const QString of = scan.path.empty() ? QString::number(picture.source.stream) : exactText(scan.path + '\n' + scan.sha256);
+    viewer_.warnings.showWarnings(warningsOf(picture), of);
+}
 
 QImage MainWindow::screenshot() {
     const QImage cloud = viewer_.cloud.grabFrame(CloudView::Points::All);

@@ -2,6 +2,7 @@
 #include "ui/window/theme.h"
 
 #include "ui/base/themes.h"
+#include "ui/base/tool_tips.h"
 
 #include <QApplication>
 #include <QFont>
@@ -91,7 +92,11 @@ public:
         case CT_MenuItem: {
             const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
             const bool line = item != nullptr && item->menuItemType == QStyleOptionMenuItem::Separator;
-            return line ? usual : usual.expandedTo({kGlovePx, kGlovePx});
+            if (line) return usual;
+            const QSize high = usual.expandedTo({kGlovePx, kGlovePx});
+            // Fusion gives the check mark a column of this share of the row's height: a higher row has less room for its text.
+            constexpr double kMarkShare = 0.79;
+            return high + QSize(static_cast<int>(std::ceil(kMarkShare * (high.height() - usual.height()))), 0);
         }
         default:
             return usual;
@@ -125,6 +130,7 @@ void useTheme(QApplication& application, bool forGloves) {
     if (forGloves) font.setPointSizeF(kLarger * usual.pointSizeF());
     for (QWidget* each : QApplication::allWidgets()) each->ensurePolished(); // a widget that was never shown misses the change otherwise
     application.setFont(font);
+    breakToolTips(application);
     QApplication::setStyle(new FlatStyle(forGloves)); // last: a combo box forgets its least size only then
     useColours(themeInUse());
     for (QWidget* each : QApplication::allWidgets()) each->updateGeometry(); // layouts store the sizes of before

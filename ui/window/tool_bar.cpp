@@ -126,8 +126,10 @@ QSize ToolBar::sizeHint() const {
     return {std::max(rest, own.width() - words_->sizeHint().width()), own.height()};
 }
 
+/// Never less than before in the same window: no button moves each time that the badge has another text.
 void ToolBar::reserve(int pixels) {
-    if (std::exchange(reserved_, pixels) != pixels) updateGeometry();
+    const int least = std::exchange(reservedIn_, window()->width()) == window()->width() ? reserved_ : 0;
+    if (const int wanted = std::max(least, pixels); std::exchange(reserved_, wanted) != wanted) updateGeometry();
 }
 
 void ToolBar::setScanOpen(bool on) {

@@ -57,6 +57,9 @@ QString Catalogue::translate(const char*, const char* source, const char*, int) 
 }
 
 QString Catalogue::forTouch(QString text) const {
+    // A cab has no keyboard: "Undo (Ctrl+Z)" names its button only.
+    static const QRegularExpression key(" ?\\((?:(?:Ctrl|Shift|Alt|Strg|Mayús|Maj)\\+)+[^)]+\\)");
+    text.remove(key).replace("Ctrl+Z", texts_.value("Undo", "Undo"));
     const QString pairs = QString::fromUtf8(kTouchWords);
     for (const QString& pair : texts_.value(pairs, pairs).split(" | ")) {
         const QString word = pair.section(" > ", 0, 0), instead = pair.section(" > ", 1);

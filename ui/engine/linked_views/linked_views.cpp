@@ -3,6 +3,7 @@
 
 #include "core/edges/gray/gray.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/whole_sweep.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
 
@@ -11,6 +12,8 @@
 
 namespace edgescan::ui {
 namespace {
+
+constexpr int kLinesToFit = 8; // of a growing sweep: if their places are not known by now, the view stays where it is
 
 QString openSomething() { return LinkedViews::tr("Open a scan: Ctrl+O, or drop a file here"); }
 
@@ -175,7 +178,8 @@ void LinkedViews::showNewScan() {
     const bool turned = replacesCoarse && cloud_.camera() != fittedCamera_;
     setOutline({}, {});
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
-    noteFit();
+    fitted_ = turned;
+    fitToSweep();
     box_.reset();
     emit boxed(QString());
     for (ImageView* view : images_) {
@@ -185,8 +189,7 @@ void LinkedViews::showNewScan() {
     emit newScanShown();
 }
 
-/// More lines of the same scan: the views stay where they are. A camera that the operator did not move is fitted again when the cloud has
-/// doubled.
+/// More lines of the same scan: the views stay where they are.
 void LinkedViews::showMoreLines(const Picture& last) {
     const Scan& scan = *shown()->detection->scan;
     const auto gone = [&](const std::optional<std::size_t>& cell) {
@@ -196,14 +199,21 @@ void LinkedViews::showMoreLines(const Picture& last) {
     if (gone(pinned_)) pin(std::nullopt);
     setOutline({}, {}); // the cloud drops it too
     const bool untouched = cloud_.camera() == fittedCamera_;
-    const bool doubled = scan.lines() >= 2 * fittedLines_ || scan.lines() < fittedLines_ || !shown()->source.growth.growing;
-    cloud_.setCloud(shown()->detection->scan, shown()->cloud, untouched && doubled ? CloudView::Camera::Reset : CloudView::Camera::Keep);
-    if (doubled && untouched) noteFit();
+    cloud_.setCloud(shown()->detection->scan, shown()->cloud, CloudView::Camera::Keep);
+    if (untouched) fitToSweep();
 }
 
-void LinkedViews::noteFit() {
+/// Once, as soon as the place of its lines is known: the view shows what is to come, and does not move while it comes.
+void LinkedViews::fitToSweep() {
+    const Growth& growth = shown()->source.growth;
+    if (!fitted_ && growth.growing) {
+        const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines);
+        if (whole) cloud_.frameFromScanner(*whole);
+        fitted_ = whole || shown()->detection->scan->lines() >= kLinesToFit;
+    } else {
+        fitted_ = true;
+    }
     fittedCamera_ = cloud_.camera();
-    fittedLines_ = shown()->detection->scan->lines();
 }
 
 std::optional<std::size_t> LinkedViews::cellAt(int line, int beam) const {

@@ -162,7 +162,7 @@ private:
     void showCaption();
     void showNewScan();
     void showMoreLines(const Picture& last);
-    void noteFit();
+    void fitToSweep();
     void hover(std::optional<std::size_t> cell, const QObject* from);
     void changeRangeWindow(int window, int level);
     void applyAspect();
@@ -182,8 +182,8 @@ private:
     Tool tool_ = Tool::Pin;
     bool pinsOnClick_ = true;
     QString note_, asked_;
-    CameraPose fittedCamera_; // while the camera equals it, the operator has not moved the camera, and a growing cloud may be fitted again
-    int fittedLines_ = 0;
+    CameraPose fittedCamera_; // while the camera equals it, the operator has not moved it
+    bool fitted_ = false;     // to the whole sweep
     bool windowKept_ = false;
     bool trueAngles_ = false;
     std::optional<QRect> box_; // of cells, as dragged

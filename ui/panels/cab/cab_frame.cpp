@@ -1,6 +1,7 @@
 // The head, the tools, the central area and the numbers of cab mode.
 #include "ui/panels/cab/cab_frame.h"
 
+#include "ui/base/elided_label.h"
 #include "ui/panels/cab/hold_button.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/tool_column.h"
@@ -19,7 +20,10 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kClockMs = 5000;
-constexpr int kLeastName = 150;      // px
+constexpr int kLeastName = 120;     // px
+constexpr int kFactsPx = 15;        // of two lines
+constexpr double kBadgeShare = 0.2; // of the width
+constexpr int kNarrowestBadge = 150, kWidestBadge = 300;
 constexpr int kBetweenTools = 8;     // px
 constexpr double kSideShare = 0.225; // of the width
 constexpr int kNarrowestSide = 236, kWidestSide = 400;
@@ -30,15 +34,18 @@ int wideOf(const QWidget* each) { return std::max(each->minimumSizeHint().width(
 
 CabHead::CabHead(QWidget* badge, QWidget* parent)
     : QWidget(parent), menu_(gloveButton("cab-menu", "menu", tr("Menu"))), open_(gloveButton("cab-open", "open", tr("Open"))),
-      connect_(gloveButton("cab-connect", "connect", tr("Connect"))), name_(new QLabel), facts_(new QLabel),
+      connect_(gloveButton("cab-connect", "connect", tr("Connect"))), name_(new QLabel), facts_(new ElidedLabel(nullptr, 2)),
       cancel_(gloveButton("cab-cancel", "fold", tr("Cancel"))), warnings_(gloveButton("cab-warnings", "why", QString())),
       clock_(new QLabel), leave_(new HoldButton), badge_(badge) {
     makeGloveButton(*leave_, "cab-leave", "lock", tr("Hold to leave"));
     leave_->setAccessibleName(tr("Hold for one second to leave cab mode"));
     leave_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed); // its words are never shortened
     cancel_->hide();
+    QSizePolicy stays = warnings_->sizePolicy(); // warnings come and go: nothing next to them moves
+    stays.setRetainSizeWhenHidden(true);
+    warnings_->setSizePolicy(stays);
     warnings_->hide();
-    for (QLabel* each : {name_, facts_}) {
+    for (QLabel* each : std::initializer_list<QLabel*>{name_, facts_}) {
         each->setTextFormat(Qt::PlainText);
         each->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long name must not widen the window
     }
@@ -50,6 +57,10 @@ CabHead::CabHead(QWidget* badge, QWidget* parent)
     QFont bold = name_->font();
     bold.setBold(true);
     name_->setFont(bold);
+    QFont small = facts_->font();
+    small.setPixelSize(kFactsPx);
+    facts_->setFont(small);
+    facts_->setMinimumHeight(2 * QFontMetrics(small).height());
     auto* words = new QVBoxLayout;
     words->setSpacing(0);
     words->addWidget(name_);
@@ -85,20 +96,20 @@ QSize CabHead::minimumSizeHint() const {
     return {menu_->sizeHint().width() + leave_->sizeHint().width() + kLeastName, layout()->totalMinimumSize().height()};
 }
 
-/// What is always there: the way out, and the badge, which says what the picture is.
+/// What is always there or may come: the way out, the warnings, Cancel, and the badge, which says what the picture is.
 int CabHead::taken() const {
-    int wide = kLeastName;
-    for (const QWidget* each : std::initializer_list<const QWidget*>{menu_, leave_, cancel_, warnings_, badge_}) {
-        if (!each->isHidden()) wide += each == badge_ ? badge_->sizeHint().width() + kBetweenTools : wideOf(each);
-    }
+    int wide = kLeastName + badge_->maximumWidth() + kBetweenTools;
+    for (const QWidget* each : std::initializer_list<const QWidget*>{menu_, leave_, cancel_, warnings_}) wide += wideOf(each);
     return wide;
 }
 
-/// Open, connect and the clock are there while they have room: both commands are also in the menu.
+/// Open, connect and the clock are there while they have room, and in the menu otherwise. Only the width decides: no button moves because a
+/// word, a warning or a progress came.
 void CabHead::fit() {
     const QMargins around = layout()->contentsMargins();
-    taken_ = taken();
     const int wide = width();
+    badge_->setFixedWidth(std::clamp(static_cast<int>(kBadgeShare * wide), kNarrowestBadge, kWidestBadge));
+    taken_ = taken();
     int left = wide - around.left() - around.right() - taken_;
     for (QWidget* each : std::initializer_list<QWidget*>{open_, connect_, clock_}) {
         const bool fits = wideOf(each) <= left;
@@ -106,13 +117,11 @@ void CabHead::fit() {
         if (width() != wide) return;                     // the window was resized by it, and all this was done for the new width
         left -= fits ? wideOf(each) : std::max(0, left); // in this order
     }
-    const auto shorten = [](QLabel* label, const QString& text) {
-        label->setText(label->fontMetrics().elidedText(text, Qt::ElideRight, std::max(40, label->width())));
-        label->setToolTip(text);
-    };
     layout()->activate(); // the labels have their new widths
-    shorten(name_, scan_);
-    shorten(facts_, work_.isEmpty() ? scanFacts_ : work_);
+    name_->setText(name_->fontMetrics().elidedText(scan_, Qt::ElideRight, std::max(40, name_->width())));
+    name_->setToolTip(scan_);
+    facts_->setText(work_.isEmpty() ? scanFacts_ : work_);
+    facts_->setToolTip(facts_->text());
 }
 
 void CabHead::resizeEvent(QResizeEvent* event) {
@@ -120,7 +129,7 @@ void CabHead::resizeEvent(QResizeEvent* event) {
     fit();
 }
 
-/// The badge has other words, or the warnings appeared.
+/// Another font or language.
 bool CabHead::event(QEvent* event) {
     const bool used = QWidget::event(event);
     if (event->type() == QEvent::LayoutRequest && taken() != taken_) fit();

@@ -8,6 +8,7 @@ class QToolButton;
 
 namespace edgescan::ui {
 
+class ElidedLabel;
 class HoldButton;
 class NumbersSide;
 class ToolColumn;
@@ -28,6 +29,8 @@ public:
     [[nodiscard]] QToolButton* menu() const { return menu_; }
     [[nodiscard]] QToolButton* open() const { return open_; }
     [[nodiscard]] QToolButton* connectScanner() const { return connect_; }
+    /// The time; hidden where the row has no room for it.
+    [[nodiscard]] QLabel* clock() const { return clock_; }
     [[nodiscard]] QToolButton* warnings() const { return warnings_; }
     [[nodiscard]] QToolButton* cancel() const { return cancel_; }
     [[nodiscard]] HoldButton* leave() const { return leave_; }
@@ -45,7 +48,7 @@ private:
     QToolButton* open_;
     QToolButton* connect_;
     QLabel* name_;
-    QLabel* facts_;
+    ElidedLabel* facts_;
     QToolButton* cancel_;
     QToolButton* warnings_;
     QLabel* clock_;

@@ -4,6 +4,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDialog>
+#include <QFileDialog>
 #include <QFocusEvent>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -49,6 +50,22 @@ bool isNumber(const QWidget& field) {
     const auto* line = qobject_cast<const QLineEdit*>(&field);
     static const QRegularExpression number("^[0-9.:-]+$"); // an address too
     return line != nullptr && number.match(line->text()).hasMatch();
+}
+
+/// In a dialog that opens files.
+bool isOfFiles(const QWidget& field) {
+    const auto* dialog = qobject_cast<const QFileDialog*>(field.window());
+    return dialog != nullptr && dialog->acceptMode() == QFileDialog::AcceptOpen;
+}
+
+/// The next key replaces it: a finger can neither place the text cursor nor mark a part. Several lines stay as they are.
+void selectWhole(QWidget& tapped) {
+    auto* line = qobject_cast<QLineEdit*>(fieldOf(&tapped));
+    if (line == nullptr) return;
+    if (auto* box = qobject_cast<QAbstractSpinBox*>(line->parentWidget()))
+        box->selectAll(); // without prefix and suffix
+    else
+        line->selectAll();
 }
 
 } // namespace
@@ -100,12 +117,14 @@ bool Keypad::eventFilter(QObject* watched, QEvent* event) {
         const bool comesBack = static_cast<QFocusEvent*>(event)->reason() == Qt::ActiveWindowFocusReason && field == closedFor_;
         if (field == nullptr)
             close();
-        else if (!comesBack)
+        else if (!comesBack && !isOfFiles(*field)) // there a file is tapped, not typed, and the list needs the room
             openFor(*field);
     } else if (event->type() == QEvent::MouseButtonPress && watched->isWidgetType()) {
         auto* pressed = static_cast<QWidget*>(watched);
         QWidget* field = fieldOf(pressed->objectName() == "qt_scrollarea_viewport" ? pressed->parentWidget() : pressed);
         if (field != nullptr && field->hasFocus()) openFor(*field); // closed by its key, and tapped again
+    } else if (event->type() == QEvent::MouseButtonRelease && watched->isWidgetType()) {
+        selectWhole(*static_cast<QWidget*>(watched));
     } else if (event->type() == QEvent::Hide && watched == field_) {
         close();
     } else if (event->type() == QEvent::KeyPress) {
@@ -154,6 +173,10 @@ void Keypad::dock() {
     if (dialog == nullptr && place.intersects(edit)) place.moveTop(room.top());
     keys_->move(place.topLeft());
     if (dialog == nullptr || window.frameGeometry().bottom() < place.top()) return;
+    // As high as the room above the keys, if it can be.
+    const int around = window.frameGeometry().height() - window.height();
+    dialog->resize(window.width(), std::clamp(place.top() - room.top() - around,
+                                              std::min(window.minimumSizeHint().height(), window.height()), window.height()));
     const QRect frame = window.frameGeometry();
     const int fieldAt = edit.top() - frame.top() - kKeyGap;
     dialog->move(frame.left(), std::max(place.top() - frame.height(), room.top() - std::max(0, fieldAt)));

@@ -10,8 +10,8 @@ class QToolButton;
 namespace edgescan::ui {
 
 /// GUI thread only. While it is on, keys open at the bottom of the screen for each field that gets the focus or is tapped, and close with
-/// the focus, with their own key, with Escape and with the dialog. The dialog of the field moves up, so that its buttons stay in sight. The
-/// keys act on that field like a keyboard and never take the focus.
+/// the focus, with their own key, with Escape and with the dialog. A tap selects the text of a field of one line. The dialog of the field
+/// moves up, so that its buttons stay in sight. The keys act on that field like a keyboard and never take the focus.
 class Keypad : public QObject {
     Q_OBJECT
 public:

@@ -9,6 +9,7 @@
 #include <QFontMetrics>
 #include <QGridLayout>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScroller>
 #include <QStackedWidget>
@@ -21,7 +22,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kNumberPx = 42, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17, kLeastNotePx = 15;
+constexpr int kNumberPx = 42, kLowNumberPx = 32, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17, kLeastNotePx = 15;
 constexpr int kLeastScrolled = 90;
 constexpr int kLowestPx = 480; // a lower side has no stepper next to the numbers: Tune has it
 constexpr int kLowPx = 720;    // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
@@ -133,8 +134,8 @@ QToolButton* arrow(const char* name, const char* sign, const QString& words) {
 } // namespace
 
 NumbersSide::NumbersSide(QWidget* parent)
-    : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target"))),
-      next_(arrow("cab-next", "next", tr("Next target"))), title_(label("cab-target", kTextPx, true)),
+    : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target or measurement"))),
+      next_(arrow("cab-next", "next", tr("Next target or measurement"))), title_(label("cab-target", kTextPx, true)),
       hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
       tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
       sizeRemark_(label("cab-size-remark", kNotePx, false)), warned_(label("cab-warned", kNotePx, false)), coordinates_(new QGridLayout),
@@ -160,8 +161,8 @@ NumbersSide::NumbersSide(QWidget* parent)
     all->addWidget(pages_, 1);
     all->addLayout(foot_);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
-    connect(previous_, &QToolButton::clicked, this, [this] { emit targetStepRequested(-1); });
-    connect(next_, &QToolButton::clicked, this, [this] { emit targetStepRequested(+1); });
+    connect(previous_, &QToolButton::clicked, this, [this] { emit entryStepRequested(-1); });
+    connect(next_, &QToolButton::clicked, this, [this] { emit entryStepRequested(+1); });
     connect(main_, &Stepper::stepped, this, [this](int steps) { emit stepped(mainKey_, steps); });
     connect(main_, &Stepper::stepEnded, this, &NumbersSide::stepEnded);
     showNumbers({});
@@ -209,17 +210,18 @@ QWidget* NumbersSide::makeSettings() {
 }
 
 void NumbersSide::showNumbers(const TargetNumbers& numbers) {
-    const bool some = !numbers.title.isEmpty();
+    const bool some = !numbers.title.isEmpty(), entries = numbers.targets + numbers.measures > 0;
     hint_->setVisible(!some);
-    hint_->setText(numbers.measuring     ? tr("Tap the ends of the measurement: its length is shown here.")
-                   : numbers.targets > 0 ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
-                                         : tr("Tap a rock in the cloud: its distance and its size are shown here."));
+    hint_->setText(numbers.measuring ? tr("Tap the ends of the measurement: its length is shown here.")
+                   : entries         ? tr("Tap a target, or an arrow above: its distance and its size are shown here.")
+                                     : tr("Tap a rock in the cloud: its distance and its size are shown here."));
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_}) each->setVisible(some);
     distanceName_->setText(numbers.distanceName.isEmpty() ? tr("Distance") : numbers.distanceName);
-    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(numbers.targets > 0 || numbers.stepsBack);
+    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(entries);
     title_->setText(some                  ? numbers.title + '\n' + numbers.place
                     : numbers.targets > 0 ? targetCount(static_cast<std::size_t>(numbers.targets))
                                           : tr("No target"));
+    fitTitle();
     distance_->showText(numbers.distance);
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);
@@ -235,11 +237,25 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     fitHeight();
 }
 
+/// Smaller letters, if a word is wider than the room between the arrows.
+void NumbersSide::fitTitle() {
+    QFont letters = title_->font();
+    letters.setPixelSize(kTextPx);
+    const int room = title_->contentsRect().width();
+    static const QRegularExpression between("\\s+");
+    for (const QString& word : title_->text().split(between)) {
+        while (letters.pixelSize() > kLeastNotePx - 2 && QFontMetrics(letters).horizontalAdvance(word) > room)
+            letters.setPixelSize(letters.pixelSize() - 1);
+    }
+    if (letters.pixelSize() != title_->font().pixelSize()) title_->setFont(letters);
+}
+
 void NumbersSide::fitHeight() {
     const bool low = height() < kLowPx;
     // The part of it that is in the window: with the stepper it would not become lower than the stepper needs.
     const int seen = std::min(height(), window()->height() - mapTo(window(), QPoint()).y());
     main_->setVisible(stepped_ && seen >= kLowestPx);
+    for (FittedLabel* each : {distance_, size_}) each->setMost(seen >= kLowestPx ? kNumberPx : kLowNumberPx);
     for (const auto& [name, value] : coordinateLabels_) static_cast<FittedLabel*>(value)->setMost(low ? kTextPx : kCoordinatePx);
     for (const auto& [name, value] : rowLabels_) {
         for (QLabel* each : {name, value}) {
@@ -252,6 +268,8 @@ void NumbersSide::fitHeight() {
 
 void NumbersSide::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    pages_->widget(0)->layout()->activate(); // that of the title
+    fitTitle();
     fitHeight();
 }
 

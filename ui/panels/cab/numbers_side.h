@@ -28,7 +28,7 @@ struct TargetNumbers {
     QString warned;                                       ///< lines with ▲, as "▲ no pose"
     std::vector<std::pair<QString, QString>> rows;
     int targets = 0;        ///< of the scan
-    bool stepsBack = false; ///< an arrow goes back from a measurement to what was shown before
+    int measures = 0;       ///< of the scan: the arrows go over targets and measurements
     bool measuring = false; ///< a tap is an end of a measurement
     QString distanceName{}; ///< "Throat Width"; empty: "Distance"
 };
@@ -50,7 +50,9 @@ public:
     /// Shows the settings instead of the numbers.
     void setTuning(bool on);
     [[nodiscard]] bool tuning() const;
+    /// Hidden where the side is too low for it.
     [[nodiscard]] Stepper* mainStepper() const { return main_; }
+    [[nodiscard]] bool hasStepper() const { return stepped_; }
     [[nodiscard]] Stepper* stepper(const QString& key) const;
     [[nodiscard]] QString distanceShown() const;
     [[nodiscard]] QString sizeShown() const;
@@ -60,8 +62,8 @@ public:
     void addSettingsButton(QToolButton* button);
 
 signals:
-    /// The operator wants the next (1) or previous (-1) target.
-    void targetStepRequested(int by);
+    /// The operator wants the next (1) or previous (-1) target or measurement.
+    void entryStepRequested(int by);
     void stepped(const QString& key, int steps);
     void stepEnded();
 
@@ -69,6 +71,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void fitTitle();
     void fitHeight();
     QWidget* makeNumbers();
     QWidget* makeSettings();

@@ -5,10 +5,12 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include <utility>
+
 namespace edgescan::ui {
 namespace {
 
-constexpr int kButton = 64, kLetters = 24, kValue = 20, kLineGap = 4; // px
+constexpr int kButton = 64, kLetters = 24, kValue = 20, kLineGap = 4, kMeaning = 15; // px
 constexpr int kFirstRepeatMs = 400, kRepeatMs = 90;
 
 // The steps grow, so that a large change takes few repeats.
@@ -45,6 +47,20 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     addButton(*less_, -1);
     addButton(*more_, +1);
     showName(name);
+}
+
+void Stepper::setMeaning(const QString& ofLess, const QString& ofMore) {
+    auto* grid = static_cast<QGridLayout*>(layout());
+    for (const auto& [words, column] : {std::pair(ofLess, 0), std::pair(ofMore, 1)}) {
+        auto* label = new QLabel(words);
+        label->setObjectName(column == 0 ? "meaning-of-less" : "meaning-of-more");
+        label->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+        label->setWordWrap(true);
+        QFont letters = label->font();
+        letters.setPixelSize(kMeaning);
+        label->setFont(letters);
+        grid->addWidget(label, 3, column);
+    }
 }
 
 void Stepper::addButton(QToolButton& button, int direction) {

@@ -14,6 +14,8 @@ class Stepper : public QWidget {
 public:
     explicit Stepper(const QString& name, QWidget* parent = nullptr);
 
+    /// Words below the buttons: what more and less of the value do.
+    void setMeaning(const QString& ofLess, const QString& ofMore);
     void showName(const QString& name);
     void showValue(const QString& value);
     [[nodiscard]] QString value() const;

@@ -100,7 +100,7 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 WhyCard::WhyCard(QWidget* parent)
-    : QDialog(parent), cell_(words()), verdict_(words()), numbers_(words()), below_(new QLabel), beside_(new QPushButton),
+    : QDialog(parent), plain_(words()), cell_(words()), verdict_(words()), numbers_(words()), below_(new QLabel), beside_(new QPushButton),
       picture_(new ProfileView) {
     setObjectName("why-card");
     setWindowTitle(tr("Why is this cell an edge or not?"));
@@ -109,6 +109,9 @@ WhyCard::WhyCard(QWidget* parent)
     QFont bold = verdict_->font();
     bold.setBold(true);
     verdict_->setFont(bold);
+    plain_->setObjectName("why-plain");
+    plain_->setFont(bold);
+    plain_->hide();
     picture_->setFixedHeight(130);
     below_->setText(tr("The points across the cell, and a line through the nearest of either side."));
     below_->setWordWrap(true);
@@ -117,23 +120,23 @@ WhyCard::WhyCard(QWidget* parent)
     beside_->setObjectName("why-beside");
     beside_->setAutoDefault(false);
     beside_->hide();
-    buttons->addButton(beside_, QDialogButtonBox::ActionRole);
     connect(beside_, &QPushButton::clicked, this, &WhyCard::nearestEdgeRequested);
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* each : std::initializer_list<QWidget*>{cell_, verdict_, picture_, below_, numbers_}) column->addWidget(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{plain_, cell_, verdict_, picture_, below_, numbers_}) column->addWidget(each);
     column->addStretch(1);
     content_ = scrolled(*content);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(content_, 1);
+    layout->addWidget(beside_); // above Close: next to it, the card would be wider than its text
     layout->addWidget(buttons);
 }
 
 /// As high as its text where the screen has room for it; else the text scrolls.
 void WhyCard::fit() {
     const int wide = parentWidget() == nullptr ? kWidest : static_cast<int>(kShare * parentWidget()->width()) - kFrame;
-    for (QLabel* each : {cell_, verdict_, numbers_}) each->setMinimumWidth(std::clamp(wide, kNarrowest, kWidest));
+    for (QLabel* each : {plain_, cell_, verdict_, numbers_}) each->setMinimumWidth(std::clamp(wide, kNarrowest, kWidest));
     QWidget& content = *content_->widget();
     content.ensurePolished();
     const int high = content.layout()->heightForWidth(std::max(content_->viewport()->width(), content.layout()->minimumSize().width()));
@@ -142,6 +145,11 @@ void WhyCard::fit() {
     const int others = layout()->minimumSize().height() - content_->minimumSizeHint().height();
     content_->setMinimumHeight(std::min(high, room.height() - kFromTop - others - kFrame));
     adjustSize();
+}
+
+void WhyCard::showPlain(const QString& sentence) {
+    plain_->setText(sentence);
+    plain_->setHidden(sentence.isEmpty());
 }
 
 void WhyCard::showCell(const QString& words, const QVector<QPoint>& places) {

@@ -35,6 +35,8 @@ class WhyCard : public QDialog {
 public:
     explicit WhyCard(QWidget* parent);
 
+    /// The answer in one sentence without terms, above the rest; empty: none.
+    void showPlain(const QString& sentence);
     /// Which cell is explained, and where it is on the screen: the card does not cover it.
     void showCell(const QString& words, const QVector<QPoint>& places);
     void showExplanation(const QString& text) { showExplanation(text, {}, {}); }
@@ -56,7 +58,7 @@ private:
     void placeNextToCell();
 
     QScrollArea* content_ = nullptr;
-    QLabel *cell_, *verdict_, *numbers_, *below_;
+    QLabel *plain_, *cell_, *verdict_, *numbers_, *below_;
     QPushButton* beside_;
     ProfileView* picture_;
     QVector<QPoint> places_; // of the cell, on the screen

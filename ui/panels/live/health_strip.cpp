@@ -8,8 +8,17 @@
 #include "ui/panels/live/sweep_bar.h"
 
 #include <QLabel>
+#include <QResizeEvent>
+
+#include <algorithm>
 
 namespace edgescan::ui {
+namespace {
+
+constexpr int kStripRim = 2, kStripGap = 10; // px
+constexpr int kTwoRowsBelow = 700;           // px
+
+} // namespace
 
 HealthStrip::HealthStrip(QWidget* parent)
     : QWidget(parent), badge_(new StateBadge), lines_(new QLabel), bar_(new SweepBar), lost_(new QLabel), noReturn_(new QLabel),
@@ -22,8 +31,8 @@ HealthStrip::HealthStrip(QWidget* parent)
     remark_->setObjectName("live-remark");
     sentence_->setObjectName("live-sentence");
     auto* row = new FlowLayout(this);
-    row->setContentsMargins(0, 2, 6, 2);
-    row->setSpacing(10);
+    row->setContentsMargins(0, kStripRim, 6, kStripRim);
+    row->setSpacing(kStripGap);
     QFont bold = lines_->font();
     bold.setBold(true);
     for (QLabel* label : {lines_, end_}) label->setFont(bold);
@@ -79,13 +88,35 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(device_, signOf(health.device), health.device == files::Condition::Good ? std::string() : health.deviceState);
     showText(pose_, health.lines.empty() || brief_ ? std::string() : health.pose);
     showText(end_, health.end);
-    badge(recording_, signOf(health.recorded), health.recording);
+    // While nothing is wrong with it, the recording is shown next to its button.
+    badge(recording_, signOf(health.recorded), health.recorded == files::Condition::Good ? std::string() : health.recording);
     const QString ofScanner = present ? QString() : coreSentence(health.sentence);
     const QString sentence = ofScanner.isEmpty() ? note : ofScanner;
     if (sentence_->text() != sentence) sentence_->setText(sentence);
     const bool inViews = brief_ && ofScanner.isEmpty() && picture == Picture::Held; // as the badge
     sentence_->setVisible(!sentence.isEmpty() && !inViews);
     sentence_->setToolTip(sentence);
+    keepHeight();
+}
+
+void HealthStrip::setSteady(bool on) {
+    steady_ = on;
+    kept_ = 0;
+    keepHeight();
+}
+
+void HealthStrip::keepHeight() {
+    const int row = badge_->sizeHint().height(), around = 2 * kStripRim;
+    const bool narrow = brief_ && width() < kTwoRowsBelow; // there the rows change with every line
+    kept_ = steady_ ? std::max({kept_, narrow ? 2 * row + kStripGap / 2 + around : row + around, heightForWidth(width())}) : 0;
+    setMinimumHeight(kept_);
+}
+
+void HealthStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (event->size().width() == event->oldSize().width()) return;
+    kept_ = 0;
+    keepHeight();
 }
 
 void HealthStrip::setBrief(bool on) {

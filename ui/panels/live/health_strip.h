@@ -23,17 +23,25 @@ public:
     enum class Picture { Follows, Held, Other };
     /// `note`: a sentence about the picture, shown while the scanner has nothing to say.
     void showHealth(const files::LiveHealth& health, Picture picture = Picture::Follows, const QString& note = {});
+    /// While on, it becomes no lower: what is below it does not move each time that a word comes or goes.
+    void setSteady(bool on);
     /// Less that is as it should be, for cab mode.
     void setBrief(bool on);
     [[nodiscard]] const files::LiveHealth& shown() const { return shown_; }
     [[nodiscard]] StateBadge& badge() { return *badge_; }
     [[nodiscard]] const SweepBar& bar() const { return *bar_; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void keepHeight();
+
     files::LiveHealth shown_;
     Picture picture_ = Picture::Follows;
     QString note_;
-    bool brief_ = false;
+    bool brief_ = false, steady_ = false;
+    int kept_ = 0; // px
     StateBadge* badge_;
     QLabel* lines_;
     SweepBar* bar_;

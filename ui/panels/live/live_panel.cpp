@@ -1,11 +1,14 @@
 // The panel of a live scanner.
 #include "ui/panels/live/live_panel.h"
 
+#include "core/scanner/cola/host_port.h"
+#include "ui/base/core_words.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/icons.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
+#include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/sweep_form.h"
 #include "ui/panels/live/topic_menu.h"
 
@@ -28,7 +31,6 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kBetween = 8;       // px between two buttons
-constexpr int kSettleMs = 1000;   // after a change of meaning that no press caused
 constexpr int kUsualPort = 2112;  // SICK's second CoLa port, the default of sick_scan_xd
 constexpr int kBridgePort = 8765; // of foxglove_bridge
 
@@ -59,8 +61,9 @@ LivePanel::LivePanel(QWidget* parent)
       sweepButton_(new QToolButton), sweepDialog_(new QDialog(this)), sweep_(new SweepForm), topics_(new TopicMenu),
       record_(button("live-record", tr("Record"), tr("Write every telegram to a new file, unchanged, as it arrives"))),
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
-      follow_(button("live-follow", tr("Hold"), QString())), scanner_(new ElidedLabel), strip_(new HealthStrip),
-      otherMenu_(new QMenu(this)) {
+      hold_(button("live-hold", tr("Hold"), tr("The picture stays as it is while the scanner goes on."))),
+      follow_(button("live-follow", tr("Follow"), tr("The picture grows with the scanner."))), other_(button("live-other", {}, {})),
+      recorded_(new StateBadge), scanner_(new ElidedLabel), strip_(new HealthStrip), otherMenu_(new QMenu(this)) {
     setObjectName("live-panel");
     host_->setObjectName("live-host");
     host_->setPlaceholderText(tr("scanner, or ws://ROBOT"));
@@ -73,7 +76,9 @@ LivePanel::LivePanel(QWidget* parent)
     port_->setRange(1, 65535);
     port_->setValue(kUsualPort);
     addSweepDialog();
-    for (QPushButton* each : {record_, follow_}) each->setCheckable(true);
+    record_->setCheckable(true);
+    recorded_->setObjectName("live-recorded");
+    recorded_->hide();
     scanner_->setObjectName("live-scanner");
     otherMenu_->setObjectName("live-others");
 
@@ -81,12 +86,13 @@ LivePanel::LivePanel(QWidget* parent)
     auto* row = buttons_ = new FlowLayout(head);
     row->setContentsMargins(6, 0, 6, 2);
     row->setSpacing(kBetween);
-    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, topics_, record_, keep_, scanner_})
+    for (QWidget* each :
+         std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, topics_, record_, recorded_, keep_, scanner_})
         row->addWidget(each);
     auto* first = stripRow_ = new QHBoxLayout;
     first->setContentsMargins(6, 2, 0, 0);
     first->setSpacing(kBetween);
-    first->addWidget(follow_, 0, Qt::AlignTop);
+    for (QPushButton* each : {hold_, follow_, other_}) first->addWidget(each, 0, Qt::AlignTop);
     first->addWidget(strip_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -96,6 +102,7 @@ LivePanel::LivePanel(QWidget* parent)
 
     connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
     connect(host_, &QLineEdit::textChanged, this, &LivePanel::followAddress);
+    connect(host_, &QLineEdit::editingFinished, this, &LivePanel::splitAddress);
     for (QLineEdit* each : {host_, port_->findChild<QLineEdit*>()}) {
         connect(each, &QLineEdit::returnPressed, this, [this] {
             if (!connected_) emit connectRequested();
@@ -103,12 +110,15 @@ LivePanel::LivePanel(QWidget* parent)
     }
     connect(record_, &QPushButton::clicked, this, &LivePanel::recordRequested);
     connect(keep_, &QPushButton::clicked, this, &LivePanel::keepRequested);
-    connect(follow_, &QPushButton::clicked, this, &LivePanel::pressFollow);
+    connect(hold_, &QPushButton::clicked, this, [this] { emit followRequested(false); });
+    connect(follow_, &QPushButton::clicked, this, [this] { emit followRequested(true); });
+    connect(other_, &QPushButton::clicked, this, &LivePanel::askOther);
     // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
     // meaning by then.
-    for (QPushButton* each : {connect_, record_, keep_, follow_}) each->setFocusPolicy(Qt::TabFocus);
+    for (QPushButton* each : {connect_, record_, keep_, hold_, follow_, other_}) each->setFocusPolicy(Qt::TabFocus);
+    for (auto [each, sign] : {std::pair(hold_, "hold"), std::pair(follow_, "play"), std::pair(other_, "play")})
+        each->setIcon(toolIcon(sign));
     setConnected(false);
-    setFollowing(true);
 }
 
 /// A dialog, not a menu: a second click, or a tap on the keys of a cab, would close a menu.
@@ -148,6 +158,13 @@ void LivePanel::followAddress() {
     port_->setEnabled(!connected_ && typed <= 0);
 }
 
+void LivePanel::splitAddress() {
+    const auto typed = scanner::hostPort(host().toStdString());
+    if (connected_ || !typed || typed->bridge) return;
+    if (const QString name = QString::fromStdString(typed->host); name != host()) host_->setText(name);
+    if (typed->portTyped) port_->setValue(typed->port);
+}
+
 QString LivePanel::host() const { return host_->text().trimmed(); }
 int LivePanel::port() const { return port_->value(); }
 void LivePanel::setSweep(const scanner::SweepSettings& settings) { sweep_->showSettings(settings); }
@@ -176,13 +193,12 @@ void LivePanel::setConnected(bool connected) {
     connect_->setText(connected ? tr("Stop") : tr("Connect"));
     host_->setEnabled(!connected);
     followAddress();
-    for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_, follow_}) each->setEnabled(connected);
+    for (QWidget* each : std::initializer_list<QWidget*>{record_, keep_}) each->setEnabled(connected);
     others_.clear();
     asking_ = false;
-    if (!connected) {
-        setRecording(false);
-        setFollowing(true); // the button no longer looks pressed
-    }
+    if (!connected) setRecording(false);
+    setFollowing(true);
+    strip_->setSteady(connected);
     reserveWidths();
     showFields();
     strip_->setVisible(connected || !strip_->shown().badge.empty());
@@ -199,10 +215,13 @@ void LivePanel::forgetScanner() {
 void LivePanel::setBrief(bool on) {
     brief_ = on;
     strip_->setBrief(on);
-    if (on) // large buttons: all of them in one row, so that the strip has the whole width
-        buttons_->addWidget(follow_);
-    else
-        stripRow_->insertWidget(0, follow_, 0, Qt::AlignTop);
+    int place = 0;
+    for (QPushButton* each : {hold_, follow_, other_}) {
+        if (on) // large buttons: all of them in one row, so that the strip has the whole width
+            buttons_->addWidget(each);
+        else
+            stripRow_->insertWidget(place++, each, 0, Qt::AlignTop);
+    }
     showFields();
 }
 
@@ -212,7 +231,13 @@ void LivePanel::showFields() {
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_}) each->setHidden(connected_ || few);
     for (QWidget* each : std::initializer_list<QWidget*>{sweepButton_, scanner_}) each->setHidden(few);
     record_->setHidden(!connected_);
-    follow_->setHidden(!connected_ && others_.isEmpty());
+    for (QPushButton* each : {hold_, follow_}) each->setHidden(!connected_);
+    other_->setHidden(connected_ || others_.isEmpty());
+    // With gloves on, the button that ends the recording says it: a badge has no room next to it.
+    QSizePolicy place = recorded_->sizePolicy();
+    place.setRetainSizeWhenHidden(connected_ && !brief_);
+    recorded_->setSizePolicy(place);
+    if (brief_ || !connected_) recorded_->hide();
     topics_->setHidden(!connected_ || !bridge_ || brief_);
     keep_->setHidden(brief_ || !connected_); // it is in the menu
 }
@@ -220,7 +245,9 @@ void LivePanel::showFields() {
 void LivePanel::reserveWidths() {
     reserveWidth(*connect_, {tr("Stop"), tr("Connect")});
     reserveWidth(*record_, {tr("Stop recording"), tr("Record")});
-    reserveWidth(*follow_, {tr("Follow"), tr("Hold")});
+    const QFontMetrics letters(recorded_->font());
+    constexpr int kSignAndMargins = 34; // px
+    recorded_->setFixedWidth(letters.horizontalAdvance(coreWords("recording 9999.9 MB")) + kSignAndMargins);
 }
 
 void LivePanel::changeEvent(QEvent* event) {
@@ -234,33 +261,11 @@ void LivePanel::setRecording(bool recording) {
     record_->setText(recording ? tr("Stop recording") : tr("Record"));
 }
 
-bool LivePanel::answers() const { return !changed_.isValid() || changed_.elapsed() >= kSettleMs; }
-
-/// A sweep that ends holds itself: a press on Hold in that moment must not follow the next one.
-void LivePanel::pressFollow(bool hold) {
-    if (!answers()) {
-        follow_->setChecked(!hold);
-        return emit pressIgnored(follow_->text());
-    }
-    pressing_ = true;
-    connected_ ? emit followRequested(!hold) : askOther();
-    pressing_ = false;
-}
-
-void LivePanel::sayFollow(const QString& meaning) {
-    if (meaning != follow_->text() && !pressing_) changed_.start();
-    follow_->setText(meaning);
-}
-
-/// The button says what it does next; while the picture is held it looks pressed.
+/// Only one of the two buttons can be pressed; while the picture is held, Follow has the colour of what is chosen.
 void LivePanel::setFollowing(bool following) {
     const bool held = connected_ && !following;
-    follow_->setChecked(held);
-    sayFollow(held ? tr("Follow") : tr("Hold"));
-    follow_->setIcon(toolIcon(held ? "play" : "hold"));
-    follow_->setToolTip(
-        held ? tr("The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.")
-             : tr("The picture on the screen grows with the scanner; a press holds it while the scanner goes on."));
+    hold_->setEnabled(connected_ && following);
+    follow_->setEnabled(held);
     QPalette colours;
     if (held) colours.setColor(QPalette::Button, themeInUse().chosen);
     if (held) colours.setColor(QPalette::ButtonText, Qt::white);
@@ -270,27 +275,28 @@ void LivePanel::setFollowing(bool following) {
 void LivePanel::offerOthers(const QStringList& sweeps, const QString& help) {
     if (connected_) return;
     others_ = sweeps;
-    follow_->setChecked(false);
-    follow_->setEnabled(!sweeps.isEmpty());
-    sayFollow(sweeps.size() == 1 ? tr("Show %1").arg(sweeps.front()) : tr("Show another sweep…"));
-    follow_->setIcon(toolIcon("play"));
-    follow_->setToolTip(help);
+    other_->setText(sweeps.size() == 1 ? tr("Show %1").arg(sweeps.front()) : tr("Show another sweep…"));
+    other_->setToolTip(help);
     showFields();
     if (!sweeps.isEmpty()) show();
 }
 
 void LivePanel::askOther() {
-    follow_->setChecked(false); // not a switch now
     if (others_.size() == 1) return emit otherRequested(0);
     otherMenu_->clear();
     for (int n = 0; n < others_.size(); ++n)
         otherMenu_->addAction(tr("Show %1").arg(others_[n]), this, [this, n] { emit otherRequested(n); });
-    otherMenu_->popup(follow_->mapToGlobal(follow_->rect().bottomLeft()));
+    otherMenu_->popup(other_->mapToGlobal(other_->rect().bottomLeft()));
 }
 
 void LivePanel::showHealth(const files::LiveHealth& health, HealthStrip::Picture picture, const QString& note) {
     strip_->showHealth(health, picture, note);
     strip_->show();
+    const bool recording = !health.recording.empty() && health.recorded == files::Condition::Good; // else the strip has the sentence
+    const bool present = health.liveness == files::Liveness::Live;
+    recorded_->showState(present ? StateBadge::Sign::Good : StateBadge::Sign::Off, coreWords(health.recording));
+    recorded_->setToolTip(recorded_->text());
+    recorded_->setVisible(recording && connected_ && !brief_);
     const QString scanner = shownText(health.scanner);
     if (scanner_->text() == scanner) return;
     scanner_->setText(scanner);

@@ -4,7 +4,6 @@
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 #include "ui/panels/live/health_strip.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 class QDialog;
@@ -30,6 +29,8 @@ public:
 
     void setAddress(const QString& host, int port);
     [[nodiscard]] QString host() const;
+    /// "HOST:PORT" and "[IPv6]:PORT" in the field of the address fill both fields, as on the command line.
+    void splitAddress();
     /// That of "ws://HOST:PORT", else of its own field.
     [[nodiscard]] int port() const;
     /// The address is that of a robot's bridge.
@@ -46,10 +47,9 @@ public:
     /// Fewer fields, for cab mode.
     void setBrief(bool on);
     [[nodiscard]] bool brief() const { return brief_; }
+    /// Hold and Follow each have a place of their own: a second tap does not do the opposite.
     void setFollowing(bool following);
-    /// False for a second after the button Hold got another meaning without a press: a finger that comes now means the former one.
-    [[nodiscard]] bool answers() const;
-    /// After Stop: the button shows one of these sweeps, and asks which where there are several. Empty: there is nothing else to show.
+    /// After Stop: a button shows one of these sweeps, and asks which where there are several. Empty: there is nothing else to show.
     void offerOthers(const QStringList& sweeps, const QString& help);
     [[nodiscard]] bool offers() const { return !others_.isEmpty(); }
     /// `note`: one sentence about the picture on the screen; the strip shows it while the scanner is well.
@@ -68,8 +68,6 @@ signals:
     void recordRequested(bool on);
     void keepRequested();
     void followRequested(bool on);
-    /// A press came too early after a change of the button's meaning, see answers().
-    void pressIgnored(const QString& meaning);
     /// A place of offerOthers().
     void otherRequested(int place);
     /// The operator typed mounting or steps while the scanner is connected.
@@ -83,8 +81,6 @@ private:
     void reserveWidths();
     void showFields();
     void askOther();
-    void pressFollow(bool hold);
-    void sayFollow(const QString& meaning);
     void followAddress();
 
     QLabel* title_;
@@ -97,13 +93,14 @@ private:
     TopicMenu* topics_;
     QPushButton* record_;
     QPushButton* keep_;
+    QPushButton* hold_;
     QPushButton* follow_;
+    QPushButton* other_;
+    StateBadge* recorded_; // its place stays free while nothing is recorded
     QLabel* scanner_;
     HealthStrip* strip_;
     FlowLayout* buttons_ = nullptr;
     QHBoxLayout* stripRow_ = nullptr;
-    bool pressing_ = false; // the operator's press changes the meaning of the button
-    QElapsedTimer changed_; // since its meaning changed without a press
     bool connected_ = false, brief_ = false, bridge_ = false;
     bool asking_ = false; // the operator asked for the fields of the address
     QStringList others_;  // sweeps that the button offers after Stop

@@ -2,6 +2,7 @@
 #include "ui/panels/live/state_badge.h"
 
 #include <QPainter>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,24 @@ StateBadge::StateBadge(QWidget* parent) : QWidget(parent) {
 
 void StateBadge::setShrinks() { setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred); }
 
+void StateBadge::setTwoLines() { twoLines_ = true; }
+
+// The state is at one end, its time at the other: a narrow badge keeps both.
+QStringList StateBadge::linesIn(int width) const {
+    const QFontMetrics metrics(font());
+    const auto fits = [&](const QString& words) { return metrics.horizontalAdvance(words) <= width; };
+    if (fits(text_) || !twoLines_) return {metrics.elidedText(text_, Qt::ElideMiddle, width)};
+    const QString separator = QStringLiteral(" · ");
+    QString first;
+    for (int at = text_.indexOf(' '); at >= 0 && fits(text_.left(at)); at = text_.indexOf(' ', at + 1)) first = text_.left(at);
+    if (first.isEmpty()) return {metrics.elidedText(text_, Qt::ElideMiddle, width)};
+    if (const int part = text_.lastIndexOf(separator); part > 0 && part < first.size()) first = text_.left(part); // LIVE above its time
+    QString rest = text_.mid(first.size()).trimmed();
+    if (rest.startsWith(separator.trimmed())) rest = rest.mid(1).trimmed();
+    if (first.endsWith(separator.trimmed())) first = first.chopped(1).trimmed();
+    return {first, metrics.elidedText(rest, Qt::ElideMiddle, width)};
+}
+
 void StateBadge::showState(Sign sign, const QString& text) {
     if (sign == sign_ && text == text_) return;
     sign_ = sign;
@@ -111,8 +130,7 @@ void StateBadge::paintEvent(QPaintEvent* /*event*/) {
     drawShape(painter, sign_, QRectF(margin, (height() - shape) / 2.0, shape, shape));
     painter.setPen(Qt::white);
     const QRect place = rect().adjusted(margin + shape + margin, 0, -margin / 2, 0);
-    // The state is at one end, its time at the other: a narrow badge keeps both.
-    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(text_, Qt::ElideMiddle, place.width()));
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, linesIn(place.width()).join('\n'));
 }
 
 StateBadge::Sign signOf(files::Liveness liveness) {

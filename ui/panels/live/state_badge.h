@@ -21,6 +21,10 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
     /// The middle of a long text is cut out (…) where there is no room for it. Otherwise the badge always has room for all of it.
     void setShrinks();
+    /// A text that one line has no room for takes two.
+    void setTwoLines();
+    /// What it shows of its text, in this many px.
+    [[nodiscard]] QStringList linesIn(int width) const;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
@@ -29,6 +33,7 @@ protected:
 private:
     Sign sign_ = Sign::Off;
     QString text_;
+    bool twoLines_ = false;
 };
 
 [[nodiscard]] StateBadge::Sign signOf(files::Liveness liveness);

@@ -222,6 +222,7 @@ void EdgeLegend::fitInto(int height) {
 
 void EdgeLegend::setBrief(bool on) {
     brief_ = on;
+    paintSwatches();
     showRows();
     adjustSize();
 }
@@ -257,6 +258,13 @@ void EdgeLegend::paintSwatches() {
         rows_[n].box->setIconSize(swatch.size());
         rows_[n].box->setIcon(QIcon(swatch));
     }
+    // With gloves on the rows of the classes are folded: the switch of the edges shows their colours.
+    QPixmap all(18, 8);
+    QPainter painter(&all);
+    for (int n = 0; n < static_cast<int>(kOfRocks); ++n) painter.fillRect(QRect(6 * n, 0, 6, 8), drawn[static_cast<std::size_t>(n)]);
+    painter.end();
+    edges_->setIconSize(all.size());
+    edges_->setIcon(brief_ ? QIcon(all) : QIcon());
 }
 
 void EdgeLegend::emitClasses() {

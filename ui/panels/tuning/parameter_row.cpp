@@ -13,6 +13,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +22,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kNarrowestNumber = 72, kWidestNumber = 160; // px of a number box
+constexpr int kNarrowestNumber = 72, kUsualNumber = 160; // px of a number box
 
 // A number box that accepts any text while typing. Text that is not a value is reported when typing ends; single letters are not rejected.
 class ReadingBox : public QDoubleSpinBox {
@@ -30,6 +32,21 @@ public:
     explicit ReadingBox(QWidget* parent) : QDoubleSpinBox(parent) {}
     void read(ParameterRow::Reading reading) { reading_ = std::move(reading); }
     void onRefusal(Refusal refusal) { refusal_ = std::move(refusal); }
+    void setLargest(double value) { largest_ = value; }
+
+    /// Room for the largest usual value and for the present one, with the unit in the letters of the window; by default it would be as wide
+    /// as the longest possible number.
+    QSize minimumSizeHint() const override {
+        int letters = 0;
+        for (const double each : {largest_, value()})
+            letters = std::max(letters, fontMetrics().horizontalAdvance(textFromValue(each) + suffix() + QStringLiteral(" ")));
+        QStyleOptionSpinBox option;
+        initStyleOption(&option);
+        const QSize usual = QDoubleSpinBox::minimumSizeHint();
+        const int frame = style()->sizeFromContents(QStyle::CT_SpinBox, &option, QSize(letters, usual.height()), this).width();
+        return {std::max(kNarrowestNumber, frame), usual.height()};
+    }
+    QSize sizeHint() const override { return minimumSizeHint().expandedTo({kUsualNumber, 0}); }
 
     QValidator::State validate(QString& text, int& /*position*/) const override {
         return reading_(withoutSuffix(text)) ? QValidator::Acceptable : QValidator::Intermediate;
@@ -51,6 +68,7 @@ private:
 
     ParameterRow::Reading reading_;
     Refusal refusal_;
+    double largest_ = 0.0;
 };
 
 QString limitsText(const edges::Parameter& p) {
@@ -114,9 +132,8 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     number_->setSingleStep(p.step);
     number_->setKeyboardTracking(false);
     number_->setAccessibleName(label_->text());
-    number_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    number_->setMaximumWidth(kWidestNumber);
-    number_->setMinimumWidth(kNarrowestNumber); // by default it is as wide as the longest possible number
+    number_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    box->setLargest(p.sliderMaximum);
     if (*p.unit != '\0') number_->setSuffix(" " + QObject::tr(p.unit));
     label_->setBuddy(number_);
     connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
@@ -163,6 +180,7 @@ void ParameterRow::show(double value, double inUse) {
     if (number_ != nullptr && !std::isnan(shown)) {
         number_->setRange(std::min(parameter_.minimum, shown), std::max(parameter_.maximum, shown));
         number_->setValue(shown);
+        number_->updateGeometry();
     }
     if (choice_ != nullptr) choice_->setCurrentIndex(edges::sliderPosition(parameter_, value));
     // While the operator drags the slider it must not be moved: its own rounding would push it back.

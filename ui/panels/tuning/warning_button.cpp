@@ -3,6 +3,8 @@
 
 #include "ui/base/themes.h"
 
+#include <algorithm>
+
 namespace edgescan::ui {
 
 WarningButton::WarningButton(QWidget* parent) : QToolButton(parent) {
@@ -12,10 +14,12 @@ WarningButton::WarningButton(QWidget* parent) : QToolButton(parent) {
     followColours(*this, [this](const Theme&) { showState(); });
 }
 
-void WarningButton::showWarnings(const QStringList& warnings) {
-    if (warnings == warnings_) return;
+void WarningButton::showWarnings(const QStringList& warnings, const QString& of) {
+    if (warnings == warnings_ && of == of_) return;
     warnings_ = warnings;
-    acknowledged_ = false;
+    of_ = of;
+    const QSet<QString>& read = read_[of];
+    acknowledged_ = !warnings.isEmpty() && std::ranges::all_of(warnings, [&](const QString& each) { return read.contains(each); });
     showState();
     emit warningsRaised(warnings_);
 }
@@ -28,6 +32,7 @@ void WarningButton::showInstead(const std::optional<QStringList>& warnings) {
 void WarningButton::acknowledge() {
     if (instead_) return;
     acknowledged_ = true;
+    for (const QString& each : warnings_) read_[of_].insert(each);
     showState();
     emit warningsAcknowledged();
 }

@@ -1,9 +1,11 @@
 // The number of warnings of the scan on the screen. The operator can read and acknowledge them; they stay in the list.
 #pragma once
 
+#include <QSet>
 #include <QStringList>
 #include <QToolButton>
 
+#include <map>
 #include <optional>
 
 namespace edgescan::ui {
@@ -14,8 +16,8 @@ class WarningButton : public QToolButton {
 public:
     explicit WarningButton(QWidget* parent = nullptr);
 
-    /// A changed list of warnings is not acknowledged.
-    void showWarnings(const QStringList& warnings);
+    /// Of the scan or the scanner `of`. Acknowledged warnings of it stay so when they come back; a new one among them is not acknowledged.
+    void showWarnings(const QStringList& warnings, const QString& of = {});
     /// Those of A while it is shown: they are not raised and not acknowledged. Empty: the scan's own again.
     void showInstead(const std::optional<QStringList>& warnings);
     void acknowledge();
@@ -30,6 +32,8 @@ private:
     void showState();
 
     QStringList warnings_;
+    QString of_;
+    std::map<QString, QSet<QString>> read_; // by scan
     std::optional<QStringList> instead_;
     bool acknowledged_ = false;
 };

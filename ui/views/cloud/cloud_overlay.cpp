@@ -6,6 +6,8 @@
 #include <QPaintEvent>
 #include <QPainter>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace edgescan::ui {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kRing = 9.0; // radius, px: the same on the screen at every distance
 constexpr int kLabelMargin = 8;
+constexpr double kArrow = 22.0, kArrowInset = 10.0; // px
 
 } // namespace
 
@@ -37,6 +40,7 @@ QRect CloudOverlay::covered(const OverlayMarks& marks) const {
     const double reach = kRing + 4.0;
     QRectF area;
     if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
+    if (marks.ray && !marks.ring) return rect(); // with the arrow
     if (marks.ray) area = area.united(QRectF(marks.ray->p1(), marks.ray->p2()).normalized().adjusted(-reach, -reach, reach, reach));
     if (marks.tipAt && !marks.tip.isEmpty())
         area = area.united(tipBox(fontMetrics(), rect(), marks.tipAt->toPoint(), marks.tip).adjusted(-2, -2, 2, 2));
@@ -50,6 +54,15 @@ std::vector<QRectF> CloudOverlay::platesOver() const {
         if (other != this && other->isVisible()) plates.emplace_back(other->geometry());
     }
     return plates;
+}
+
+std::optional<QLineF> CloudOverlay::arrow() const {
+    const QRectF room = QRectF(rect()).adjusted(kArrowInset, kArrowInset, -kArrowInset, -kArrowInset);
+    if (marks_.ring || !marks_.ray || room.isEmpty() || QRectF(rect()).contains(marks_.ray->p2())) return std::nullopt;
+    const QPointF way = marks_.ray->p2() - room.center();
+    const double across = std::abs(way.x()) / (room.width() / 2.0), down = std::abs(way.y()) / (room.height() / 2.0);
+    const QLineF whole(room.center(), room.center() + way / std::max({across, down, 1e-9}));
+    return QLineF(whole.pointAt(std::max(0.0, 1.0 - kArrow / std::max(kArrow, whole.length()))), whole.p2());
 }
 
 void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
@@ -77,6 +90,14 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
     if (!marks_.dragged.isEmpty())
         strokeTwice(painter, QPen(QColor(0, 0, 0, 170), 3.0), QPen(Qt::white, 1.0, Qt::DashLine),
                     [&] { painter.drawPolygon(marks_.dragged); });
+    if (const auto to = arrow()) {
+        const QLineF across = to->normalVector();
+        const QPointF side = QPointF(across.dx(), across.dy()) * 0.45;
+        painter.setPen(QPen(Qt::black, 2.0));
+        painter.setBrush(Qt::white);
+        painter.drawPolygon(QPolygonF(QVector<QPointF>{to->p2(), to->p1() + side, to->p1() - side}));
+        painter.setBrush(Qt::NoBrush);
+    }
     drawStaleOverlay(painter, rect(), marks_.stale);
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3 + marks_.topTaken, -kLabelMargin - 6, -kLabelMargin - 3);
     const auto* cube = parentWidget()->findChild<QWidget*>("view-cube", Qt::FindDirectChildrenOnly);

@@ -45,6 +45,8 @@ public:
     [[nodiscard]] const OverlayMarks& marks() const { return marks_; }
     /// The tags of targets and measurements, where they were drawn last.
     [[nodiscard]] const std::vector<QRectF>& tags() const { return tags_; }
+    /// At the rim of the view, towards a marked point outside of it.
+    [[nodiscard]] std::optional<QLineF> arrow() const;
     /// Note and caption, where they were drawn last.
     [[nodiscard]] const std::array<QRect, 2>& labels() const { return labels_; }
 

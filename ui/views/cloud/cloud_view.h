@@ -148,6 +148,8 @@ public:
 
 public slots:
     void viewFromScanner();
+    /// As if the cloud were this one, of the same scanner.
+    void frameFromScanner(const CloudGeometry& cloud);
     void viewFront();
     void viewBack();
     void viewLeft();

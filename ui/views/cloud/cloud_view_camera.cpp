@@ -50,7 +50,11 @@ void CloudView::look(const Vector3d& forward, const Vector3d& up) {
 
 void CloudView::viewFromScanner() {
     static const CloudGeometry nothing;
-    pose_ = fromScanner(cloud_ ? *cloud_ : nothing, pose_, aspect());
+    frameFromScanner(cloud_ ? *cloud_ : nothing);
+}
+
+void CloudView::frameFromScanner(const CloudGeometry& cloud) {
+    pose_ = fromScanner(cloud, pose_, aspect());
     centre_ = pose_.focus;
     applyCamera();
 }

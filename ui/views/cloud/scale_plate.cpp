@@ -30,7 +30,6 @@ const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9
 
 ScalePlate::ScalePlate(CloudView* cloud) : ViewPlate(cloud), cloud_(cloud) {
     setObjectName("scale-plate");
-    setAttribute(Qt::WA_TransparentForMouseEvents);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     connect(cloud, &CloudView::frameDrawn, this, &ScalePlate::follow);
     cloud->installEventFilter(this);

@@ -1,11 +1,11 @@
-// Parses HOST[:PORT] of the command line.
-#include "app/shared/host_port.h"
+// Parses HOST[:PORT].
+#include "core/scanner/cola/host_port.h"
 
 #include <algorithm>
 #include <charconv>
 #include <string_view>
 
-namespace edgescan::cli {
+namespace edgescan::scanner {
 
 namespace {
 
@@ -22,7 +22,7 @@ Result<HostPort> hostPort(const std::string& typed) {
         auto bridge = hostPort(rest);
         if (!bridge) return Error{bridge.error().what, typed, "write ws://HOST or ws://HOST:PORT"};
         bridge->bridge = true;
-        if (bridge->port == HostPort{}.port && !rest.ends_with(":" + std::to_string(HostPort{}.port))) bridge->port = kBridgePort;
+        if (!bridge->portTyped) bridge->port = kBridgePort;
         return bridge;
     }
     HostPort result;
@@ -50,7 +50,8 @@ Result<HostPort> hostPort(const std::string& typed) {
         return Error{"\"" + port + "\" is not a port", typed, "give a number from 1 to 65535"};
     }
     result.port = static_cast<std::uint16_t>(number);
+    result.portTyped = true;
     return result;
 }
 
-} // namespace edgescan::cli
+} // namespace edgescan::scanner
