@@ -383,6 +383,14 @@ visible %6 m², a %7 m</translation></message>
 <message><source>by confidence</source><translation>por confianza</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
+<message><source>Nothing was measured here.</source><translation>Aquí no se midió nada.</translation></message>
+<message><source>The surface changes too little here to be an edge.</source><translation>La superficie cambia demasiado poco aquí para ser un borde.</translation></message>
+<message><source>The surface changes here, but another cell of it is the edge.</source><translation>La superficie cambia aquí, pero otra celda de ese cambio es el borde.</translation></message>
+<message><source>One surface ends here in front of another.</source><translation>Aquí termina una superficie delante de otra.</translation></message>
+<message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>La superficie se dobla hacia fuera aquí, como en la esquina de una roca.</translation></message>
+<message><source>The surface bends inwards here, as where two rocks meet.</source><translation>La superficie se dobla hacia dentro aquí, como donde se tocan dos rocas.</translation></message>
+<message><source>The measured surface ends here.</source><translation>Aquí termina la superficie medida.</translation></message>
+<message><source>The surface changes strongly here.</source><translation>La superficie cambia mucho aquí.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>No se pudo determinar la razón (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
 <message><source>Finding the reason …</source><translation>Buscando la razón …</translation></message>
@@ -436,7 +444,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
-<message><source>Nothing was done: the button had just changed to “%1”. Press it again.</source><translation>No se hizo nada: el botón acababa de cambiar a «%1». Púlselo otra vez.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
@@ -782,8 +789,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Close the keys</source><translation>Cerrar las teclas</translation></message>
 <message><source>Capital letter</source><translation>Mayúscula</translation></message>
 <message><source>Space</source><translation>Espacio</translation></message>
-<message><source>Previous target</source><translation>Objetivo anterior</translation></message>
-<message><source>Next target</source><translation>Objetivo siguiente</translation></message>
+<message><source>Previous target or measurement</source><translation>Objetivo o medición anterior</translation></message>
+<message><source>Next target or measurement</source><translation>Objetivo o medición siguiente</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
@@ -1049,6 +1056,9 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Keep last minute</source><translation>Conservar el último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escribir en un archivo nuevo lo que llegó durante el último minuto</translation></message>
 <message><source>Hold</source><translation>Retener</translation></message>
+<message><source>The picture stays as it is while the scanner goes on.</source><translation>La imagen queda como está mientras el escáner continúa.</translation></message>
+<message><source>Follow</source><translation>Seguir</translation></message>
+<message><source>The picture grows with the scanner.</source><translation>La imagen crece con el escáner.</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>escáner, o ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nombre o dirección del escáner; ws://ROBOT es un robot con ROS en el que funciona foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nombre o dirección del escáner</translation></message>
@@ -1057,9 +1067,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Líneas de un barrido, paso por línea, montaje</translation></message>
 <message><source>Stop</source><translation>Detener</translation></message>
 <message><source>Stop recording</source><translation>Detener la grabación</translation></message>
-<message><source>Follow</source><translation>Seguir</translation></message>
-<message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>La imagen de la pantalla está retenida mientras el escáner continúa; al pulsar se muestra lo que el escáner mide ahora.</translation></message>
-<message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>La imagen de la pantalla crece con el escáner; al pulsar se retiene mientras el escáner continúa.</translation></message>
 <message><source>Show %1</source><translation>Mostrar: %1</translation></message>
 <message><source>Show another sweep…</source><translation>Mostrar otro barrido…</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
@@ -1383,6 +1390,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Encuadrar muestra todo</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
+<message><source>More edges</source><translation>Más bordes</translation></message>
+<message><source>Fewer edges</source><translation>Menos bordes</translation></message>
 <message><source>No scan</source><translation>Ningún escaneo</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
@@ -1401,7 +1410,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
-<message><source>‹ › back</source><translation>‹ › volver</translation></message>
 <message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>

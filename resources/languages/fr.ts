@@ -383,6 +383,14 @@ visible %6 m², à %7 m</translation></message>
 <message><source>by confidence</source><translation>par confiance</translation></message>
 <message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
+<message><source>Nothing was measured here.</source><translation>Rien n'a été mesuré ici.</translation></message>
+<message><source>The surface changes too little here to be an edge.</source><translation>La surface change trop peu ici pour être une arête.</translation></message>
+<message><source>The surface changes here, but another cell of it is the edge.</source><translation>La surface change ici, mais une autre cellule de ce changement est l'arête.</translation></message>
+<message><source>One surface ends here in front of another.</source><translation>Une surface se termine ici devant une autre.</translation></message>
+<message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>La surface se plie vers l'extérieur ici, comme au coin d'un bloc.</translation></message>
+<message><source>The surface bends inwards here, as where two rocks meet.</source><translation>La surface se plie vers l'intérieur ici, comme là où deux blocs se touchent.</translation></message>
+<message><source>The measured surface ends here.</source><translation>La surface mesurée se termine ici.</translation></message>
+<message><source>The surface changes strongly here.</source><translation>La surface change fortement ici.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>La raison n'a pas pu être établie (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>Finding the reason …</source><translation>Recherche de la raison …</translation></message>
@@ -436,7 +444,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
-<message><source>Nothing was done: the button had just changed to “%1”. Press it again.</source><translation>Rien n'a été fait : le bouton venait de devenir « %1 ». Appuyez de nouveau.</translation></message>
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
@@ -782,8 +789,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Close the keys</source><translation>Fermer les touches</translation></message>
 <message><source>Capital letter</source><translation>Majuscule</translation></message>
 <message><source>Space</source><translation>Espace</translation></message>
-<message><source>Previous target</source><translation>Cible précédente</translation></message>
-<message><source>Next target</source><translation>Cible suivante</translation></message>
+<message><source>Previous target or measurement</source><translation>Cible ou mesure précédente</translation></message>
+<message><source>Next target or measurement</source><translation>Cible ou mesure suivante</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
@@ -1049,6 +1056,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Keep last minute</source><translation>Conserver la dernière minute</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Écrire dans un nouveau fichier ce qui est arrivé pendant la dernière minute</translation></message>
 <message><source>Hold</source><translation>Figer</translation></message>
+<message><source>The picture stays as it is while the scanner goes on.</source><translation>L'image reste telle quelle pendant que le scanner continue.</translation></message>
+<message><source>Follow</source><translation>Suivre</translation></message>
+<message><source>The picture grows with the scanner.</source><translation>L'image grandit avec le scanner.</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>scanner, ou ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nom ou adresse du scanner ; ws://ROBOT est un robot avec ROS sur lequel tourne foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nom ou adresse du scanner</translation></message>
@@ -1057,9 +1067,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
 <message><source>Stop recording</source><translation>Arrêter l'enregistrement</translation></message>
-<message><source>Follow</source><translation>Suivre</translation></message>
-<message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>L'image à l'écran est figée pendant que le scanner continue ; un appui montre ce que le scanner mesure maintenant.</translation></message>
-<message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>L'image à l'écran croît avec le scanner ; un appui la fige pendant que le scanner continue.</translation></message>
 <message><source>Show %1</source><translation>Montrer : %1</translation></message>
 <message><source>Show another sweep…</source><translation>Montrer un autre balayage…</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
@@ -1383,6 +1390,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Agrandi %1 × · Ajuster montre tout</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
+<message><source>More edges</source><translation>Plus d'arêtes</translation></message>
+<message><source>Fewer edges</source><translation>Moins d'arêtes</translation></message>
 <message><source>No scan</source><translation>Aucun scan</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
@@ -1401,7 +1410,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
-<message><source>‹ › back</source><translation>‹ › retour</translation></message>
 <message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>

@@ -383,6 +383,14 @@ visível %6 m², a %7 m</translation></message>
 <message><source>by confidence</source><translation>por confiança</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primeiro uma varredura.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
+<message><source>Nothing was measured here.</source><translation>Nada foi medido aqui.</translation></message>
+<message><source>The surface changes too little here to be an edge.</source><translation>A superfície muda pouco demais aqui para ser uma borda.</translation></message>
+<message><source>The surface changes here, but another cell of it is the edge.</source><translation>A superfície muda aqui, mas outra célula dessa mudança é a borda.</translation></message>
+<message><source>One surface ends here in front of another.</source><translation>Uma superfície termina aqui à frente de outra.</translation></message>
+<message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>A superfície dobra para fora aqui, como no canto de uma rocha.</translation></message>
+<message><source>The surface bends inwards here, as where two rocks meet.</source><translation>A superfície dobra para dentro aqui, como onde duas rochas se tocam.</translation></message>
+<message><source>The measured surface ends here.</source><translation>A superfície medida termina aqui.</translation></message>
+<message><source>The surface changes strongly here.</source><translation>A superfície muda muito aqui.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>Não foi possível determinar a razão (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
 <message><source>Finding the reason …</source><translation>À procura da razão …</translation></message>
@@ -436,7 +444,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Não é possível ligar a %1: escreva o nome ou o endereço do scanner, ou ws://ROBOT para um robô com ROS.</translation></message>
-<message><source>Nothing was done: the button had just changed to “%1”. Press it again.</source><translation>Nada foi feito: o botão acabara de mudar para “%1”. Carregue nele outra vez.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
@@ -782,8 +789,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Close the keys</source><translation>Fechar as teclas</translation></message>
 <message><source>Capital letter</source><translation>Maiúscula</translation></message>
 <message><source>Space</source><translation>Espaço</translation></message>
-<message><source>Previous target</source><translation>Alvo anterior</translation></message>
-<message><source>Next target</source><translation>Alvo seguinte</translation></message>
+<message><source>Previous target or measurement</source><translation>Alvo ou medição anterior</translation></message>
+<message><source>Next target or measurement</source><translation>Alvo ou medição seguinte</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
@@ -1049,6 +1056,9 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Keep last minute</source><translation>Conservar o último minuto</translation></message>
 <message><source>Write what arrived during the last minute to a new file</source><translation>Escrever em um arquivo novo o que chegou durante o último minuto</translation></message>
 <message><source>Hold</source><translation>Reter</translation></message>
+<message><source>The picture stays as it is while the scanner goes on.</source><translation>A imagem fica como está enquanto o scanner continua.</translation></message>
+<message><source>Follow</source><translation>Seguir</translation></message>
+<message><source>The picture grows with the scanner.</source><translation>A imagem cresce com o scanner.</translation></message>
 <message><source>scanner, or ws://ROBOT</source><translation>scanner, ou ws://ROBOT</translation></message>
 <message><source>Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs</source><translation>Nome ou endereço do scanner; ws://ROBOT é um robô com ROS em que corre o foxglove_bridge</translation></message>
 <message><source>Name or address of the scanner</source><translation>Nome ou endereço do scanner</translation></message>
@@ -1057,9 +1067,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Linhas de uma varredura, passo por linha, montagem</translation></message>
 <message><source>Stop</source><translation>Parar</translation></message>
 <message><source>Stop recording</source><translation>Parar a gravação</translation></message>
-<message><source>Follow</source><translation>Seguir</translation></message>
-<message><source>The picture on the screen is held while the scanner goes on; a press shows what the scanner measures now.</source><translation>A imagem na tela está retida enquanto o scanner continua; um toque mostra o que o scanner mede agora.</translation></message>
-<message><source>The picture on the screen grows with the scanner; a press holds it while the scanner goes on.</source><translation>A imagem na tela cresce com o scanner; um toque a retém enquanto o scanner continua.</translation></message>
 <message><source>Show %1</source><translation>Mostrar: %1</translation></message>
 <message><source>Show another sweep…</source><translation>Mostrar outra varredura…</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
@@ -1383,6 +1390,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Enquadrar mostra tudo</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
+<message><source>More edges</source><translation>Mais bordas</translation></message>
+<message><source>Fewer edges</source><translation>Menos bordas</translation></message>
 <message><source>No scan</source><translation>Nenhuma varredura</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
@@ -1401,7 +1410,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
-<message><source>‹ › back</source><translation>‹ › voltar</translation></message>
 <message><source>Rock, visible a × b</source><translation>Rocha, a × b visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
