@@ -10,6 +10,7 @@
 #include "ui/base/view_plate.h"
 #include "ui/base/window_room.h"
 #include "ui/panels/live/live_panel.h"
+#include "ui/panels/rocks/rock_table.h"
 #include "ui/panels/rocks/rocks_panel.h"
 #include "ui/panels/start/start_page.h"
 #include "ui/panels/targets/targets_panel.h"
@@ -30,6 +31,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSpinBox>
+#include <QTableView>
 #include <QToolButton>
 #include <QtTest>
 

@@ -882,7 +882,7 @@ private slots:
         QVERIFY(known(on) && command->isEnabled());
         on.viewer.targets.rename(1, "keystone");
         on.viewer.targets.setNote(2, "loose");
-        for (const QString& name : {"targets.csv", "targets.dxf"}) {
+        for (const QString name : {"targets.csv", "targets.dxf"}) {
             const QString path = QString::fromStdString((folder_ / name.toStdString()).string());
             QSignalSpy saved(&on.viewer.engine, &Engine::saved);
             on.viewer.targets.exportTo(path);
