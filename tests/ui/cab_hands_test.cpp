@@ -276,6 +276,7 @@ private slots:
         QVERIFY(fields->isVisible());
         fields->close();
         // So are port and address of the scanner.
+        QVERIFY(on.activate());
         on.viewer.livePanel.askAddress();
         auto* port = on.window.findChild<QSpinBox*>("live-port");
         tapOnScreen(*port->findChild<QLineEdit*>());

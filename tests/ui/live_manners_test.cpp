@@ -86,7 +86,9 @@ class LiveMannersTest : public QObject {
         QStringList words;
         QMenu* menu = openSweeps(window);
         if (menu == nullptr) return words;
-        for (const QAction* each : menu->actions()) words << each->text();
+        for (const QAction* each : menu->actions()) {
+            if (each->objectName() != "close-menu") words << each->text(); // the first entry in a cab
+        }
         menu->close();
         return words;
     }

@@ -6,6 +6,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
 #include "ui/base/shown_text.h"
+#include "ui/base/tool_tips.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/source.h"
 #include "ui/controllers/scan_look.h"
@@ -118,6 +119,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     setObjectName("edgescan");
     setWindowTitle("EdgeScan");
     setAcceptDrops(true);
+    breakToolTips(*qApp);
     connect(qApp, &QApplication::focusChanged, this, &dropPassedFocus);
     layOutViews();
     layOutLegend();
@@ -276,7 +278,8 @@ void MainWindow::showOrigin() {
     const QStyle& looks = *style();
     const int around = 2 * (looks.pixelMetric(QStyle::PM_ToolBarItemMargin) + looks.pixelMetric(QStyle::PM_ToolBarFrameWidth));
     constexpr int kLeastFrame = 8; // px, of its bar
-    viewer_.tools.reserve(place.sizeHint().width() + std::max(kLeastFrame, around));
+    // OLD PICTURE passes: it is shortened, and the tools stay.
+    if (!viewer_.engine.replacing()) viewer_.tools.reserve(place.sizeHint().width() + std::max(kLeastFrame, around));
     arrange();                                                                         // the badge has another width
     viewer_.targets.setSource(originOf(viewer_.engine, viewer_.live.scanner()).badge); // also while A is drawn
     emit originShown();

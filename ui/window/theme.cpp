@@ -2,7 +2,6 @@
 #include "ui/window/theme.h"
 
 #include "ui/base/themes.h"
-#include "ui/base/tool_tips.h"
 
 #include <QApplication>
 #include <QFont>
@@ -130,7 +129,6 @@ void useTheme(QApplication& application, bool forGloves) {
     if (forGloves) font.setPointSizeF(kLarger * usual.pointSizeF());
     for (QWidget* each : QApplication::allWidgets()) each->ensurePolished(); // a widget that was never shown misses the change otherwise
     application.setFont(font);
-    breakToolTips(application);
     QApplication::setStyle(new FlatStyle(forGloves)); // last: a combo box forgets its least size only then
     useColours(themeInUse());
     for (QWidget* each : QApplication::allWidgets()) each->updateGeometry(); // layouts store the sizes of before

@@ -121,10 +121,11 @@ QSize ToolBar::sizeHint() const {
     return {std::max(rest, own.width() - words_->sizeHint().width()), own.height()};
 }
 
-/// Never less than before in the same window: no button moves each time that the badge has another text.
+/// Never less than before: no button moves each time that the badge has another text.
 void ToolBar::reserve(int pixels) {
-    const int least = std::exchange(reservedIn_, window()->width()) == window()->width() ? reserved_ : 0;
-    if (const int wanted = std::max(least, pixels); std::exchange(reserved_, wanted) != wanted) updateGeometry();
+    if (pixels <= reserved_) return;
+    reserved_ = pixels;
+    updateGeometry();
 }
 
 void ToolBar::setScanOpen(bool on) {

@@ -59,7 +59,7 @@ private:
     };
     std::vector<Button> buttons_;
     QList<QAction*> ofScan_;
-    int reserved_ = 0, reservedIn_ = 0; // px of the window's width
+    int reserved_ = 0; // px of the window's width
     QLabel* words_;
     QAction* wordsPlace_;
     QString asked_, rockTool_, selected_;

@@ -46,6 +46,7 @@ void GloveMenus::take(QMenu& menu) {
     if (menu.property(kTaken).toBool()) return;
     menu.setProperty(kTaken, true);
     connect(&menu, &QMenu::aboutToShow, this, [this, &menu] {
+        menu.setAttribute(Qt::WA_NoMouseReplay, on_); // each time: Qt forgets it
         if (on_ && !menu.isEmpty()) menu.insertAction(menu.actions().front(), close_);
     });
     connect(&menu, &QMenu::aboutToHide, this, [this, &menu] { menu.removeAction(close_); });

@@ -32,17 +32,15 @@ public:
     explicit ReadingBox(QWidget* parent) : QDoubleSpinBox(parent) {}
     void read(ParameterRow::Reading reading) { reading_ = std::move(reading); }
     void onRefusal(Refusal refusal) { refusal_ = std::move(refusal); }
-    void setLargest(double value) { largest_ = value; }
 
-    /// Room for the largest usual value and for the present one, with the unit in the letters of the window; by default it would be as wide
-    /// as the longest possible number.
+    /// Room for the present value with its unit, in the letters of the window; by default it would be as wide as the longest possible
+    /// number.
     QSize minimumSizeHint() const override {
-        int letters = 0;
-        for (const double each : {largest_, value()})
-            letters = std::max(letters, fontMetrics().horizontalAdvance(textFromValue(each) + suffix() + QStringLiteral(" ")));
         QStyleOptionSpinBox option;
         initStyleOption(&option);
         const QSize usual = QDoubleSpinBox::minimumSizeHint();
+        constexpr int kCursor = 6; // px, with the margins of the text
+        const int letters = fontMetrics().horizontalAdvance(textFromValue(value()) + suffix()) + kCursor;
         const int frame = style()->sizeFromContents(QStyle::CT_SpinBox, &option, QSize(letters, usual.height()), this).width();
         return {std::max(kNarrowestNumber, frame), usual.height()};
     }
@@ -68,7 +66,6 @@ private:
 
     ParameterRow::Reading reading_;
     Refusal refusal_;
-    double largest_ = 0.0;
 };
 
 QString limitsText(const edges::Parameter& p) {
@@ -133,7 +130,6 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     number_->setKeyboardTracking(false);
     number_->setAccessibleName(label_->text());
     number_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
-    box->setLargest(p.sliderMaximum);
     if (*p.unit != '\0') number_->setSuffix(" " + QObject::tr(p.unit));
     label_->setBuddy(number_);
     connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
