@@ -40,7 +40,7 @@ QRect CloudOverlay::covered(const OverlayMarks& marks) const {
     const double reach = kRing + 4.0;
     QRectF area;
     if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
-    if (marks.ray && !marks.ring) return rect(); // with the arrow
+    if ((marks.ring || marks.ray) && !QRectF(rect()).contains(marks.ring ? *marks.ring : marks.ray->p2())) return rect(); // with the arrow
     if (marks.ray) area = area.united(QRectF(marks.ray->p1(), marks.ray->p2()).normalized().adjusted(-reach, -reach, reach, reach));
     if (marks.tipAt && !marks.tip.isEmpty())
         area = area.united(tipBox(fontMetrics(), rect(), marks.tipAt->toPoint(), marks.tip).adjusted(-2, -2, 2, 2));
@@ -58,8 +58,10 @@ std::vector<QRectF> CloudOverlay::platesOver() const {
 
 std::optional<QLineF> CloudOverlay::arrow() const {
     const QRectF room = QRectF(rect()).adjusted(kArrowInset, kArrowInset, -kArrowInset, -kArrowInset);
-    if (marks_.ring || !marks_.ray || room.isEmpty() || QRectF(rect()).contains(marks_.ray->p2())) return std::nullopt;
-    const QPointF way = marks_.ray->p2() - room.center();
+    if ((!marks_.ring && !marks_.ray) || room.isEmpty()) return std::nullopt;
+    const QPointF target = marks_.ring ? *marks_.ring : marks_.ray->p2(); // no ring: it is behind the camera
+    if (QRectF(rect()).contains(target)) return std::nullopt;
+    const QPointF way = target - room.center();
     const double across = std::abs(way.x()) / (room.width() / 2.0), down = std::abs(way.y()) / (room.height() / 2.0);
     const QLineF whole(room.center(), room.center() + way / std::max({across, down, 1e-9}));
     return QLineF(whole.pointAt(std::max(0.0, 1.0 - kArrow / std::max(kArrow, whole.length()))), whole.p2());
