@@ -604,43 +604,6 @@ private slots:
         QVERIFY(on.viewer.legend.findChild<QCheckBox*>("legend-edges")->icon().isNull());
     }
 
-    // More, Less and what a note offers leave Close where it is.
-    void closeOfANoteStaysInItsPlace() {
-        WindowFixture on;
-        QVERIFY(on.showWith(scan_));
-        NoticeBar& notice = on.viewer.notice;
-        auto* close = notice.findChild<QToolButton*>("notice-close");
-        auto* more = notice.findChild<QToolButton*>("notice-unfold");
-        for (const bool cab : {false, true}) {
-            on.window.cab().set(cab);
-            for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 775)}) {
-                resizeTo(on.window, size);
-                notice.showNotice(NoticeBar::Kind::Warning, QString("a note of several words ").repeated(40));
-                QTRY_VERIFY(close->isVisible() && more->isVisible());
-                const auto place = [&](const QWidget& each) {
-                    QApplication::processEvents();
-                    return QRect(each.mapTo(&on.window, QPoint()), each.size());
-                };
-                const QRect closeAt = place(*close), moreAt = place(*more);
-                const QRect views(on.viewer.cloud.mapTo(&on.window, QPoint()), on.viewer.cloud.size());
-                QTest::mouseClick(more, Qt::LeftButton);
-                QTRY_VERIFY(notice.unfolded());
-                QCOMPARE(place(*close), closeAt);
-                QCOMPARE(place(*more), moreAt);
-                QVERIFY(on.window.rect().contains(closeAt));
-                QTRY_VERIFY2(place(notice).bottom() < views.bottom() - views.height() / 5, "the views are seen below it");
-                QVERIFY(notice.height() > closeAt.height());
-                QTest::mouseClick(more, Qt::LeftButton);
-                QCOMPARE(place(*close), closeAt);
-                notice.offer("Undo", [] {});
-                QCOMPARE(place(*close), closeAt);
-                QTest::mouseClick(close, Qt::LeftButton);
-                QVERIFY(!notice.isVisible());
-            }
-        }
-        on.window.cab().set(false);
-    }
-
     void onlyASecondOnItsButtonLeavesIt() {
         const QString ini = QString::fromStdString((folder_ / "cab.ini").string());
         WindowFixture on(ini);

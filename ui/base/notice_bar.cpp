@@ -7,15 +7,12 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
-#include <QBoxLayout>
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHideEvent>
 #include <QLabel>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QUndoStack>
 #include <QUrl>
@@ -27,33 +24,18 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kMostEarlier = 9;
-constexpr int kLeastText = 140;                         // px
-constexpr int kNoteLeft = 10, kNoteRight = 6, kRim = 4; // px
-constexpr int kNarrow = 480;                            // px: More is below Close
+constexpr int kLeastText = 200; // px
 
 } // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
     : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), action_(new QToolButton), unfold_(new QToolButton),
-      more_(new QToolButton), content_(new QWidget), buttons_(new QBoxLayout(QBoxLayout::RightToLeft)) {
+      more_(new QToolButton) {
     setObjectName("notice-bar");
     line_->setObjectName("notice-line");
     action_->setObjectName("notice-action");
-    auto* line = new FlowLayout(content_); // in a narrow window the other buttons are below the text
-    line->setContentsMargins(0, 0, 0, 0);
-    content_->installEventFilter(this);
-    auto* area = new QScrollArea;
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidgetResizable(true);
-    area->setMinimumHeight(1); // the bar is as high as heightAt()
-    area->setWidget(content_);
-    for (QWidget* each : {area->viewport(), content_}) each->setAutoFillBackground(false);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(kNoteLeft, kRim, kNoteRight, kRim);
-    row->addWidget(area, 1);
-    row->addLayout(buttons_);
+    auto* line = new FlowLayout(this); // in a narrow window the buttons are below the text
+    line->setContentsMargins(10, 4, 6, 4);
     QFont bold = sign_->font();
     bold.setBold(true);
     sign_->setFont(bold);
@@ -77,6 +59,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     unfold_->setObjectName("notice-unfold");
     unfold_->setCheckable(true);
     connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
+    line->addWidget(unfold_);
     more_->setObjectName("notice-earlier");
     more_->setToolTip(tr("Notes that came before this one and were not closed"));
     more_->hide();
@@ -84,9 +67,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     line->addWidget(more_);
     line->addWidget(action_);
     line->addWidget(copy);
-    close->setObjectName("notice-close");
-    for (QToolButton* each : {close, unfold_}) buttons_->addWidget(each, 0, Qt::AlignTop);
-    buttons_->addStretch(1);
+    line->addWidget(close);
     hide();
     followColours(*this, [this](const Theme&) { paintKind(); });
 }
@@ -214,54 +195,23 @@ void NoticeBar::unfold(bool on) {
 
 /// The button is visible only if the line, or in a cab two of them, is not enough.
 void NoticeBar::offerMore() {
-    placeButtons();
-    for (QLayout* each : {layout(), content_->layout()}) each->activate();
     if (unfolded()) return unfold_->show();
     // Measured without the button, so that it does not cause itself.
-    const bool takes = !unfold_->isHidden() && buttons_->direction() == QBoxLayout::RightToLeft;
-    const int room = line_->width() + (takes ? unfold_->width() + buttons_->spacing() : 0);
+    const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
     unfold_->setVisible(!line_->fits(room));
-}
-
-/// Close is always at the top right, More next to it or below it, whatever the bar shows.
-void NoticeBar::placeButtons() {
-    const bool narrow = width() < kNarrow;
-    buttons_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::RightToLeft);
-    const int lines = !brief_ ? 1 : narrow ? 4 : 2; // as high as the buttons
-    if (std::exchange(lines_, lines) != lines) line_->setLines(lines);
-    const QString now = unfold_->text();
-    int widest = 0;
-    for (const QString& text : {tr("Less"), tr("More")}) {
-        unfold_->setText(text);
-        widest = std::max(widest, unfold_->sizeHint().width());
-    }
-    unfold_->setText(now);
-    unfold_->setMinimumWidth(widest);
-}
-
-int NoticeBar::heightAt(int width) const {
-    const QSize buttons = buttons_->sizeHint();
-    const int room = width - kNoteLeft - kNoteRight - layout()->spacing() - buttons.width() - 2 * frameWidth();
-    return 2 * (kRim + frameWidth()) + std::max(buttons.height(), content_->heightForWidth(room));
-}
-
-bool NoticeBar::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == content_ && event->type() == QEvent::LayoutRequest)
-        QCoreApplication::postEvent(this, new QEvent(QEvent::LayoutRequest)); // the content is inside the area that scrolls
-    if (watched == content_ && event->type() == QEvent::Resize) offerMore();
-    return QFrame::eventFilter(watched, event);
 }
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
+    layout()->activate();
     offerMore();
 }
 
 bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
 void NoticeBar::setBrief(bool on) {
-    brief_ = on;
     copy_->setVisible(!on);
+    line_->setLines(on ? 2 : 1);
     offerMore();
 }
 

@@ -11,7 +11,6 @@
 #include <deque>
 #include <functional>
 
-class QBoxLayout;
 class QLabel;
 class QToolButton;
 class QUndoStack;
@@ -51,13 +50,10 @@ public:
     /// Shows all lines, or only the first.
     void unfold(bool on);
     [[nodiscard]] bool unfolded() const;
-    /// That of all its text at this width, px.
-    [[nodiscard]] int heightAt(int width) const;
     /// Number of notes and errors that were replaced before the operator closed the bar.
     [[nodiscard]] std::size_t earlier() const { return earlier_.size(); }
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
@@ -72,7 +68,6 @@ private:
     void keepShown();
     void showEarlier();
     void offerMore();
-    void placeButtons();
 
     Kind kind_ = Kind::Done;
     bool passes_ = false;      // with the next step
@@ -84,10 +79,6 @@ private:
     QToolButton* unfold_;
     QToolButton* more_;
     QToolButton* copy_ = nullptr;
-    QWidget* content_; // all but More and Close, whose places depend on the width only; it scrolls where it is higher than the bar
-    QBoxLayout* buttons_;
-    bool brief_ = false;
-    int lines_ = 1; // of the folded text
     std::function<void()> onAction_;
 };
 

@@ -18,8 +18,6 @@ namespace {
 
 constexpr int kTextMargin = 8;   // px
 constexpr int kLeastWidth = 220; // px of a note
-constexpr int kLeastHeight = 120;
-constexpr double kMostShare = 0.6; // of the views' height: its text scrolls
 
 class NoticePlace : public QObject {
 public:
@@ -80,8 +78,8 @@ private:
         return free.width() < kLeastWidth ? rectAt(place.left(), place.right() + 1, taken.bottom() + 1) : free;
     }
     [[nodiscard]] QRect rectAt(int left, int right, int top) const {
-        const int width = right - left, most = std::max(kLeastHeight, static_cast<int>(kMostShare * (views_.height() - top)));
-        return {left, top, width, std::min(notice_.heightAt(width), most)};
+        const int width = right - left;
+        return {left, top, width, std::min(notice_.layout()->heightForWidth(width), views_.height() - top)};
     }
 
     NoticeBar& notice_;
