@@ -706,7 +706,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Na&amp;me…</source><translation>N&amp;om…</translation></message>
 <message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
 <message><source>Na&amp;me of Target %1…</source><translation>No&amp;m de la cible %1…</translation></message>
-<message><source>No&amp;te on Target %1…</source><translation>Remarque sur la cible %1…</translation></message>
+<message><source>No&amp;te on Target %1…</source><translation>Rema&amp;rque sur la cible %1…</translation></message>
 <message><source>Remo&amp;ve Target %1</source><translation>&amp;Supprimer la cible %1</translation></message>
 <message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>

@@ -134,12 +134,20 @@ bool Docks::tableIsBelow() {
     return sideOf(table) == Side::Bottom && !table.widget->isHidden() && !table.widget->isFloating();
 }
 
+/// A dock that has just opened gets its height only after the layout. A height for which there is no room is not asked for without end.
 void Docks::setTableHeight() {
-    if (!tableIsBelow()) return;
+    constexpr int kTries = 3;
+    if (!tableIsBelow()) {
+        arrangedTable_ = 0;
+        return;
+    }
     const int usual = std::max(kLeastTable, static_cast<int>(kTableShare * window_.height()));
-    arrangedTable_ = draggedTable_ > 0 ? std::min(draggedTable_, window_.height() / 2) : usual;
+    const int wanted = draggedTable_ > 0 ? std::min(draggedTable_, window_.height() / 2) : usual;
+    if (std::exchange(arrangedTable_, wanted) != wanted) triesOfTable_ = kTries;
     QDockWidget* table = named(kTable).widget;
-    if (std::abs(table->height() - arrangedTable_) > kSamePx) window_.resizeDocks({table}, {arrangedTable_}, Qt::Vertical);
+    if (triesOfTable_ == 0 || std::abs(table->height() - wanted) <= kSamePx) return;
+    --triesOfTable_;
+    window_.resizeDocks({table}, {wanted}, Qt::Vertical);
 }
 
 /// Under the settings of edges one panel gets the larger part; more of them get equal parts.
@@ -177,7 +185,7 @@ void Docks::showOfB(bool on) {
 }
 
 int Docks::usualWidth(const QDockWidget& dock) const {
-    const int usual = static_cast<int>(std::lround(260 + 0.1656 * (window_.width() - 1280)));
+    const int usual = static_cast<int>(std::lround(278 + 0.1656 * (window_.width() - 1280)));
     return std::max(std::clamp(usual, kLeastPanel, kMostPanel), dock.minimumSizeHint().width());
 }
 

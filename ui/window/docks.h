@@ -89,6 +89,7 @@ private:
     int dragged_ = 0;        // 0: the width follows the window
     int arrangedTable_ = 0;  // height set by setTableHeight()
     int draggedTable_ = 0;   // 0: the height follows the window
+    int triesOfTable_ = 0;   // to give it that height
 };
 
 } // namespace edgescan::ui
