@@ -399,11 +399,9 @@ private slots:
                          qPrintable(QString("%1 px of %2").arg(table->height()).arg(size.height())));
             QVERIFY(on.viewer.rockTable.table()->viewport()->height() >= 3 * 24);
         }
-        const QPoint edge = table->mapTo(&on.window, QPoint(table->width() / 2, -2));
-        QTest::mousePress(&on.window, Qt::LeftButton, Qt::NoModifier, edge);
-        QTest::mouseMove(&on.window, edge - QPoint(0, 60));
-        QTest::mouseRelease(&on.window, Qt::LeftButton, Qt::NoModifier, edge - QPoint(0, 60));
-        QTRY_VERIFY(table->height() > 300);
+        on.window.resizeDocks({table}, {340}, Qt::Vertical);
+        QVERIFY(eventually([&] { return table->height() > 300; }));
+        QTest::mouseRelease(&on.window, Qt::LeftButton, Qt::NoModifier, {2, 2}); // the operator let go of its edge
         const int dragged = table->height();
         resizeTo(on.window, {1900, 1000});
         for (int n = 0; n < 5; ++n) QApplication::processEvents();
