@@ -25,11 +25,13 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
+#include <QStyle>
 #include <QTimer>
 #include <QToolButton>
 
@@ -291,6 +293,33 @@ private slots:
             tapOnScreen(*pad.key(digit));
             QTRY_COMPARE(host->text(), QString(digit));
         }
+        on.window.cab().set(false);
+    }
+
+    // A tap opens the menu in a menu of Menu, and it stays open, though the finger never was over the first one.
+    void aMenuInAMenuOfMenuOpensByATap() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        resizeTo(on.window, {1280, 800});
+        on.window.cab().set(true);
+        const auto tapEntry = [](QMenu& menu, const QString& name) {
+            for (QAction* each : menu.actions()) {
+                if (each->text().remove('&') == name)
+                    QTest::mouseClick(menu.windowHandle(), Qt::LeftButton, Qt::NoModifier, menu.actionGeometry(each).center());
+            }
+            return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        };
+        QTest::mouseClick(on.window.findChild<QToolButton*>("cab-menu"), Qt::LeftButton);
+        QPointer<QMenu> first = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(first);
+        QPointer<QMenu> file = tapEntry(*first, "File");
+        QVERIFY(file && file != first);
+        QPointer<QMenu> inner = tapEntry(*file, "Export");
+        QVERIFY(inner && inner != file);
+        // As long as a menu waits for a pointer that left it.
+        QTest::qWait(QApplication::style()->styleHint(QStyle::SH_Menu_SubMenuSloppyCloseTimeout) + 200);
+        QVERIFY(inner->isVisible() && file->isVisible() && first->isVisible());
+        while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
         on.window.cab().set(false);
     }
 

@@ -455,6 +455,7 @@ private slots:
         QTRY_COMPARE(on.window.windowTitle(), title);
         QCOMPARE(on.viewer.statusLine.countsShown(), facts);
         QCOMPARE(counts.text(), ranges);
+        QVERIFY2(!on.viewer.legend.isVisible(), "the legend of A's edges stays below that of the comparison");
         QCOMPARE(panel->text(), QString("Edges"));
         QVERIFY(!on.viewer.statusLine.probeShown().startsWith("A: "));
     }

@@ -171,6 +171,23 @@ private slots:
         QVERIFY(window.viewer().live.scanner().following());
     }
 
+    // A double tap on Stop does not connect again, which would drop the sweep on the screen.
+    void aDoubleTapOnStopIsOneTap() {
+        const auto emulated = scanner(100);
+        QVERIFY(emulated);
+        WindowFixture on;
+        QVERIFY(showsFirstLines(on, *emulated));
+        auto* stop = on.viewer.live.panel().findChild<QPushButton*>("live-connect");
+        QCOMPARE(stop->text(), QString("Stop"));
+        QSignalSpy again(&on.viewer.live.panel(), &LivePanel::connectRequested);
+        QTest::mouseClick(stop, Qt::LeftButton);
+        QTest::mouseDClick(stop, Qt::LeftButton);
+        QCOMPARE(stop->text(), QString("Connect"));
+        QVERIFY(again.isEmpty());
+        QTest::mouseClick(stop, Qt::LeftButton);
+        QCOMPARE(again.size(), 1);
+    }
+
     // The scanner is in the middle of a sweep when the connection is made: that part is named, is not held, and the next sweep, which is
     // complete, replaces it without a click.
     void aPartOfASweepIsNamedAndReplaced() {

@@ -50,7 +50,7 @@ void addChangeLegend(MainWindow& w) {
     over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().changeLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
     const auto follow = [&w] {
         w.viewer().changeLegend.showOverRocks(w.viewer().views.scene().pointsOver != nullptr);
-        w.viewer().legend.setVisible(w.viewer().views.scene().picture != nullptr && w.viewer().views.scene().instead == nullptr);
+        w.viewer().legend.setVisible(w.viewer().views.scene().picture != nullptr && w.viewer().views.scene().insteadNow() == nullptr);
     };
     QObject::connect(&w.viewer().views, &LinkedViews::picturesChanged, &w, follow);
 }

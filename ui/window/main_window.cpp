@@ -338,6 +338,7 @@ void MainWindow::showFacts() {
     viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && picture.source.stream == scanner.stream());
     viewer_.statusLine.showSettings(viewer_.views.flipped() ? detection.settings : viewer_.engine.settings());
     viewer_.legend.showResult(detection);
+    viewer_.legend.setVisible(viewer_.views.scene().insteadNow() == nullptr); // a comparison has a legend of its own
 }
 
 // The title of the picture on the screen: sweeps of a scanner and of a recording have their own names.

@@ -36,7 +36,10 @@ class FlatStyle : public QProxyStyle {
 public:
     explicit FlatStyle(bool forGloves) : QProxyStyle(QStyleFactory::create("Fusion")), forGloves_(forGloves) {}
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
-        return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+        if (hint == SH_EtchDisabledText) return 0;
+        // Else a menu closes the menu of its menu: a finger does not stay where it tapped, and never was over the first menu.
+        if (hint == SH_Menu_SubMenuDontStartSloppyOnLeave) return 1;
+        return QProxyStyle::styleHint(hint, option, widget, data);
     }
     // Fusion's own frames are shades of the background, and invisible on some backgrounds.
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override {

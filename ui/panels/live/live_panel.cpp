@@ -115,7 +115,10 @@ LivePanel::LivePanel(QWidget* parent)
     connect(other_, &QPushButton::clicked, this, &LivePanel::askOther);
     // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
     // meaning by then.
-    for (QPushButton* each : {connect_, record_, keep_, hold_, follow_, other_}) each->setFocusPolicy(Qt::TabFocus);
+    for (QPushButton* each : {connect_, record_, keep_, hold_, follow_, other_}) {
+        each->setFocusPolicy(Qt::TabFocus);
+        each->installEventFilter(this);
+    }
     for (auto [each, sign] : {std::pair(hold_, "hold"), std::pair(follow_, "play"), std::pair(other_, "play")})
         each->setIcon(toolIcon(sign));
     setConnected(false);
@@ -259,6 +262,11 @@ void LivePanel::setRecording(bool recording) {
     record_->setChecked(recording);
     topics_->setEnabled(!recording); // another topic is another connection, which would end the recording
     record_->setText(recording ? tr("Stop recording") : tr("Record"));
+}
+
+/// A double tap is one tap: the second one would press what the first one made of the button, as Connect after Stop.
+bool LivePanel::eventFilter(QObject* watched, QEvent* event) {
+    return event->type() == QEvent::MouseButtonDblClick || QWidget::eventFilter(watched, event);
 }
 
 /// Only one of the two buttons can be pressed; while the picture is held, Follow has the colour of what is chosen.

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] HealthStrip& strip() { return *strip_; }
     [[nodiscard]] QString scannerShown() const;
 
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 signals:
     void connectRequested();
     void disconnectRequested();
