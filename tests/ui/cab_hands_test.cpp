@@ -5,6 +5,7 @@
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/cab/cab_frame.h"
+#include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
@@ -345,6 +346,7 @@ private slots:
         QTRY_VERIFY2(target.text().startsWith("Target 1"), qPrintable(target.text()));
         on.viewer.comparing.flip(true);
         QVERIFY2(target.text().startsWith("B: Target 1"), qPrintable(target.text()));
+        QVERIFY2(on.window.cab().corner().image() == on.viewer.views.gray().image(), "the small picture is not of A");
         on.viewer.comparing.flip(false);
         QVERIFY2(target.text().startsWith("Target 1"), qPrintable(target.text()));
     }

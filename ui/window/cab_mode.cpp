@@ -150,7 +150,10 @@ void CabMode::follow() {
         showNumbers();
     });
     connect(&window_.viewer().measures, &Measures::kindChanged, this, &CabMode::showNumbers);
-    connect(&window_.viewer().views, &LinkedViews::flippedChanged, this, &CabMode::showNumbers);
+    connect(&window_.viewer().views, &LinkedViews::flippedChanged, this, [this] {
+        showNumbers();
+        showCorner();
+    });
     connect(&window_.viewer().rocks, &Rocks::rocksShown, this, &CabMode::showNumbers);
     connect(&window_.viewer().rocks, &Rocks::selectionChanged, this, [this] {
         showNumbers();

@@ -20,6 +20,7 @@ public:
     /// One pixel per cell; `marked`: x = beam, y = line. Null image: only the text.
     void show(std::shared_ptr<const QImage> image, std::optional<QPoint> marked);
     void setWords(const QString& words);
+    [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return image_; }
 
     /// Distance of its left edge from the right edge of its parent, px.
     [[nodiscard]] int reach() const;
