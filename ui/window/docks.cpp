@@ -185,7 +185,7 @@ void Docks::showOfB(bool on) {
 }
 
 int Docks::usualWidth(const QDockWidget& dock) const {
-    const int usual = static_cast<int>(std::lround(278 + 0.1656 * (window_.width() - 1280)));
+    const int usual = static_cast<int>(std::lround(268 + 0.1656 * (window_.width() - 1280)));
     return std::max(std::clamp(usual, kLeastPanel, kMostPanel), dock.minimumSizeHint().width());
 }
 

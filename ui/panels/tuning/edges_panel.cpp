@@ -72,6 +72,7 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     auto* grid = new QGridLayout;
     grid->setColumnStretch(1, 1);
     grid->setColumnMinimumWidth(0, kNarrowestLabel);
+    grid->setHorizontalSpacing(3); // the numbers need the room
     addPresets(*grid);
     for (const edges::Parameter& p : edges::parameters()) {
         if (!p.advanced && !p.several) addRow(p, *grid); // the classes are switches of the legend
