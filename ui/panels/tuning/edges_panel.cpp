@@ -70,9 +70,13 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(6, 6, 6, 6);
     auto* grid = new QGridLayout;
-    grid->setColumnStretch(1, 1);
-    grid->setColumnMinimumWidth(0, kNarrowestLabel);
-    grid->setHorizontalSpacing(3); // the numbers need the room
+    advanced_ = new QWidget;
+    auto* advancedGrid = new QGridLayout(advanced_);
+    for (QGridLayout* each : {grid, advancedGrid}) {
+        each->setColumnStretch(1, 1);
+        each->setColumnMinimumWidth(0, kNarrowestLabel);
+        each->setHorizontalSpacing(3); // the numbers need the room
+    }
     addPresets(*grid);
     for (const edges::Parameter& p : edges::parameters()) {
         if (!p.advanced && !p.several) addRow(p, *grid); // the classes are switches of the legend
@@ -88,11 +92,7 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     fold->setArrowType(Qt::RightArrow);
     fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     fold->setAutoRaise(true);
-    advanced_ = new QWidget;
-    auto* advancedGrid = new QGridLayout(advanced_);
     advancedGrid->setContentsMargins(0, 0, 0, 0);
-    advancedGrid->setColumnStretch(1, 1);
-    advancedGrid->setColumnMinimumWidth(0, kNarrowestLabel);
     for (const edges::Parameter& p : edges::parameters()) {
         if (!p.advanced) continue;
         addRow(p, *advancedGrid);
