@@ -6,7 +6,6 @@
 
 #include <array>
 #include <charconv>
-#include <cstdio>
 
 namespace edgescan::files {
 namespace {
@@ -16,17 +15,19 @@ constexpr std::size_t kSeedDigits = 16;
 constexpr const char* kRoot = "C";         // the handle that the dictionary of dictionaries has everywhere
 constexpr std::size_t kLongestWords = 255; // bytes of a text, by the reference
 
+std::string fourHexDigits(std::uint32_t number) {
+    std::string digits;
+    for (const unsigned shift : {12U, 8U, 4U, 0U}) digits += "0123456789ABCDEF"[number >> shift & 15U];
+    return digits;
+}
+
 /// Letters by their numbers, and no line break, which would end the group.
 std::string asciiWords(const std::string& text) {
     std::string words;
     for (const std::uint32_t point : charactersOf(text)) {
         std::string next(1, static_cast<char>(point));
         if (point < 0x20 || point == 0x7F) next = " ";
-        if (point > 0x7F) {
-            std::array<char, 16> code{};
-            std::snprintf(code.data(), code.size(), "\\U+%04X", static_cast<unsigned>(point));
-            next = point > 0xFFFF ? "?" : code.data(); // four digits at most
-        }
+        if (point > 0x7F) next = point > 0xFFFF ? "?" : "\\U+" + fourHexDigits(point);
         if (words.size() + next.size() > kLongestWords) break;
         words += next;
     }

@@ -164,7 +164,7 @@ void LivePanel::followAddress() {
 void LivePanel::splitAddress() {
     const auto typed = scanner::hostPort(host().toStdString());
     if (connected_ || !typed || typed->bridge) return;
-    if (const QString name = QString::fromStdString(typed->host); name != host()) host_->setText(name);
+    if (const QString name = exactText(typed->host); name != host()) host_->setText(name);
     if (typed->portTyped) port_->setValue(typed->port);
 }
 
