@@ -308,7 +308,8 @@ private slots:
                 if (each->text().remove('&') == name)
                     QTest::mouseClick(menu.windowHandle(), Qt::LeftButton, Qt::NoModifier, menu.actionGeometry(each).center());
             }
-            return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            const bool opens = eventually([&] { return QApplication::activePopupWidget() != &menu; });
+            return opens ? qobject_cast<QMenu*>(QApplication::activePopupWidget()) : nullptr;
         };
         QTest::mouseClick(on.window.findChild<QToolButton*>("cab-menu"), Qt::LeftButton);
         QPointer<QMenu> first = qobject_cast<QMenu*>(QApplication::activePopupWidget());

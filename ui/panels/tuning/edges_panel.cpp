@@ -75,7 +75,7 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     for (QGridLayout* each : {grid, advancedGrid}) {
         each->setColumnStretch(1, 1);
         each->setColumnMinimumWidth(0, kNarrowestLabel);
-        each->setHorizontalSpacing(3); // the numbers need the room
+        each->setHorizontalSpacing(2); // the numbers need the room
     }
     addPresets(*grid);
     for (const edges::Parameter& p : edges::parameters()) {
