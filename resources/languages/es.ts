@@ -351,6 +351,12 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORÍA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
+visible %6 m², a %7 m</translation></message>
+<message><source>farther</source><translation>más lejos</translation></message>
+<message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
@@ -369,12 +375,6 @@
 <message><source>gained, lost and kept</source><translation>ganados, perdidos y conservados</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A y la pantalla son iguales, o aún se están comparando.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Todavía no hay nada conservado como A: Bordes &gt; Comparar A/B &gt; Conservar esto como A.</translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
-visible %6 m², a %7 m</translation></message>
-<message><source>farther</source><translation>más lejos</translation></message>
-<message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>open a scan first</source><translation>primero abra un escaneo</translation></message>
 <message><source>when the sweep has ended</source><translation>cuando termine el barrido</translation></message>
 <message><source>could not be computed:
@@ -610,10 +610,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: las primeras %1 líneas de un barrido que crece</translation></message>
-<message><source>▲ partial: %1 of the %2 lines of a sweep</source><translation>▲ parcial: %1 de las %2 líneas de un barrido</translation></message>
-<message><source>being computed …</source><translation>en cálculo …</translation></message>
+<message><source>▲ partial: %1/%2 lines</source><translation>▲ parcial: %1/%2 líneas</translation></message>
+<message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 líneas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
+<message><source>being computed …</source><translation>en cálculo …</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
@@ -812,6 +812,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Next changed region</source><translation>Siguiente región cambiada</translation></message>
 <message><source>End</source><translation>Terminar</translation></message>
 <message><source>Ends the comparison: A is forgotten</source><translation>Termina la comparación: se olvida A</translation></message>
+<message><source>Shows A; hold \ for a short look</source><translation>Muestra A; mantenga \ para verla un momento</translation></message>
+<message><source>Difference</source><translation>Diferencia</translation></message>
+<message><source>Shows B with what changed since A</source><translation>Muestra B con lo que cambió desde A</translation></message>
+<message><source>Shows B alone</source><translation>Muestra solo B</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>sin comparar con el escaneo en pantalla</translation></message>
 <message><source>nothing to compare with yet:
@@ -828,7 +832,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Unfolds the legend</source><translation>Despliega la leyenda</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para verla: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
-<message><source>hold \ to see it</source><translation>mantenga \ para verla</translation></message>
 <message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
 <message><source>A: %1</source><translation>A: %1</translation></message>
 <message><source>at all of them</source><translation>con todos</translation></message>
@@ -1104,6 +1107,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fuera de la región de interés. Borre la región para verla.</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece una pared, o está más allá de «Roca más lejana» (%1 m). Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
+<message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionadas: las rocas %1 son ahora la roca %2.</translation></message>
+<message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: la roca %1 es ahora las rocas %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1 y %2 más.</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Los números siguen el área visible, así que otras rocas tienen otros: %1.</translation></message>
@@ -1945,6 +1950,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluidos: %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ un extremo está %1 m detrás de la superficie vecina</translation></message>
 <message><source>between its ends the surface is up to %1 m farther away</source><translation>entre sus extremos la superficie está hasta %1 m más lejos</translation></message>
+<message><source>between its ends the surface is up to %1 m nearer</source><translation>entre sus extremos la superficie está hasta %1 m más cerca</translation></message>
 <message><source>no pose: up is the scanner's z</source><translation>sin pose: arriba es el eje z del escáner</translation></message>
 <message><source>Vertical Difference</source><translation>Diferencia vertical</translation></message>
 <message><source>Angle</source><translation>Ángulo</translation></message>

@@ -351,6 +351,12 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ JOURNAL D'AUDIT : %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
+visible %6 m², à %7 m</translation></message>
+<message><source>farther</source><translation>plus loin</translation></message>
+<message><source>nearer</source><translation>plus proche</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
@@ -369,12 +375,6 @@
 <message><source>gained, lost and kept</source><translation>gagnées, perdues et gardées</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A et l'écran sont identiques, ou la comparaison n'est pas finie.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Rien n'est encore gardé comme A : Arêtes &gt; Comparer A/B &gt; Garder ceci comme A.</translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
-visible %6 m², à %7 m</translation></message>
-<message><source>farther</source><translation>plus loin</translation></message>
-<message><source>nearer</source><translation>plus proche</translation></message>
 <message><source>open a scan first</source><translation>ouvrez d'abord un scan</translation></message>
 <message><source>when the sweep has ended</source><translation>quand le balayage sera terminé</translation></message>
 <message><source>could not be computed:
@@ -610,10 +610,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ partiel : les %1 premières lignes d'un balayage qui grandit</translation></message>
-<message><source>▲ partial: %1 of the %2 lines of a sweep</source><translation>▲ partiel : %1 des %2 lignes d'un balayage</translation></message>
-<message><source>being computed …</source><translation>calcul en cours …</translation></message>
+<message><source>▲ partial: %1/%2 lines</source><translation>▲ partiel : %1/%2 lignes</translation></message>
+<message><source>▲ partial: %1 lines</source><translation>▲ partiel : %1 lignes</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
+<message><source>being computed …</source><translation>calcul en cours …</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
@@ -812,6 +812,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Next changed region</source><translation>Région modifiée suivante</translation></message>
 <message><source>End</source><translation>Terminer</translation></message>
 <message><source>Ends the comparison: A is forgotten</source><translation>Termine la comparaison : A est oublié</translation></message>
+<message><source>Shows A; hold \ for a short look</source><translation>Montre A ; maintenez \ pour la voir un instant</translation></message>
+<message><source>Difference</source><translation>Différence</translation></message>
+<message><source>Shows B with what changed since A</source><translation>Montre B avec ce qui a changé depuis A</translation></message>
+<message><source>Shows B alone</source><translation>Montre B seule</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>pas comparé au scan affiché</translation></message>
 <message><source>nothing to compare with yet:
@@ -828,7 +832,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Unfolds the legend</source><translation>Déplie la légende</translation></message>
 <message><source>to see it: A/B, %1</source><translation>pour la voir : A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
-<message><source>hold \ to see it</source><translation>tenez \ pour la voir</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
 <message><source>A: %1</source><translation>A : %1</translation></message>
 <message><source>at all of them</source><translation>avec tous</translation></message>
@@ -1104,6 +1107,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>elle est hors de la zone d'intérêt. Effacez la zone pour la voir.</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>elle ressemble à une paroi, ou elle est au-delà de « Bloc le plus éloigné » (%1 m). Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
+<message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionnés : les blocs %1 sont maintenant le bloc %2.</translation></message>
+<message><source>Split: rock %1 is now rocks %2.</source><translation>Divisé : le bloc %1 est maintenant les blocs %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1 et %2 autres.</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Les numéros suivent l'aire visible, d'autres blocs en ont donc de nouveaux : %1.</translation></message>
@@ -1945,6 +1950,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>sauts compris : %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ une extrémité est %1 m derrière la surface voisine</translation></message>
 <message><source>between its ends the surface is up to %1 m farther away</source><translation>entre ses extrémités la surface est jusqu'à %1 m plus loin</translation></message>
+<message><source>between its ends the surface is up to %1 m nearer</source><translation>entre ses extrémités la surface est jusqu'à %1 m plus près</translation></message>
 <message><source>no pose: up is the scanner's z</source><translation>pas de pose : le haut est l'axe z du scanner</translation></message>
 <message><source>Vertical Difference</source><translation>Différence verticale</translation></message>
 <message><source>Angle</source><translation>Angle</translation></message>

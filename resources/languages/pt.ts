@@ -351,6 +351,12 @@
 <message><source>▲ AUDIT LOG: %1</source><translation>▲ REGISTRO DE AUDITORIA: %1</translation></message>
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
+<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
+<message><source>region %1 of %2: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
+visível %6 m², a %7 m</translation></message>
+<message><source>farther</source><translation>mais longe</translation></message>
+<message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
@@ -369,12 +375,6 @@
 <message><source>gained, lost and kept</source><translation>ganhas, perdidas e mantidas</translation></message>
 <message><source>A and what is on the screen are the same, or are still being compared.</source><translation>A e a tela são iguais, ou ainda estão sendo comparadas.</translation></message>
 <message><source>Nothing is kept as A yet: Edges &gt; Compare A/B &gt; Keep This as A.</source><translation>Nada foi guardado ainda como A: Bordas &gt; Comparar A/B &gt; Guardar isto como A.</translation></message>
-<message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
-<message><source>region %1 of %2: %3 by %4 m ± %5 m,
-visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
-visível %6 m², a %7 m</translation></message>
-<message><source>farther</source><translation>mais longe</translation></message>
-<message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>open a scan first</source><translation>primeiro abra uma varredura</translation></message>
 <message><source>when the sweep has ended</source><translation>quando a varredura terminar</translation></message>
 <message><source>could not be computed:
@@ -610,10 +610,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
-<message><source>▲ partial: the first %1 lines of a sweep that grows</source><translation>▲ parcial: as primeiras %1 linhas de uma varredura que cresce</translation></message>
-<message><source>▲ partial: %1 of the %2 lines of a sweep</source><translation>▲ parcial: %1 das %2 linhas de uma varredura</translation></message>
-<message><source>being computed …</source><translation>em cálculo …</translation></message>
+<message><source>▲ partial: %1/%2 lines</source><translation>▲ parcial: %1/%2 linhas</translation></message>
+<message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 linhas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
+<message><source>being computed …</source><translation>em cálculo …</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
@@ -812,6 +812,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Next changed region</source><translation>Próxima região alterada</translation></message>
 <message><source>End</source><translation>Encerrar</translation></message>
 <message><source>Ends the comparison: A is forgotten</source><translation>Encerra a comparação: A é esquecido</translation></message>
+<message><source>Shows A; hold \ for a short look</source><translation>Mostra A; segure \ para vê-la por um momento</translation></message>
+<message><source>Difference</source><translation>Diferença</translation></message>
+<message><source>Shows B with what changed since A</source><translation>Mostra B com o que mudou desde A</translation></message>
+<message><source>Shows B alone</source><translation>Mostra só B</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>não comparado com a varredura na tela</translation></message>
 <message><source>nothing to compare with yet:
@@ -828,7 +832,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Unfolds the legend</source><translation>Expande a legenda</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para vê-la: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
-<message><source>hold \ to see it</source><translation>segure \ para vê-la</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
 <message><source>A: %1</source><translation>A: %1</translation></message>
 <message><source>at all of them</source><translation>com todos</translation></message>
@@ -1104,6 +1107,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fora da região de interesse. Apague a região para vê-la.</translation></message>
 <message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
 <message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece uma parede, ou está além de “Rocha mais distante” (%1 m). Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
+<message><source>Merged: rocks %1 are rock %2 now.</source><translation>Mescladas: as rochas %1 são agora a rocha %2.</translation></message>
+<message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: a rocha %1 agora é as rochas %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1 and %2 more.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1 e mais %2.</translation></message>
 <message><source>Numbers follow the visible area, so other rocks have new ones: %1.</source><translation>Os números seguem a área visível, então outras rochas têm novos: %1.</translation></message>
@@ -1945,6 +1950,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluídos: %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ uma extremidade está %1 m atrás da superfície vizinha</translation></message>
 <message><source>between its ends the surface is up to %1 m farther away</source><translation>entre as extremidades a superfície fica até %1 m mais longe</translation></message>
+<message><source>between its ends the surface is up to %1 m nearer</source><translation>entre as extremidades a superfície fica até %1 m mais perto</translation></message>
 <message><source>no pose: up is the scanner's z</source><translation>sem pose: para cima é o eixo z do scanner</translation></message>
 <message><source>Vertical Difference</source><translation>Diferença vertical</translation></message>
 <message><source>Angle</source><translation>Ângulo</translation></message>

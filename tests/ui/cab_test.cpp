@@ -843,7 +843,7 @@ private slots:
         const MeasureWords words = on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back());
         QTRY_COMPARE(side.distanceShown() + " " + tolerance->text(), words.value);
         QCOMPARE(kind->text(), words.kind);
-        QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("at "), qPrintable(words.basis));
+        QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("at "), qPrintable(words.remarks.join('\n')));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QVERIFY(title->text().startsWith("Target 1") && kind->text() == "Distance");
         // The arrows go over the target and both measurements, each with its value and its ±.

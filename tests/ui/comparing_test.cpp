@@ -8,6 +8,7 @@
 #include "tests/ui/whole_widgets.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
+#include "ui/controllers/rocks/rocks.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/start/tour.h"
@@ -87,7 +88,9 @@ private slots:
         QVERIFY(showWith(on, before_));
         const edges::Detection& a = *on.picture().detection;
         const Grid<std::uint8_t> maskA = *a.mask;
+        on.viewer.rocks.setShown(true);
         QVERIFY(keepByKey(on));
+        QVERIFY2(!on.viewer.rocks.shown(), "faces would cover what changed");
         QVERIFY(on.viewer.changeLegend.isVisible());
         QVERIFY(!on.viewer.views.scene().instead);
         edges::Settings other = on.viewer.engine.settings();
@@ -129,6 +132,20 @@ private slots:
         QVERIFY(on.viewer.legend.isVisible());
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ShiftModifier);
         QVERIFY(on.viewer.views.scene().instead != nullptr);
+        // A, difference or B by buttons that stay where they are.
+        const auto choose = [&](int n) {
+            auto* button = legend.findChild<QToolButton*>(QString("change-shown-%1").arg(n));
+            const QPoint at = button->mapTo(&on.window, button->rect().center());
+            QTest::mouseClick(button, Qt::LeftButton);
+            return button->isChecked() && eventually([&] { return button->mapTo(&on.window, button->rect().center()) == at; });
+        };
+        QVERIFY(choose(0) && on.viewer.views.flipped());
+        on.viewer.notice.showHint(LinkedViews::onlyOfB());
+        QVERIFY(choose(2) && !on.viewer.views.flipped() && !on.viewer.views.scene().instead);
+        QVERIFY2(!on.viewer.notice.isVisible(), "it is possible again");
+        QVERIFY(!action(on, "Show What Changed")->isChecked());
+        QVERIFY(choose(1) && !on.viewer.views.flipped() && on.viewer.views.scene().instead);
+        QVERIFY(action(on, "Show What Changed")->isChecked());
         action(on, "Forget A")->trigger();
         QVERIFY(!on.viewer.views.scene().instead && !on.viewer.changeLegend.isVisible() && on.viewer.legend.isVisible());
         QVERIFY(on.viewer.views.edges().image() == on.picture().edges);

@@ -514,7 +514,10 @@ private slots:
         const QString label = gray.marks().measures[0].label;
         QVERIFY2(lengthIn(label).startsWith(QString("%1 m ± 0.").arg(between, 0, 'f', 3)), qPrintable(label));
         QVERIFY(gray.marks() == on.viewer.views.cloud().marks() && gray.marks() == on.viewer.views.edges().marks());
-        QVERIFY(on.viewer.targetsPanel.measures()->item(0)->text().contains(", "));
+        // The list has the value and the first warning; the rest is below it, for the chosen measurement.
+        const auto* remarks = on.viewer.targetsPanel.findChild<QLabel*>("measure-remarks");
+        QVERIFY(remarks->isVisible() && remarks->text().contains("at ") && remarks->text().contains(", "));
+        QVERIFY(on.viewer.targetsPanel.measures()->item(0)->text().count('\n') <= 1);
         // The lines and the label are on the screen, in the cloud too.
         const auto blue = [](QRgb p) {
             return std::abs(qRed(p) - 120) < 12 && std::abs(qGreen(p) - 190) < 12 && std::abs(qBlue(p) - 255) < 12;

@@ -1,7 +1,6 @@
 // Keeps a picture, compares with it, flips between both.
 #include "ui/controllers/comparing.h"
 
-#include "core/base/tolerance_text.h"
 #include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
@@ -11,42 +10,21 @@
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/engine/worker_bridge/stage_words.h"
 #include "ui/panels/change/change_legend.h"
-#include "ui/panels/rocks/rock_picture.h"
 #include "ui/views/cloud/cloud_view.h"
-#include "ui/views/image/image_view.h"
-#include "ui/views/image/viewport.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QFileDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QToolTip>
+
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
 
 QString nameOf(const Picture& picture) { return scanName(picture.detection->scan->name); }
-
-constexpr int kLeastAround = 10; // cells around a region, as visible context
-
-/// Only the cells of the region: other regions of its kind may be in the same box.
-std::vector<std::uint32_t> cellsOf(const Grid<inspect::RangeChange>& kinds, const inspect::ChangedRegion& region) {
-    std::vector<std::uint32_t> cells{region.cell};
-    std::vector<bool> seen(kinds.size(), false);
-    seen[region.cell] = true;
-    for (std::size_t n = 0; n < cells.size(); ++n) {
-        const int line = static_cast<int>(cells[n]) / kinds.beams, beam = static_cast<int>(cells[n]) % kinds.beams;
-        for (int i = std::max(region.firstLine, line - 1); i <= std::min(region.lastLine, line + 1); ++i) {
-            for (int j = std::max(region.firstBeam, beam - 1); j <= std::min(region.lastBeam, beam + 1); ++j) {
-                const std::size_t k = kinds.index(i, j);
-                if (seen[k] || kinds[k] != kinds[region.cell]) continue;
-                seen[k] = true;
-                cells.push_back(static_cast<std::uint32_t>(k));
-            }
-        }
-    }
-    return cells;
-}
 
 bool isTyping(const QWidget* widget) {
     return qobject_cast<const QLineEdit*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
@@ -89,7 +67,15 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
     });
     connect(&views_, &LinkedViews::flippedChanged, this, [this](bool on) {
         legend_.showFlipped(on);
+        if (!on) { // what was refused over A is possible again
+            notice_.withdraw({LinkedViews::onlyOfB()});
+            if (QToolTip::text() == LinkedViews::onlyOfB()) QToolTip::hideText();
+        }
         emit flipped(on);
+    });
+    connect(&legend_, &ChangeLegend::shownRequested, this, [this](ShownOfTwo shown) {
+        flip(shown == ShownOfTwo::A);
+        if (shown != ShownOfTwo::A) setDifferenceShown(shown == ShownOfTwo::Difference);
     });
     connect(&legend_, &ChangeLegend::distancesRequested, this, [this](bool on) {
         byDistance_ = on;
@@ -145,6 +131,7 @@ void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& 
         bool some;
         std::optional<inspect::EarlierScan> from;
     };
+    if (after) emit begun();
     undo_.push(
         new UndoStep<State>(what, {pictureA_, pictureA_ != nullptr, earlier_}, {after, after != nullptr, from}, [this](const State& state) {
             const auto picture = state.picture.lock();
@@ -331,9 +318,10 @@ void Comparing::take(const ComparisonAsked& asked, const Compared& made) {
 }
 
 void Comparing::setDifferenceShown(bool on) {
-    shown_ = on;
+    if (std::exchange(shown_, on) == on) return;
     show();
     showLegend();
+    emit differenceShownChanged(on);
 }
 
 void Comparing::show() {
@@ -370,47 +358,6 @@ void Comparing::flip(bool on) {
 }
 
 const Picture* Comparing::drawnA() const { return views_.flipped() ? pictureA_.get() : nullptr; }
-
-void Comparing::goToRegion(int by) {
-    if (!comparison_ || comparison_->change.regions.empty()) {
-        notice_.showHint(tr("No surface came nearer or went farther: keep a scan as A and open another one."));
-        return;
-    }
-    const auto& regions = comparison_->change.regions;
-    const std::size_t count = regions.size();
-    const std::size_t n = region_ ? (*region_ + (by > 0 ? 1 : count - 1)) % count : (by > 0 ? 0 : count - 1);
-    region_ = n;
-    const inspect::ChangedRegion& region = regions[n];
-    const auto& kinds = comparison_->change.ranges.cells;
-    const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
-    const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
-    views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-around, -around, around, around)));
-    const std::vector<std::uint32_t> cells = cellsOf(kinds, region);
-    views_.cloud().lookAtCells(cells);
-    outlineRegion(cells);
-    legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m")
-                           .arg(n + 1)
-                           .arg(count)
-                           .arg(region.farther ? tr("farther") : tr("nearer"))
-                           .arg(region.byM, 0, 'f', 2)
-                           .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)
-                           .arg(region.areaM2, 0, 'f', 2)
-                           .arg(region.rangeM, 0, 'f', 2));
-}
-
-/// Without cells it takes the outline away, unless that is of a rock by now.
-void Comparing::outlineRegion(const std::vector<std::uint32_t>& cells) {
-    if (cells.empty() && (!outlined_ || outlined_ != views_.cloud().outline())) return outlined_.reset();
-    RockOutline outline;
-    if (!cells.empty()) {
-        const auto& kinds = comparison_->change.ranges.cells;
-        Grid<std::uint32_t> mask(kinds.lines, kinds.beams);
-        for (const std::uint32_t k : cells) mask[k] = 1;
-        outline = outlineOf(mask, 1);
-    }
-    views_.setOutline(outline.sides, std::move(outline.cells));
-    outlined_ = views_.cloud().outline();
-}
 
 bool Comparing::eventFilter(QObject* watched, QEvent* event) {
     const bool leaves = event->type() == QEvent::WindowDeactivate && watched == notice_.window();

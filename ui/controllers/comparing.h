@@ -76,6 +76,9 @@ signals:
     void rowsChanged();
     void byDistanceChanged(bool on);
     void flipped(bool on);
+    void differenceShownChanged(bool on);
+    /// The operator chose another A.
+    void begun();
     /// A could not be read, or the comparison could not be made.
     void refused(const QString& sentence);
 

@@ -246,10 +246,8 @@ TargetNumbers CabMode::ofMeasure(const inspect::StoredMeasure& measure) const {
     const bool one = words.value.count("±") == 1; // several lengths have one each
     values.distance = !window_.viewer().targets.settled() ? QStringLiteral("…") : one ? words.value.section(" ± ", 0, 0) : words.value;
     values.tolerance = one ? "± " + words.value.section(" ± ", 1) : QString();
-    QStringList warned, basis;
-    for (const QString& part : words.basis.split("; ", Qt::SkipEmptyParts)) (part.startsWith("▲") ? warned : basis) << part;
-    values.warned = warned.join('\n');
-    values.sizeRemark = basis.join('\n');
+    values.warned = words.warnings.join('\n');
+    values.sizeRemark = words.remarks.join('\n');
     return values;
 }
 

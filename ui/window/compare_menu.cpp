@@ -29,9 +29,10 @@ Command compareMenu(Comparing& comparing) {
             kLine,
             linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
             linked(toggle("Show What &Changed", "Shift+D", nullptr, true, [&comparing](bool on) { comparing.setDifferenceShown(on); }),
-                   [](QAction& action) {
+                   [&comparing](QAction& action) {
                        action.setChecked(true);
                        action.setProperty(kInSessions, "compare/changes");
+                       QObject::connect(&comparing, &Comparing::differenceShownChanged, &action, &QAction::setChecked);
                    }),
             linked(toggle("&Colour by Distance from A", "", nullptr, false, [&comparing](bool on) { comparing.setByDistance(on); }),
                    [&comparing](QAction& action) {

@@ -66,6 +66,7 @@ void Viewer::followPictures() {
     next(confidence, &Confidence::followPicture);
     next(markedEdges, &MarkedEdges::followPicture);
     next(look, &ScanLook::followPicture);
+    QObject::connect(&comparing, &Comparing::begun, &rocks, [this] { rocks.setShown(false); }); // faces cover what changed
     QObject::connect(
         &views, &LinkedViews::newScanShown, &undo, [this] { dropStepsOfOtherScans(undo); }, Qt::QueuedConnection); // after all
 }

@@ -58,7 +58,10 @@ std::string targetRow(const edges::Detection& detection, const RangeNoise& noise
     const Scan& scan = *detection.scan;
     const Rows now = target.cell < scan.cells() ? placeRows(inspect::targetAt(detection, noise, target.cell)) : Rows{};
     Rows then = target.asPinned;
-    std::erase_if(then, [&](const auto& row) { return std::ranges::find(now, row) != now.end(); });
+    // What is the same now, and what only a pose was missing for, if the scan has one now.
+    std::erase_if(then, [&](const auto& row) {
+        return std::ranges::find(now, row) != now.end() || (scan.placement && std::string_view(row.second).starts_with("▲"));
+    });
     return "<tr><td>" + std::to_string(target.number) + "</td><td>" + htmlText(target.name) +
            (target.note.empty() ? "" : "<br>" + htmlText(target.note)) + "</td><td>" + cellText(scan, target.cell) + "</td><td>" +
            rowsHtml(now) + "</td><td>" + rowsHtml(then) + "</td><td>" + htmlText(plainUtc(target.pinnedUtc)) + "</td></tr>\n";
@@ -73,19 +76,38 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
            (measured ? htmlText(inspect::measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
 }
 
-/// Where they are: their numbers on the gray levels.
-std::string targetsPicture(const edges::Detection& detection, const inspect::Notebook& notebook, int mostPixels) {
-    const int lines = detection.scan->lines(), beams = detection.scan->beams();
-    const int height = std::min(lines, mostPixels), width = std::min(beams, mostPixels);
-    std::vector<PictureNumber> numbers;
+/// Where they are, on the gray levels: targets by number and name, measurements as lines with their values.
+std::string notesPicture(const edges::Detection& detection, const RangeNoise& noise, const inspect::Notebook& notebook, int mostPixels) {
+    const Scan& scan = *detection.scan;
+    const int height = std::min(scan.lines(), mostPixels), width = std::min(scan.beams(), mostPixels);
+    const auto at = [&](std::uint32_t cell) {
+        const auto beams = static_cast<std::uint32_t>(scan.beams());
+        return Eigen::Vector2d((cell % beams + 0.5) * width / scan.beams(), (cell / beams + 0.5) * height / scan.lines());
+    };
+    const auto isInside = [&](std::uint32_t cell) { return cell < scan.cells(); }; // else of an earlier shape of the scan
+    std::vector<PictureNumber> texts;
+    std::vector<PictureLine> lines;
+    for (const inspect::StoredMeasure& measure : notebook.measures) {
+        if (!std::ranges::all_of(measure.cells, isInside)) continue;
+        const auto measured = inspect::measureStored(scan, noise, measure);
+        Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+        const auto links = inspect::linksOf(measure.kind);
+        for (const auto& [from, to] : links) {
+            const Eigen::Vector2d a = at(measure.cells[from]), b = at(measure.cells[to]);
+            lines.push_back({a.x(), a.y(), b.x(), b.y()});
+            middle += (a + b) / 2 / static_cast<double>(links.size());
+        }
+        if (measured) texts.push_back({(measured->isWarned() ? "▲ " : "") + inspect::measureText(*measured), middle.x(), middle.y(), true});
+    }
     for (const inspect::PinnedTarget& target : notebook.targets) {
-        if (target.cell >= detection.scan->cells()) continue; // of an earlier shape of the scan
-        numbers.push_back({static_cast<std::uint32_t>(target.number), (target.cell % static_cast<unsigned>(beams) + 0.5) * width / beams,
-                           (target.cell / static_cast<unsigned>(beams) + 0.5) * height / lines, true});
+        if (!isInside(target.cell)) continue;
+        const Eigen::Vector2d place = at(target.cell);
+        texts.push_back({std::to_string(target.number) + (target.name.empty() ? "" : " " + target.name), place.x(), place.y(), true});
     }
     std::size_t leftOut = 0;
-    return numberedFigure(grayPicture(detection, mostPixels), "Targets on gray levels", pictureNumbers(width, height, numbers, leftOut),
-                          "The targets by their numbers. Black is near, or nothing came back.");
+    return numberedFigure(grayPicture(detection, mostPixels), "Targets and measures on gray levels",
+                          pictureNumbers(width, height, texts, leftOut, lines),
+                          "The targets by their numbers, and what was measured. Black is near, or nothing came back.");
 }
 
 int spread(const Rgb& c) { return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}); }
@@ -133,7 +155,7 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
         html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name and note</th><th>Cell</th><th>Now</th>"
                 "<th>Also on its card when it was pinned</th><th>Pinned</th></tr></thead><tbody>\n";
         for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
-        html += "</tbody></table></div>\n" + targetsPicture(detection, notebook, mostPixels);
+        html += "</tbody></table></div>\n";
     }
     if (!notebook.measures.empty()) {
         html += "<div class=\"wide\"><table id=\"measures\">\n<thead><tr><th>Measured</th><th>Result, &plusmn; two standard deviations</th>"
@@ -141,7 +163,7 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
         for (const inspect::StoredMeasure& measure : notebook.measures) html += measureRow(detection, noise, measure);
         html += "</tbody></table></div>\n";
     }
-    return html;
+    return html + notesPicture(detection, noise, notebook, mostPixels);
 }
 
 std::string changeSection(const edges::Detection& now, const inspect::SceneChange& change, const std::string& earlier, int mostPixels) {

@@ -22,22 +22,25 @@ struct Box {
 
 } // namespace
 
-std::string pictureNumbers(int width, int height, const std::vector<PictureNumber>& numbers, std::size_t& leftOut) {
+std::string pictureNumbers(int width, int height, const std::vector<PictureNumber>& numbers, std::size_t& leftOut,
+                           const std::vector<PictureLine>& lines) {
     const double unit = std::max(width, height) * kPartOfSide;
     std::string html = "<svg class=\"numbers\" style=\"--unit:" + fixedText(unit, 2) + "px\" viewBox=\"0 0 " + std::to_string(width) + " " +
                        std::to_string(height) + "\" aria-hidden=\"true\">\n";
+    for (const PictureLine& line : lines)
+        html += "<line x1=\"" + fixedText(line.fromX, 1) + "\" y1=\"" + fixedText(line.fromY, 1) + "\" x2=\"" + fixedText(line.toX, 1) +
+                "\" y2=\"" + fixedText(line.toY, 1) + "\"/>\n";
     std::vector<Box> placed;
     leftOut = 0;
     for (const PictureNumber& each : numbers) {
-        const std::string digits = std::to_string(each.number);
-        const Box box{each.x, each.y, 0.5 * kDigitWidth * unit * static_cast<double>(digits.size()), 0.5 * unit};
+        const Box box{each.x, each.y, 0.5 * kDigitWidth * unit * static_cast<double>(each.text.size()), 0.5 * unit};
         if (!each.always && std::ranges::any_of(placed, [&](const Box& other) { return other.covers(box); })) {
             ++leftOut;
             continue;
         }
         placed.push_back(box);
         html += "<text x=\"" + fixedText(each.x, 1) + "\" y=\"" + fixedText(each.y, 1) + "\"" + (each.always ? "" : " class=\"small\"") +
-                ">" + digits + "</text>\n";
+                ">" + htmlText(each.text) + "</text>\n";
     }
     return html + "</svg>\n";
 }

@@ -203,12 +203,12 @@ std::string picturesOf(const edges::Detection& detection, const rocks::Study& st
     for (std::size_t n = 0; n < order.size(); ++n) {
         const auto cell = order[n]->cell;
         cells.push_back(cell);
-        onFaces.push_back({order[n]->label, (cell % static_cast<unsigned>(beams) + 0.5) * width / beams,
+        onFaces.push_back({std::to_string(order[n]->label), (cell % static_cast<unsigned>(beams) + 0.5) * width / beams,
                            (cell / static_cast<unsigned>(beams) + 0.5) * height / lines, n < listed});
     }
     const CloudPicture cloud = cloudPicture(detection, kRockCloudWidth, kRockCloudHeight, &faces, cells);
     for (std::size_t n = 0; n < order.size(); ++n) {
-        if (cloud.places[n]) onCloud.push_back({order[n]->label, cloud.places[n]->x(), cloud.places[n]->y(), n < listed});
+        if (cloud.places[n]) onCloud.push_back({std::to_string(order[n]->label), cloud.places[n]->x(), cloud.places[n]->y(), n < listed});
     }
     std::size_t leftOut = 0;
     const std::string numbers = pictureNumbers(width, height, onFaces, leftOut);

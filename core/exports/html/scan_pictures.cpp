@@ -91,27 +91,46 @@ constexpr double kNearestM = 0.05; // of what the camera sees
 
 struct Camera {
     Eigen::Vector3d eye, right, up, forward;
-    double focal = 1;
+    double focal = 1;                                 ///< pixels per unit of tangent
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero(); ///< tangents at the middle of the picture
 
     /// Of a point in front of it; `d`: from the eye.
     [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector3d& d, int width, int height) const {
-        return {width / 2.0 + focal * d.dot(right) / d.dot(forward), height / 2.0 - focal * d.dot(up) / d.dot(forward)};
+        const Eigen::Vector2d tangents = Eigen::Vector2d(d.dot(right), d.dot(up)) / d.dot(forward) - middle;
+        return {width / 2.0 + focal * tangents.x(), height / 2.0 - focal * tangents.y()};
     }
 };
 
-// Pixels per unit of tangent, chosen so that almost all points are in the picture; a few far ones may be outside.
-double focalFor(const Camera& camera, const std::vector<Eigen::Vector3d>& points, int width, int height) {
-    constexpr double kInside = 0.98, kFilled = 0.47;
-    std::vector<double> needed; // in units of half the width; the height is scaled to it
+// The interval of all values, or without the hundredth part at each end where those few would make it much larger.
+std::pair<double, double> mostOf(std::vector<double>& values) {
+    const auto at = [&](double share) {
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+        std::nth_element(values.begin(), place, values.end());
+        return *place;
+    };
+    constexpr double kOutside = 0.01, kMuchLarger = 1.5;
+    const auto [least, most] = std::ranges::minmax(values);
+    const double low = at(kOutside), high = at(1.0 - kOutside);
+    return most - least <= kMuchLarger * (high - low) ? std::pair(least, most) : std::pair(low, high);
+}
+
+// Almost all points are in the picture; a few far ones may be outside.
+void frame(Camera& camera, const std::vector<Eigen::Vector3d>& points, int width, int height) {
+    constexpr double kFilled = 0.94;
+    std::vector<double> across, up;
     for (const Eigen::Vector3d& point : points) {
         const Eigen::Vector3d d = point - camera.eye;
         const double z = d.dot(camera.forward);
-        if (z > kNearestM) needed.push_back(std::max(std::abs(d.dot(camera.right)), std::abs(d.dot(camera.up)) * width / height) / z);
+        if (z <= kNearestM) continue;
+        across.push_back(d.dot(camera.right) / z);
+        up.push_back(d.dot(camera.up) / z);
     }
-    if (needed.empty()) return width;
-    const auto inside = needed.begin() + static_cast<std::ptrdiff_t>(kInside * static_cast<double>(needed.size() - 1));
-    std::nth_element(needed.begin(), inside, needed.end());
-    return kFilled * width / std::max(*inside, 1e-3);
+    camera.focal = width;
+    if (across.empty()) return;
+    const auto [left, right] = mostOf(across);
+    const auto [low, high] = mostOf(up);
+    camera.middle = {(left + right) / 2, (low + high) / 2};
+    camera.focal = kFilled / std::max({(right - left) / width, (high - low) / height, 2e-3 / width});
 }
 
 Camera cameraFor(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& sensor, int width, int height) {
@@ -129,7 +148,7 @@ Camera cameraFor(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector
     camera.forward = (middle - camera.eye).normalized();
     camera.right = camera.forward.cross(camera.up).normalized();
     camera.up = camera.right.cross(camera.forward);
-    camera.focal = focalFor(camera, points, width, height);
+    frame(camera, points, width, height);
     return camera;
 }
 

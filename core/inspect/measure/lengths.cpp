@@ -105,23 +105,35 @@ double stepsOf(const Jumps& jumps) {
     return stepM;
 }
 
-/// The jumps under the line, also across cells without a range. Echoes of dust are left out.
-std::vector<RowJump> jumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to) {
+/// The ranges of the cells under the line; 0: none, or an echo of dust.
+std::vector<double> rangesUnder(const Scan& scan, std::uint32_t from, std::uint32_t to) {
     std::vector<double> rangesM;
     for (const std::uint32_t k : rocks::strokeCells({from, to}, scan.lines(), scan.beams())) {
         const bool isSurface = scan.state[k] == CellState::Valid && (k == from || k == to || !isIsolated(scan, k));
         rangesM.push_back(isSurface ? static_cast<double>(scan.rangeMm[k]) / 1000.0 : 0.0);
     }
-    return jumpsAlong(rangesM, static_cast<int>(rangesM.size()));
+    return rangesM;
 }
 
-/// From both ends over their first jumps.
-void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, MeasuredCells& measured) {
-    const std::vector<RowJump> jumps = jumpsUnder(scan, from, to);
+/// Also across cells without a range.
+std::vector<RowJump> jumpsUnder(std::span<const double> rangesM) { return jumpsAlong(rangesM, static_cast<int>(rangesM.size())); }
+
+/// From both ends over their first jumps. `lengthM`: straight from end to end.
+void takeJumpsUnder(const Scan& scan, std::uint32_t from, std::uint32_t to, double lengthM, MeasuredCells& measured) {
+    const std::vector<double> rangesM = rangesUnder(scan, from, to);
+    const std::vector<RowJump> jumps = jumpsUnder(rangesM);
     if (jumps.empty()) return;
-    const double first = stepsOf(jumps), last = -stepsOf(std::views::reverse(jumps)); // as seen from the ends: positive is farther away
-    measured.behindM = std::max({measured.behindM, -first, -last});
-    if (measured.kind != MeasureKind::Throat) measured.inFrontM = std::max({measured.inFrontM, first, last});
+    // A click that missed its edge has the nearer surface next to it, or is so far behind that the length is another one.
+    constexpr int kNextTo = 15;                     // cells
+    constexpr double kShare = 1.0 / 3.0;            // of the length
+    const auto take = [&](double stepM, int away) { // as seen from the end: positive is farther away
+        if (stepM > 0.0 && measured.kind != MeasureKind::Throat) measured.inFrontM = std::max(measured.inFrontM, stepM);
+        if (stepM >= 0.0) return;
+        double& nearer = away <= kNextTo || -stepM > kShare * lengthM ? measured.behindM : measured.nearerBetweenM;
+        nearer = std::max(nearer, -stepM);
+    };
+    take(stepsOf(jumps), jumps.front().from);
+    take(-stepsOf(std::views::reverse(jumps)), static_cast<int>(rangesM.size()) - 1 - jumps.back().to);
 }
 
 std::optional<MeasuredCells> measureInSection(const Scan& scan, const RangeNoise& noise, std::span<const std::uint32_t> cells,
@@ -172,7 +184,7 @@ double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked) {
     const double endM = scan.rangeMm[end] / 1000.0, behindM = scan.rangeMm[click.cell] / 1000.0 - endM;
     if (behindM <= leastJumpM(endM)) return 0.0;
     double acrossM = 0.0; // a slanted surface has no jumps
-    for (const RowJump& jump : jumpsUnder(scan, end, click.cell)) acrossM += jump.stepM;
+    for (const RowJump& jump : jumpsUnder(rangesUnder(scan, end, click.cell))) acrossM += jump.stepM;
     return acrossM > leastJumpM(endM) ? behindM : 0.0;
 }
 
@@ -268,7 +280,8 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
     case MeasureKind::Section: // see measureInSection()
         break;
     }
-    for (const auto& [from, to] : linksOf(kind)) takeJumpsUnder(scan, cells[from], cells[to], measured);
+    for (const auto& [from, to] : linksOf(kind))
+        takeJumpsUnder(scan, cells[from], cells[to], (ends[from].pointM - ends[to].pointM).norm(), measured);
     return measured;
 }
 
@@ -325,7 +338,7 @@ std::string measureText(const MeasuredCells& measured) {
     return text;
 }
 
-std::string measureBasis(const MeasuredCells& measured, Translated translated) {
+std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translated translated) {
     const auto say = [&](const char* pattern, std::initializer_list<std::string> values = {}) {
         return withValues(translated(pattern), values);
     };
@@ -354,9 +367,15 @@ std::string measureBasis(const MeasuredCells& measured, Translated translated) {
     if (measured.behindM > 0.0) parts.push_back(say("▲ an end is %1 m behind the surface next to it", {fixedText(measured.behindM, 2)}));
     if (measured.inFrontM > 0.0)
         parts.push_back(say("between its ends the surface is up to %1 m farther away", {fixedText(measured.inFrontM, 2)}));
+    if (measured.nearerBetweenM > 0.0)
+        parts.push_back(say("between its ends the surface is up to %1 m nearer", {fixedText(measured.nearerBetweenM, 2)}));
     if (measured.upAssumed) parts.push_back(say("no pose: up is the scanner's z"));
+    return parts;
+}
+
+std::string measureBasis(const MeasuredCells& measured) {
     std::string text;
-    for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+    for (const std::string& part : measureRemarks(measured)) text += (text.empty() ? "" : "; ") + part;
     return text;
 }
 

@@ -55,12 +55,15 @@ struct MeasuredCells {
     double angleToleranceDeg = 0.0;      ///< only for Angle; two standard deviations
     bool angleIsBelow = false;           ///< one of its sides is below the resolution
     int leaps = 0;                       ///< only for Path: number of jumps and gaps that it crosses
-    double behindM = 0.0;                ///< how far an end is behind the surface under the line, across a jump; 0: neither end is
-    double inFrontM = 0.0;               ///< the same for an end in front of that surface; not for Throat, which is such a length
-    bool upAssumed = false;              ///< only for Vertical: the scan has no placement, so up is the scanner's z axis
-    std::vector<double> rangesM;         ///< of its cells
-    int fromClicks = 0;                  ///< only for Throat: number of cells from a click to its end, at most
-    double clicksM = 0.0;                ///< only for Throat: distance of the two clicked points; 0: not known
+    /// How far an end is behind the surface under the line; 0: neither end is. Across a jump within 15 cells of the end, or one of more
+    /// than a third of the length.
+    double behindM = 0.0;
+    double nearerBetweenM = 0.0;      ///< the same across another jump: something is in front of the middle of the line
+    double inFrontM = 0.0;            ///< the same for an end in front of that surface; not for Throat, which is such a length
+    bool upAssumed = false;           ///< only for Vertical: the scan has no placement, so up is the scanner's z axis
+    std::vector<double> rangesM;      ///< of its cells
+    int fromClicks = 0;               ///< only for Throat: number of cells from a click to its end, at most
+    double clicksM = 0.0;             ///< only for Throat: distance of the two clicked points; 0: not known
     double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find (throatAt()); 0: not known
     double clickBehindM = 0.0;        ///< only for Throat: how far a click is behind its end, across a jump; 0: neither click is
     double narrowerM = 0.0;           ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
@@ -71,7 +74,7 @@ struct MeasuredCells {
     [[nodiscard]] double endsApartM() const;
     /// Only for Throat: true if the way between the clicks is shorter, because its sides are not where they are.
     [[nodiscard]] bool isLongerThanClicks() const;
-    /// True if measureBasis() has a warning (▲).
+    /// True if measureRemarks() has a warning (▲).
     [[nodiscard]] bool isWarned() const;
 };
 
@@ -100,7 +103,9 @@ void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::spa
 [[nodiscard]] std::string lengthText(const MeasuredLength& length);
 /// All values: "0.512 m ± 0.034", "0.51 × < 0.09 m", "148.2° ± 2.1".
 [[nodiscard]] std::string measureText(const MeasuredCells& measured);
-/// The ranges ("at 5.21, 5.30 m"), and what a reader must know of the ends and of the way between them.
-[[nodiscard]] std::string measureBasis(const MeasuredCells& measured, Translated translated = asWritten);
+/// The ranges ("at 5.21, 5.30 m"), and what a reader must know of the ends and of the way between them. Warnings begin with ▲.
+[[nodiscard]] std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translated translated = asWritten);
+/// All remarks in one line.
+[[nodiscard]] std::string measureBasis(const MeasuredCells& measured);
 
 } // namespace edgescan::inspect

@@ -2,13 +2,16 @@
 #include "core/base/number_text.h"
 #include "core/edges/pipeline/pipeline.h"
 #include "core/exports/html/notes_section.h"
+#include "core/exports/html/scan_pictures.h"
 #include "core/inspect/measure/cell_target.h"
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace edgescan::exports {
 namespace {
@@ -28,7 +31,7 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
     const std::string without = section(scan);
     EXPECT_NE(without.find("E, N, RL: ▲ no pose"), std::string::npos) << without;
     EXPECT_EQ(without.find("E, N, RL"), without.rfind("E, N, RL")); // what is the same is written once
-    EXPECT_NE(without.find("Targets on gray levels"), std::string::npos);
+    EXPECT_NE(without.find("Targets and measures on gray levels"), std::string::npos);
     EXPECT_NE(without.find("<text x=\"40.5\" y=\"25.5\">1</text>"), std::string::npos) << "its number is where it is";
 
     scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
@@ -38,12 +41,52 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
     const std::string text = section(scan);
     const std::size_t at = text.find("E, N, RL: " + fixedText(now->x(), 3) + ", " + fixedText(now->y(), 3) + ", " + fixedText(now->z(), 3));
     ASSERT_NE(at, std::string::npos) << text;
-    EXPECT_GT(text.find("E, N, RL: ▲ no pose"), at); // the value of then is the remark
-    EXPECT_EQ(text.find("Dip / direction: ▲ no pose"), std::string::npos);
+    EXPECT_EQ(text.find("▲ no pose"), std::string::npos) << "the scan has one now";
     EXPECT_NE(text.find("Resolves: 31 mm"), std::string::npos);
+
+    // The picture has the name of the target, and a measurement as a line with its value.
+    notebook.targets[0].name = "A < B";
+    notebook.measures.push_back({inspect::MeasureKind::Distance, {10 * 90 + 20, 30 * 90 + 60}});
+    const std::string both = section(scan);
+    EXPECT_NE(both.find(">1 A &lt; B</text>"), std::string::npos);
+    EXPECT_NE(both.find("<line x1=\"20.5\" y1=\"10.5\" x2=\"60.5\" y2=\"30.5\"/>"), std::string::npos);
+    const auto length = inspect::measureStored(scan, inspect::noiseOf(*placed), notebook.measures[0]);
+    ASSERT_TRUE(length);
+    EXPECT_NE(both.find("x=\"40.5\" y=\"20.5\">" + std::string(length->isWarned() ? "▲ " : "") + inspect::measureText(*length)),
+              std::string::npos);
 
     notebook.targets[0].cell = 60 * 90; // no cell of this scan
     EXPECT_NE(section(scan).find("no cell of this scan"), std::string::npos);
+}
+
+// A cloud that is not as long on both sides of the line of sight: all of it is in the picture, and it fills it.
+TEST(CloudPicture, IsCutAtNoSide) {
+    const Scan whole = test::boxesScan(60, 90, 4, 0.0);
+    for (const int firstBeam : {0, 45, 70}) {
+        Scan part = whole;
+        for (std::size_t k = 0; k < part.cells(); ++k) {
+            if (static_cast<int>(k % 90) >= firstBeam) continue;
+            part.rangeMm[k] = 0.0F;
+            part.state[k] = CellState::NoReturn;
+        }
+        const auto detection = edges::detectEdges(std::make_shared<const Scan>(part), edges::Settings{});
+        std::vector<std::size_t> cells;
+        for (std::size_t k = 0; k < part.cells(); ++k) {
+            if (part.state[k] == CellState::Valid) cells.push_back(k);
+        }
+        const CloudPicture picture = cloudPicture(*detection, 400, 300, nullptr, cells);
+        double left = 400, right = 0, top = 300, bottom = 0;
+        for (const auto& place : picture.places) {
+            ASSERT_TRUE(place) << "a point is outside";
+            left = std::min(left, place->x());
+            right = std::max(right, place->x());
+            top = std::min(top, place->y());
+            bottom = std::max(bottom, place->y());
+        }
+        EXPECT_NEAR(left + right, 400, 1.0);
+        EXPECT_NEAR(top + bottom, 300, 1.0);
+        EXPECT_GT(std::max((right - left) / 400, (bottom - top) / 300), 0.9);
+    }
 }
 
 } // namespace

@@ -107,8 +107,10 @@ void Rocks::judgeEdit() {
         undo_.undo();
         return notice_.showHint(tr("No rock changed, so nothing is to be undone: click or draw on another part of the rock."));
     }
-    const QString words = changeWords(changes, *picture_);
-    const bool merges = !edits_.empty() && edits_.back().kind == rocks::EditKind::Join && edits_.size() > before->study.edits.size();
+    const bool isNew = edits_.size() > before->study.edits.size();
+    const bool merges = isNew && edits_.back().kind == rocks::EditKind::Join;
+    const QString words =
+        QStringList{isNew ? editWords(edits_.back(), *before, *picture_) : QString(), changeWords(changes, *picture_)}.join(' ').trimmed();
     if (const QString apart = merges ? apartWords(edits_.back().cells, *before, *picture_) : QString(); !apart.isEmpty()) {
         notice_.showNotice(NoticeBar::Kind::Warning, words.isEmpty() ? apart : apart + " " + words);
         if (isNewestStep()) notice_.offerUndo(undo_);

@@ -178,13 +178,14 @@ QString Rocks::remark() const {
     if (engine_.picture() && picture_) {
         const Growth& growth = engine_.picture()->source.growth;
         const int lines = picture_->labels.lines;
-        if (growth.growing)
-            words << tr("▲ partial: the first %1 lines of a sweep that grows").arg(lines);
-        else if (growth.expectedLines > lines)
-            words << tr("▲ partial: %1 of the %2 lines of a sweep").arg(lines).arg(growth.expectedLines);
+        if (growth.expectedLines > lines)
+            words << tr("▲ partial: %1/%2 lines").arg(lines).arg(growth.expectedLines);
+        else if (growth.growing)
+            words << tr("▲ partial: %1 lines").arg(lines);
+        if (!growth.growing && ofAnotherPicture()) // of a sweep that grows the number of lines says it
+            words << tr("▲ of the picture before; being computed again");
     }
     if (on_ && engine_.picture() && !picture_) words << tr("being computed …");
-    if (picture_ && ofAnotherPicture()) words << tr("▲ of the picture before; being computed again");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
     if (picture_ && mountingAssumed(*picture_->detection->scan)) words << tr("▲ mounting assumed");
     return words.join(" · ");

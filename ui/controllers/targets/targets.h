@@ -46,8 +46,9 @@ struct KnownConfidence {
 
 /// A measurement in words.
 struct MeasureWords {
-    QString kind, value; ///< "Throat Width", "1.611 m ± 0.135 m"
-    QString basis;       ///< parts, separated by "; "
+    QString kind, value;  ///< "Throat Width", "1.611 m ± 0.135 m"
+    QStringList warnings; ///< each begins with ▲
+    QStringList remarks;
 };
 
 /// GUI thread only. The objects passed to it must outlive it.

@@ -123,20 +123,21 @@ CellMarks Targets::marks() const {
 }
 
 MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
-    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), tr("a cell of it has no range"), {}};
+    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), tr("a cell of it has no range"), {}, {}};
     const inspect::MeasuredCells* now = knownOf(measure);
-    QStringList basis;
+    QStringList all;
     if (now != nullptr) {
         words.value = coreWords(inspect::measureText(*now));
-        basis << shownText(inspect::measureBasis(*now, inLanguage));
+        for (const std::string& remark : inspect::measureRemarks(*now, inLanguage)) all << shownText(remark);
     }
     if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are near the clicks anyway
-        basis << movedText(measure);
+        all << movedText(measure);
     if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
-        basis << tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
-    if (now != nullptr && mountingAssumed(*known_.picture->detection->scan)) basis << tr("▲ mounting assumed");
-    basis.removeAll(QString());
-    words.basis = basis.join("; ");
+        all << tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
+    if (now != nullptr && mountingAssumed(*known_.picture->detection->scan)) all << tr("▲ mounting assumed");
+    for (const QString& remark : all) {
+        if (!remark.isEmpty()) (remark.startsWith("▲") ? words.warnings : words.remarks) << remark;
+    }
     return words;
 }
 
@@ -168,7 +169,10 @@ void Targets::show() {
     lines.clear();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const MeasureWords words = wordsOf(measure);
-        lines.push_back({words.kind + "  " + words.value + (words.basis.isEmpty() ? QString() : "\n" + words.basis), words.basis});
+        QString line = words.kind + "  " + words.value;
+        if (!words.warnings.isEmpty()) line += "\n" + words.warnings.front();
+        if (words.warnings.size() > 1) line += QString(" · +%1 ▲").arg(words.warnings.size() - 1);
+        lines.push_back({line, (words.warnings + words.remarks).join('\n')});
     }
     panel_.showMeasures(lines);
     showCard();

@@ -188,7 +188,11 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     end_->setObjectName("change-end");
     end_->setText(tr("End"));
     end_->setToolTip(tr("Ends the comparison: A is forgotten"));
-    auto* buttons = new QHBoxLayout; // at the foot, which stays where it is while the plate grows upwards
+    // At the foot, which stays where it is while the plate grows upwards.
+    auto* foot = new QVBoxLayout;
+    auto* buttons = new QHBoxLayout;
+    foot->addLayout(switchOfTwo());
+    foot->addLayout(buttons);
     for (QToolButton* button : {fold_, previous_, next_, end_}) {
         if (button == end_) buttons->addStretch(1);
         button->setFocusPolicy(Qt::TabFocus);
@@ -203,10 +207,34 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     grid->addWidget(histogram_, kChangeRows + 5, 0, 1, 2);
     grid->addWidget(distances_, kChangeRows + 6, 0, 1, 2);
     grid->addWidget(region_, kChangeRows + 7, 0, 1, 2);
-    setContent(*content, buttons);
+    setContent(*content, foot);
     connect(previous_, &QToolButton::clicked, this, &ChangeLegend::previousRegionRequested);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
     hide();
+}
+
+/// A, the difference, B: as in docs/guide/compare.md.
+QHBoxLayout* ChangeLegend::switchOfTwo() {
+    const std::array<std::pair<QString, QString>, 3> words{{{"A", tr("Shows A; hold \\ for a short look")},
+                                                            {tr("Difference"), tr("Shows B with what changed since A")},
+                                                            {"B", tr("Shows B alone")}}};
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    for (std::size_t n = 0; n < shown_.size(); ++n) {
+        shown_[n] = new QToolButton(this);
+        shown_[n]->setObjectName(QString("change-shown-%1").arg(n));
+        shown_[n]->setText(words[n].first);
+        shown_[n]->setToolTip(words[n].second);
+        shown_[n]->setCheckable(true);
+        shown_[n]->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(shown_[n]);
+        connect(shown_[n], &QToolButton::clicked, this, [this, n] {
+            emit shownRequested(static_cast<ShownOfTwo>(n));
+            showRows(); // a refused choice
+        });
+    }
+    row->addStretch(1); // they stay where they are, however wide the plate is
+    return row;
 }
 
 void ChangeLegend::showKept(const QString& before, const Comparison* comparison, bool working, bool refused) {
@@ -299,6 +327,11 @@ void ChangeLegend::showRows() {
         const bool shown = open && rowsShown_ && !count.isEmpty() && (!brief_ || count != "0");
         for (QWidget* each : {static_cast<QWidget*>(row.box), static_cast<QWidget*>(row.count)}) each->setVisible(shown);
     }
+    const ShownOfTwo shown = flipped_ ? ShownOfTwo::A : rowsShown_ ? ShownOfTwo::Difference : ShownOfTwo::B;
+    for (std::size_t n = 0; n < shown_.size(); ++n) {
+        shown_[n]->setVisible(compared_ && !brief_); // a cab has the menu A/B
+        shown_[n]->setChecked(n == static_cast<std::size_t>(shown));
+    }
     unit_->setVisible(open && compared_ && rowsShown_ && !brief_);
     how_->setVisible(!compared_ || (rowsShown_ && (warned_ || (open && !brief_))));
     setWords(*how_, open || !warned_ ? howWords_ : outOfSpecWords());
@@ -317,8 +350,8 @@ void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
 
 void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;
-    const QString toSee = brief_ ? tr("to see it: A/B, %1").arg(QObject::tr("Show &A").remove('&')) : tr("hold \\ to see it");
-    setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_) + '\n' + toSee);
+    const QString toSee = brief_ ? '\n' + tr("to see it: A/B, %1").arg(QObject::tr("Show &A").remove('&')) : QString();
+    setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_) + toSee);
     showRows();
     fitContent();
 }

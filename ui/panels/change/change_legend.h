@@ -8,12 +8,16 @@
 #include <map>
 
 class QCheckBox;
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
 namespace edgescan::ui {
 
 class DistanceView;
+
+/// What the views show of a comparison.
+enum class ShownOfTwo { A, Difference, B };
 
 /// GUI thread only. Displays the values it is given and signals the operator's choices.
 class ChangeLegend : public ViewPlate {
@@ -47,6 +51,7 @@ signals:
     void rowsRequested(const edgescan::ui::ChangeRows& rows);
     /// The points are to have the colours of their distances from A, or not.
     void distancesRequested(bool on);
+    void shownRequested(edgescan::ui::ShownOfTwo shown);
     void nextRegionRequested();
     void previousRegionRequested();
     void endRequested();
@@ -58,6 +63,7 @@ private:
     };
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    [[nodiscard]] QHBoxLayout* switchOfTwo();
     void setWords(QLabel& label, const QString& words);
     void fit();
     void showRows();
@@ -69,7 +75,8 @@ private:
     DistanceView* histogram_;
     QLabel* distances_;
     QToolButton *fold_, *previous_, *next_, *end_;
-    std::map<QLabel*, QString> words_; // before they are broken into lines
+    std::array<QToolButton*, 3> shown_{}; // one per ShownOfTwo
+    std::map<QLabel*, QString> words_;    // before they are broken into lines
     QString before_, howWords_;
     bool hasDistances_ = false, overRocksOn_ = false;
     bool flipped_ = false;

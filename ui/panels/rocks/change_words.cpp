@@ -7,6 +7,9 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -36,7 +39,35 @@ QString lostWords(const rocks::RegionChanges::Lost& lost, const RockPicture& pic
                       .arg(settings.farthestM, 0, 'f', 1);
 }
 
+QString numbersOf(const std::set<std::uint32_t>& labels) {
+    QStringList numbers;
+    for (const std::uint32_t label : labels) numbers << QString::number(label);
+    return numbers.join(", ");
+}
+
 } // namespace
+
+QString editWords(const rocks::Edit& edit, const RockPicture& before, const RockPicture& after) {
+    std::map<std::uint32_t, std::set<std::uint32_t>> parts, sources; // rocks after of a rock before, and the other way round
+    std::pair<std::uint32_t, std::uint32_t> last;                    // neighbours mostly have the same
+    for (std::size_t k = 0; k < before.labels.size(); ++k) {
+        const std::pair now{before.labelAt(k), after.labelAt(k)};
+        if (now.first == 0 || now.second == 0 || std::exchange(last, now) == now) continue;
+        parts[now.first].insert(now.second);
+        sources[now.second].insert(now.first);
+    }
+    QStringList sentences;
+    if (edit.kind == rocks::EditKind::Join) {
+        for (const auto& [rock, from] : sources) {
+            if (from.size() > 1) sentences << QObject::tr("Merged: rocks %1 are rock %2 now.").arg(numbersOf(from)).arg(rock);
+        }
+    } else if (edit.kind == rocks::EditKind::Cut) {
+        for (const auto& [rock, to] : parts) {
+            if (to.size() > 1) sentences << QObject::tr("Split: rock %1 is now rocks %2.").arg(rock).arg(numbersOf(to));
+        }
+    }
+    return sentences.join(' ');
+}
 
 QString changeWords(const rocks::RegionChanges& changes, const RockPicture& picture) {
     QStringList sentences;

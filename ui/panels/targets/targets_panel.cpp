@@ -34,7 +34,7 @@ void fitHeight(QListWidget& list) {
 TargetsPanel::TargetsPanel(QWidget* parent)
     : QWidget(parent), hint_(new QLabel), targets_(new QListWidget), copyAll_(new QPushButton(tr("Copy All"))),
       letGoOfAll_(new QPushButton(tr("Remove All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
-      measures_(new QListWidget), removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
+      measures_(new QListWidget), remarks_(new QLabel), removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
     setObjectName("targets-panel");
     hint_->setObjectName("targets-asked");
     targets_->setObjectName("target-list");
@@ -48,7 +48,8 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     copyAll_->setToolTip(tr("The positions of all targets as a table with units, for a spreadsheet"));
     letGoOfAll_->setToolTip(tr("All but those that are locked"));
     removeMeasure_->setToolTip(tr("The selected measurement"));
-    for (QLabel* label : {hint_, note_}) label->setWordWrap(true);
+    remarks_->setObjectName("measure-remarks");
+    for (QLabel* label : {hint_, remarks_, note_}) label->setWordWrap(true);
     QFont bold = measuresTitle_->font();
     bold.setBold(true);
     measuresTitle_->setFont(bold);
@@ -68,6 +69,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     column->addWidget(card_);
     column->addLayout(titleOfMeasures);
     column->addWidget(measures_);
+    column->addWidget(remarks_);
     column->addWidget(note_);
     column->addStretch(1);
     // Not currentRowChanged: a list that gets the focus sets a current row itself.
@@ -80,6 +82,10 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     });
     connect(copyAll_, &QPushButton::clicked, this, &TargetsPanel::copyAllRequested);
     connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::removeAllRequested);
+    connect(measures_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        remarks_->setText(item != nullptr ? item->toolTip() : QString());
+        remarks_->setVisible(!remarks_->text().isEmpty());
+    });
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {
         if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
     });

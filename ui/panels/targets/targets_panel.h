@@ -65,6 +65,7 @@ private:
     TargetCard* card_;
     QLabel* measuresTitle_;
     QListWidget* measures_;
+    QLabel* remarks_; // all that is said of the chosen measurement
     QPushButton* removeMeasure_;
     QLabel* note_;
     std::vector<TargetLine> shownTargets_, shownMeasures_;

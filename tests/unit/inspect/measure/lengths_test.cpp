@@ -101,6 +101,20 @@ TEST(Lengths, AnEndBehindTheSurfaceUnderTheLineIsWarnedAbout) {
     EXPECT_NE(measureBasis(*beyond).find("▲ an end is 0.30 m behind the surface next to it"), std::string::npos) << measureBasis(*beyond);
 }
 
+TEST(Lengths, ASurfaceInFrontOfTheMiddleOfALineIsNoWarning) {
+    const Scan small = plateScan(0.10);
+    const auto row = static_cast<std::uint32_t>(20 * small.beams());
+    const auto wide = measureCells(small, kUsualNoise, MeasureKind::Distance, std::vector{row, row + 40});
+    EXPECT_FALSE(wide->isWarned()) << measureBasis(*wide);
+    EXPECT_NEAR(wide->nearerBetweenM, 0.3, 0.01);
+    EXPECT_NE(measureBasis(*wide).find("between its ends the surface is up to 0.30 m nearer"), std::string::npos) << measureBasis(*wide);
+    // An end near the plate may have been meant for the plate. So may one farther from it if the length would be another one.
+    EXPECT_NEAR(measureCells(small, kUsualNoise, MeasureKind::Distance, std::vector{row, row + 28})->behindM, 0.3, 0.01);
+    Scan deep = small;
+    for (std::size_t k = 0; k < deep.cells(); ++k) deep.rangeMm[k] += deep.rangeMm[k] > 10'150.0F ? 2000.0F : 0.0F;
+    EXPECT_NEAR(measureCells(deep, kUsualNoise, MeasureKind::Distance, std::vector{row, row + 40})->behindM, 2.3, 0.02);
+}
+
 TEST(Lengths, AHoleBehindAStepUnderTheLineIsGivenWithItsWholeDepth) {
     Scan large = plateScan(1.0);
     const auto ends = endsOfPlate(large);
