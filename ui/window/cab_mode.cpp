@@ -144,11 +144,6 @@ void CabMode::follow() {
         showNumbers();
         showCorner();
     });
-    connect(&window_.viewer().targets, &Targets::measured, this, [this] {
-        measure_ = window_.viewer().targets.notebook().measures.back();
-        measureAt_ = window_.viewer().targets.notebook().measures.size() - 1;
-        showNumbers();
-    });
     connect(&window_.viewer().measures, &Measures::kindChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().views, &LinkedViews::flippedChanged, this, [this] {
         showNumbers();

@@ -1,15 +1,10 @@
 // Cab mode: the same window for operators with gloves. Tools, numbers and steppers replace menus, cards and sliders.
 #pragma once
 
-#include "core/inspect/measure/notebook.h"
-
 #include <QObject>
-#include <QPoint>
 #include <QTimer>
 
-#include <cstdint>
-#include <optional>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 class QAbstractButton;
@@ -27,6 +22,7 @@ class CornerPicture;
 class GloveMenus;
 class Keypad;
 class MainWindow;
+struct PictureMark;
 class StateBadge;
 struct TargetNumbers;
 
@@ -69,11 +65,10 @@ private:
     void lockDocks(bool on);
     [[nodiscard]] TargetNumbers numbers() const;
     [[nodiscard]] TargetNumbers ofRock(const rocks::Rock& rock) const;
-    [[nodiscard]] TargetNumbers ofMeasure(const inspect::StoredMeasure& measure) const;
+    [[nodiscard]] TargetNumbers ofMeasure(std::size_t place) const;
     [[nodiscard]] const rocks::Rock* chosenRock() const;
-    void followChoice();
     void step(int by);
-    [[nodiscard]] std::optional<QPoint> markedPlace() const;
+    [[nodiscard]] PictureMark chosenPlace() const;
 
     MainWindow& window_;
     StateBadge* badge_;
@@ -86,9 +81,6 @@ private:
     QToolButton* remove_ = nullptr;
     std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;
-    std::optional<inspect::StoredMeasure> measure_; // shown until a target, a rock or another measurement is chosen
-    std::size_t measureAt_ = 0;                     // its place in the notebook, while it is there: two of them may be equal
-    std::pair<std::optional<std::uint32_t>, std::vector<std::size_t>> chosen_; // cells of the target and of the rocks
     Corner shown_ = Corner::Range;
     bool on_ = false;
     bool swapped_ = false; // the large pane is an image, and the cloud is in the corner
