@@ -466,6 +466,8 @@ private slots:
                 return std::ranges::any_of(labels, [&](QLabel* each) { return each->isVisible() && each->text().contains(words); });
             };
             QVERIFY(says("Targets and measurements of the scan before: 3."));
+            QVERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("open it again"),
+                     qPrintable(on.viewer.notice.text()));
             QVERIFY(on.open(boxes_));
             QVERIFY(!says("of the scan before"));
             QCOMPARE(static_cast<int>(targets(on).size()), 2);

@@ -97,7 +97,7 @@ QString Targets::keyOf(const Picture& picture) const {
 /// What another scan had: an empty list without a word looks like a loss.
 QString Targets::leftBehind(std::size_t entries) {
     if (entries == 0) return {};
-    return tr("Targets and measurements of the scan before: %1. They are stored and come back with it.").arg(entries);
+    return tr("Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.").arg(entries);
 }
 
 void Targets::followPicture() {
@@ -115,6 +115,7 @@ void Targets::followPicture() {
                         : store_.isOff()
                             ? tr("Not stored: EdgeScan was started without its settings.")
                             : tr("Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file."));
+        if (before > 0) notice_.showHint(leftBehind(before));
         if (const auto other = others_.find(key); other != others_.end()) {
             notebook_ = other->second;
         } else if (auto kept = store_.load(scan)) {
