@@ -68,6 +68,8 @@ void Viewer::followPictures() {
     next(look, &ScanLook::followPicture);
     QObject::connect(
         &views, &LinkedViews::newScanShown, &undo, [this] { dropStepsOfOtherScans(undo); }, Qt::QueuedConnection); // after all
+    QObject::connect(
+        &undo, &QUndoStack::indexChanged, &undo, [this] { dropStepsOfOtherScans(undo); }, Qt::QueuedConnection);
 }
 
 } // namespace edgescan::ui
