@@ -141,7 +141,7 @@ private slots:
     }
 
     // The chosen measurement has a thicker line with a light rim, and rings at its ends.
-    void theChosenMeasurementStandsOut() {
+    void theChosenMeasurementHasARim() {
         const auto lightness = [](bool active, const QPoint& at) {
             QImage picture(120, 60, QImage::Format_RGB32);
             picture.fill(Qt::gray);
