@@ -568,7 +568,16 @@ private slots:
             const QVector<QRect> before = places();
             badge->showState(StateBadge::Sign::Waiting, "HELD · 2026-11-24 09:09:09 UTC");
             QCOMPARE(places(), before);
-            QCOMPARE(badge->linesIn(badge->width()).size(), 2);
+            // The time is whole on every screen, and the name is shortened at its end.
+            for (const QString name : {"HELD", "FILE a-scan-with-a-name-that-is-longer-than-the-badge"}) {
+                const QString time = "2026-11-24 09:09:09 UTC";
+                badge->showState(StateBadge::Sign::Waiting, name + " · " + time);
+                QStringList lines = badge->linesIn(badge->width() - 40);
+                const QString first = lines.takeFirst();
+                QVERIFY2(name.startsWith(QString(first).remove("…")), qPrintable(first));
+                QVERIFY2(lines.join(' ') == time && lines.size() <= 2, qPrintable(lines.join('|')));
+            }
+            QCOMPARE(places(), before);
             head.showWork("Finding rocks: growing, 34 %");
             QCOMPARE(places(), before);
             head.warnings()->setVisible(!head.warnings()->isVisible());

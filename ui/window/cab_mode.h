@@ -21,6 +21,7 @@ class CabFrame;
 class CornerPicture;
 class GloveMenus;
 class Keypad;
+class ZoomButtons;
 class MainWindow;
 struct PictureMark;
 class StateBadge;
@@ -55,6 +56,7 @@ private:
     void fillRemoval(QMenu& menu) const;
     void connectSide();
     void follow();
+    void nameUndone();
     void showScan();
     void showWork();
     void showAsked();
@@ -62,6 +64,7 @@ private:
     void showSettings();
     void showCorner();
     void swap();
+    void zoom(double factor);
     void lockDocks(bool on);
     [[nodiscard]] TargetNumbers numbers() const;
     [[nodiscard]] TargetNumbers ofRock(const rocks::Rock& rock) const;
@@ -75,6 +78,7 @@ private:
     CabFrame* frame_;
     CornerPicture* corner_;
     CornerPicture* back_; // returns to the cloud, over the image
+    ZoomButtons* zoom_;
     QMenu* menu_;
     Keypad* keypad_;
     GloveMenus* gloveMenus_;

@@ -10,11 +10,13 @@
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/tool_column.h"
+#include "ui/panels/cab/zoom_buttons.h"
 #include "ui/panels/targets/target_words.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/main_window.h"
 
@@ -30,6 +32,7 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kNearHigh = 48;            // px
 constexpr std::size_t kMostRemovals = 6; // measurements in the menu: the chosen one, then the newest
 constexpr std::size_t kMostPins = 3;     // targets in it, while none is chosen: the newest
 
@@ -130,6 +133,10 @@ void CabMode::addTools() {
     connect(undo, &QToolButton::clicked, &window_.viewer().undo, &QUndoStack::undo);
     connect(&window_.viewer().undo, &QUndoStack::canUndoChanged, undo, &QWidget::setEnabled);
     undo->setEnabled(window_.viewer().undo.canUndo());
+    connect(&window_.viewer().undo, &QUndoStack::undoTextChanged, undo, [undo](const QString& step) {
+        undo->setAccessibleName(step.isEmpty() ? tr("Undo") : tr("Undo: %1").arg(step));
+        undo->setToolTip(undo->accessibleName());
+    });
     column.setFoot(undo);
     const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
     for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
@@ -141,8 +148,14 @@ void CabMode::addSideButtons() {
     QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
     tune->setCheckable(true);
     connect(tune, &QToolButton::clicked, &frame_->side(), &NumbersSide::setTuning);
-    QToolButton* usual = gloveButton("cab-default", "undo", tr("Default"));
-    connect(usual, &QToolButton::clicked, this, [this] { window_.viewer().tuning.usePreset(edges::builtInPresets().front()); });
+    // In the head of the settings, and where a low screen has room next to the number that is changed most.
+    QToolButton* usual = gloveButton("cab-default", "usual", tr("Default"));
+    QToolButton* near = gloveButton("cab-default-near", "usual", tr("Default"));
+    near->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    near->setMinimumHeight(kNearHigh);
+    for (QToolButton* each : {usual, near})
+        connect(each, &QToolButton::clicked, this, [this] { window_.viewer().tuning.usePreset(edges::builtInPresets().front()); });
+    frame_->side().mainStepper()->setAside(near);
     QToolButton* classes = gloveButton("cab-classes", "layers", QObject::tr("Classes"));
     classes->setCheckable(true);
     connect(classes, &QToolButton::clicked, &window_.viewer().legend, &EdgeLegend::byClassRequested);
@@ -223,8 +236,17 @@ void CabMode::swap() {
     image.installEventFilter(back_);
     window_.showAlone(swapped_ ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(swapped_);
+    swapped_ ? zoom_->setOver(image, *back_) : zoom_->setOver(window_.viewer().views.cloud(), *corner_);
     image.setTaken(swapped_ ? back_->reach() : 0);
     back_->setWords(back_->text()); // at the same place
+}
+
+/// Zooms the large view about its middle.
+void CabMode::zoom(double factor) {
+    CloudView& cloud = window_.viewer().views.cloud();
+    if (!swapped_) return cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, factor));
+    ViewPort& images = *window_.viewer().views.gray().viewPort();
+    images.zoomAt(images.centre(), factor);
 }
 
 void CabMode::showSettings() {
@@ -330,6 +352,8 @@ TargetNumbers CabMode::numbers() const {
     }
     if (cell.probe.state != CellState::Valid) return values;
     addPlace(values, cell.probe);
+    if (const QString clicked = targets.clickOf(*target); clicked.contains("▲"))
+        values.warned += (values.warned.isEmpty() ? "" : "\n") + clicked.mid(clicked.indexOf("▲"));
     for (const TargetRow& row : targetRows(cell, around)) {
         if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) values.rows.emplace_back(row.name, row.value);
     }

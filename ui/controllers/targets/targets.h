@@ -71,6 +71,8 @@ public:
     [[nodiscard]] const KnownTargets& known() const { return known_; }
     /// The data of a card that was not measured at the cell.
     [[nodiscard]] TargetSurroundings around(std::size_t cell) const;
+    /// How the cell of a target follows from its click, with a warning if a nearer surface is next to it; empty: it was chosen itself.
+    [[nodiscard]] QString clickOf(const inspect::PinnedTarget& target) const;
     /// Goes this many entries forward in the notebook, cyclically, and shows the card.
     void goTo(int by);
 
@@ -156,7 +158,6 @@ private:
     [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;
     [[nodiscard]] CellMarks marks() const;
     [[nodiscard]] QString tagOf(const inspect::PinnedTarget& target) const;
-    [[nodiscard]] QString clickOf(const inspect::PinnedTarget& target) const;
 
     Engine& engine_;
     LinkedViews& views_;
