@@ -568,7 +568,16 @@ private slots:
             const QVector<QRect> before = places();
             badge->showState(StateBadge::Sign::Waiting, "HELD · 2026-11-24 09:09:09 UTC");
             QCOMPARE(places(), before);
-            QCOMPARE(badge->linesIn(badge->width()).size(), 2);
+            // The time is whole on every screen, and the name is shortened at its end.
+            for (const QString name : {"HELD", "FILE a-scan-with-a-name-that-is-longer-than-the-badge"}) {
+                const QString time = "2026-11-24 09:09:09 UTC";
+                badge->showState(StateBadge::Sign::Waiting, name + " · " + time);
+                QStringList lines = badge->linesIn(badge->width() - 40);
+                const QString first = lines.takeFirst();
+                QVERIFY2(name.startsWith(QString(first).remove("…")), qPrintable(first));
+                QVERIFY2(lines.join(' ') == time && lines.size() <= 2, qPrintable(lines.join('|')));
+            }
+            QCOMPARE(places(), before);
             head.showWork("Finding rocks: growing, 34 %");
             QCOMPARE(places(), before);
             head.warnings()->setVisible(!head.warnings()->isVisible());
@@ -599,6 +608,26 @@ private slots:
         QVERIFY(overlay->arrow().has_value());
         const QLineF arrow = *overlay->arrow();
         QVERIFY(overlay->rect().contains(arrow.p2().toPoint()) && arrow.p2().x() < 20 && arrow.dx() < 0);
+        // Turned away until it is behind the camera, with the sensor: the shorter way back. A tap on the arrow goes there.
+        CameraPose behind = cloud.camera();
+        const Eigen::Vector3d place = cloud.geometryOfCloud()->point(*cell).cast<double>();
+        behind.position = place + 100.0 * behind.forward() - 10.0 * behind.right();
+        behind.focus = behind.position + behind.forward();
+        cloud.setCamera(behind);
+        QVERIFY(overlay->arrow().has_value());
+        QVERIFY(overlay->arrow()->dx() > 0 && std::abs(overlay->arrow()->dy()) < overlay->arrow()->dx());
+        QTRY_VERIFY(cloud.atRest());
+        QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, overlay->arrow()->center().toPoint());
+        QVERIFY(!overlay->arrow());
+        QVERIFY(cloud.pixelOf(*cell) && cloud.rect().contains(cloud.pixelOf(*cell)->toPoint()));
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        // That to a measurement is there too.
+        inspect::StoredMeasure measure;
+        measure.cells = {static_cast<std::uint32_t>(*cell), static_cast<std::uint32_t>(*cell) + 1};
+        on.viewer.targets.keepMeasure(measure);
+        QVERIFY(!overlay->arrow());
+        cloud.setCamera(behind);
+        QVERIFY(overlay->arrow().has_value());
         QVERIFY(!on.viewer.legend.findChild<QCheckBox*>("legend-edges")->icon().isNull());
         on.window.cab().set(false);
         QVERIFY(on.viewer.legend.findChild<QCheckBox*>("legend-edges")->icon().isNull());
@@ -653,11 +682,18 @@ private slots:
         QVERIFY(rocks.size() >= 2);
         on.viewer.views.pin(rocks[0].cell);
         on.viewer.views.pin(rocks[1].cell);
+        on.window.cab().set(true);
+        // What was chosen last is in the header, and it alone is marked.
+        const auto* title = on.window.findChild<QLabel*>("cab-target");
+        QVERIFY(title->text().startsWith("Target 2"));
         on.viewer.rocks.lookAt(rocks[1].label);
+        QVERIFY2(title->text().startsWith(QString("Rock %1").arg(rocks[1].label)), qPrintable(title->text()));
+        QVERIFY(std::ranges::none_of(on.viewer.views.marks().targets, &TargetMark::active));
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(2));
+        press(on.window, "cab-previous");
+        QVERIFY(title->text().startsWith("Target 2"));
         const auto second = on.viewer.views.cloud().outline();
         QVERIFY(second);
-        on.window.cab().set(true);
         press(on.window, "cab-previous");
         const auto first = on.viewer.views.cloud().outline();
         QVERIFY(first && *first != *second);
@@ -846,17 +882,32 @@ private slots:
         QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("at "), qPrintable(words.remarks.join('\n')));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QVERIFY(title->text().startsWith("Target 1") && kind->text() == "Distance");
+        // One thing is marked in every view: the target or the measurement.
+        const auto marked = [&](std::size_t targets, std::size_t ends) {
+            const CellMarks& marks = on.viewer.views.cloud().marks();
+            QVERIFY(marks == on.viewer.views.gray().marks());
+            QCOMPARE(std::ranges::count_if(marks.targets, &TargetMark::active), static_cast<std::ptrdiff_t>(targets));
+            QCOMPARE(std::ranges::count_if(marks.measures, &MeasureMark::active), static_cast<std::ptrdiff_t>(ends > 0 ? 1 : 0));
+            QCOMPARE(on.window.cab().corner().marked().cells.size(), static_cast<int>(targets + ends));
+            QCOMPARE(on.viewer.views.pinned().has_value(), targets > 0);
+        };
+        marked(1, 0);
         // The arrows go over the target and both measurements, each with its value and its ±.
         const auto& measures = on.viewer.targets.notebook().measures;
         for (const std::size_t place : {std::size_t(0), std::size_t(1)}) {
             QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
             QCOMPARE(title->text(), QString("Measured\n%1 of 2").arg(place + 1));
             QCOMPARE(side.distanceShown() + " " + tolerance->text(), on.viewer.targets.wordsOf(measures[place]).value);
+            marked(0, 2);
         }
         QTest::mouseClick(side.findChild<QToolButton*>("cab-previous"), Qt::LeftButton);
         QCOMPARE(title->text(), QString("Measured\n1 of 2"));
+        on.viewer.targets.removeMeasure(1);
+        QCOMPARE(title->text(), QString("Measured\n1 of 1"));
+        on.viewer.undo.undo();
         on.viewer.targets.removeMeasure(0);
-        QTRY_VERIFY(title->text().startsWith("Target 1"));
+        QTRY_COMPARE(title->text(), QString("1 target"));
+        marked(0, 0);
         on.viewer.undo.undo();
         measure(a, c);
         QTRY_VERIFY(title->text().startsWith("Measured"));
@@ -865,7 +916,7 @@ private slots:
         measure(c, a);
         QTRY_VERIFY(title->text().startsWith("Measured"));
         QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton); // it is gone
-        QTRY_VERIFY(title->text().startsWith("Rock "));
+        QTRY_COMPARE(title->text(), QString("1 target"));
     }
 
     void aNoteLeavesTheCornerPictureFree() {

@@ -140,6 +140,21 @@ private slots:
         QCOMPARE(screenMarks(marks, placeOf, true).measures.front().lines.size(), std::size_t{1});
     }
 
+    // The chosen measurement has a thicker line with a light rim, and rings at its ends.
+    void theChosenMeasurementHasARim() {
+        const auto lightness = [](bool active, const QPoint& at) {
+            QImage picture(120, 60, QImage::Format_RGB32);
+            picture.fill(Qt::gray);
+            QPainter painter(&picture);
+            const CellMarks marks{{}, {{{0, 1}, {{0, 1}}, QString(), {}, active}}};
+            const auto placeOf = [](std::size_t cell) { return std::optional(MarkPlace{QPointF(cell == 0 ? 20.0 : 100.0, 30.0)}); };
+            (void)drawScreenMarks(painter, picture.rect(), screenMarks(marks, placeOf));
+            return qGray(picture.pixel(at));
+        };
+        for (const QPoint at : {QPoint(60, 26), QPoint(20, 22), QPoint(100, 22), QPoint(108, 30)}) // rim, rings
+            QVERIFY2(std::abs(lightness(true, at) - lightness(false, at)) > 40, qPrintable(QString("%1, %2").arg(at.x()).arg(at.y())));
+    }
+
     // In a view without room for all tags that of the target on the card is over the others.
     void theTagOfTheActiveTargetIsOverTheOthers() {
         QImage picture(150, 40, QImage::Format_RGB32);

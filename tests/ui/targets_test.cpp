@@ -199,6 +199,7 @@ private slots:
         const QString place = on.viewer.targetsPanel.targets()->item(1)->text().section('\n', 1).simplified();
         QVERIFY2(place.startsWith("x "), qPrintable(place));
         const QString distance = distanceText(on.viewer.targets.known().targets.at(targets(on)[1].cell));
+        on.viewer.views.pin(targets(on)[1].cell);
         QTest::keyClick(&on.window, Qt::Key_Delete);
         QVERIFY(comesBack({"Target 2", "Big & old", distance, place}));
         QTest::mouseClick(on.viewer.targetsPanel.removeAllButton(), Qt::LeftButton);
@@ -206,6 +207,9 @@ private slots:
         const QString words = on.viewer.targets.measuresInWords().front().simplified();
         on.viewer.targetsPanel.measures()->setCurrentRow(0);
         QTest::mouseClick(on.viewer.targetsPanel.removeMeasure(), Qt::LeftButton);
+        QVERIFY(comesBack({words}));
+        on.viewer.targets.chooseMeasure(0);
+        QTest::keyClick(&on.window, Qt::Key_Delete);
         QVERIFY(comesBack({words}));
         // The notice is about the newest step only.
         on.viewer.targets.remove(1);
@@ -462,6 +466,8 @@ private slots:
                 return std::ranges::any_of(labels, [&](QLabel* each) { return each->isVisible() && each->text().contains(words); });
             };
             QVERIFY(says("Targets and measurements of the scan before: 3."));
+            QVERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("open it again"),
+                     qPrintable(on.viewer.notice.text()));
             QVERIFY(on.open(boxes_));
             QVERIFY(!says("of the scan before"));
             QCOMPARE(static_cast<int>(targets(on).size()), 2);
@@ -538,6 +544,19 @@ private slots:
         on.viewer.notice.hide();
         QTest::keyClick(&on.window, Qt::Key_Escape);
         QVERIFY(!on.viewer.measures.kind() && on.viewer.views.tool() == Tool::Pin);
+        // A row of the list is chosen by a click, and a target or Esc ends that.
+        QListWidget& rows = *on.viewer.targetsPanel.measures();
+        QVERIFY(gray.marks().measures[1].active && rows.currentRow() == 1);
+        QTest::mouseClick(rows.viewport(), Qt::LeftButton, Qt::NoModifier, rows.visualItemRect(rows.item(0)).center());
+        QVERIFY(gray.marks().measures[0].active && !gray.marks().measures[1].active && rows.currentRow() == 0);
+        on.viewer.views.pin(ends[0]);
+        QVERIFY(!gray.marks().measures[0].active && gray.marks().targets[0].active && rows.currentRow() == -1);
+        QVERIFY(!on.viewer.targetsPanel.removeMeasure()->isEnabled());
+        on.viewer.targets.remove(1);
+        on.viewer.targets.chooseMeasure(0);
+        on.viewer.notice.hide();
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(!on.viewer.targets.chosenMeasure());
         // A slider does not change them; undo removes them.
         edges::Settings other;
         other.creaseDeg = 50;

@@ -157,9 +157,17 @@ void drawTarget(QPainter& painter, const ScreenMarks::Target& target) {
 
 void drawMeasure(QPainter& painter, const ScreenMarks::Measure& measure) {
     painter.setBrush(Qt::NoBrush);
-    strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 4.0), QPen(kMeasured, 2.0), [&] {
+    const auto drawLines = [&] {
         for (const QLineF& line : measure.lines) painter.drawLine(line);
-    });
+    };
+    if (measure.active) {
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 11.0), QPen(Qt::white, 8.0), drawLines);
+        strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), QPen(Qt::white, 2.0), [&] {
+            for (const QPointF& end : measure.ends) painter.drawEllipse(end, kMarkRing, kMarkRing);
+        });
+    }
+    const double wide = measure.active ? 4.0 : 2.0;
+    strokeTwice(painter, QPen(QColor(0, 0, 0, 200), wide + 2.0), QPen(kMeasured, wide), drawLines);
     painter.setPen(QPen(Qt::black, 1.5));
     painter.setBrush(kMeasured);
     for (const QPointF& end : measure.ends) painter.drawEllipse(end, kEndDot, kEndDot);
@@ -196,7 +204,8 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
             const auto click = measure.clicked[n] == measure.cells[n] ? std::nullopt : placeOf(measure.clicked[n]);
             if (click && places[n]) shown.moves.emplace_back(click->at, places[n]->at);
         }
-        if (!small) drawn.label = measure.label;
+        drawn.active = measure.active;
+        if (!small || measure.active) drawn.label = measure.label;
         if (!drawn.ends.empty()) shown.measures.push_back(std::move(drawn));
     }
     for (const TargetMark& target : marks.targets) {
@@ -207,7 +216,8 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         const auto click = target.clicked ? placeOf(*target.clicked) : std::nullopt;
         if (click) shown.moves.emplace_back(click->at, place->at);
     }
-    // The target whose card is shown is drawn over the others.
+    // The chosen one is drawn over the others.
+    std::ranges::stable_partition(shown.measures, [](const ScreenMarks::Measure& measure) { return !measure.active; });
     std::stable_partition(shown.targets.begin(), shown.targets.end(), [](const ScreenMarks::Target& target) { return !target.active; });
     return shown;
 }
@@ -240,7 +250,7 @@ std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const
         }
         for (const ScreenMarks::Measure& measure : marks.measures) {
             if (!measure.lines.empty() && seen(measure.labelAt))
-                tags.place(measure.labelAt, kTagOffset, kTagOffset, measure.label, false, measure.lines.front());
+                tags.place(measure.labelAt, kTagOffset, kTagOffset, measure.label, measure.active, measure.lines.front());
         }
         drawn = tags.draw();
     }

@@ -31,6 +31,7 @@ struct MeasureMark {
     std::vector<std::pair<std::size_t, std::size_t>> links; ///< pairs of indices into `cells`; a line joins each pair
     QString label;                                          ///< empty until all cells are picked
     std::vector<std::size_t> clicked{};                     ///< where the operator clicked; empty: at `cells`
+    bool active = false;                                    ///< it is the chosen one
 
     bool operator==(const MeasureMark&) const = default;
 };
@@ -63,6 +64,7 @@ struct ScreenMarks {
         std::vector<QPointF> ends;
         QString label;
         QPointF labelAt;
+        bool active = false;
         bool operator==(const Measure&) const = default;
     };
     std::vector<Target> targets;
@@ -78,7 +80,8 @@ struct ScreenMarks {
 [[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t cell)>& placeOf,
                                       bool small = false);
 
-/// White rings with black outline, centre dot and tag; lines with their labels; a thin line from a tag that is away from its mark. Tags
+/// White rings with black outline, centre dot and tag; lines with their labels, the chosen one thicker, with a white rim and with rings at
+/// its ends; a thin line from a tag that is away from its mark. Tags
 /// stay inside `place`, do not overlap, and keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under
 /// a plate has none. Returns the places of the tags.
 std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& plates = {},

@@ -103,7 +103,8 @@ void FlowLayout::setGeometry(const QRect& rect) {
         for (QLayoutItem* item : line.items) {
             const int wide = widthIn(line, *item, inner.width());
             const int high = heightOf(*item, wide);
-            item->setGeometry(QRect(x, y + (line.height - high) / 2, wide, high));
+            if (lastStays_ && item == items_.back()) x = std::max(x, inner.right() + 1 - wide);
+            item->setGeometry(QRect(x, lastStays_ ? y : y + (line.height - high) / 2, wide, high));
             x += wide + spacing();
         }
         y += line.height + spacing() / 2;

@@ -13,6 +13,9 @@ public:
     explicit FlowLayout(QWidget* parent = nullptr);
     ~FlowLayout() override;
 
+    /// The last widget ends at the right end of its line, and all are at the top of theirs: the last one stays where it is while those
+    /// before it come and go, or grow.
+    void keepLastInPlace() { lastStays_ = true; }
     void addItem(QLayoutItem* item) override;
     [[nodiscard]] int count() const override { return static_cast<int>(items_.size()); }
     [[nodiscard]] QLayoutItem* itemAt(int index) const override;
@@ -33,6 +36,7 @@ private:
     [[nodiscard]] static int widthIn(const Line& line, QLayoutItem& item, int width);
 
     std::vector<QLayoutItem*> items_;
+    bool lastStays_ = false;
 };
 
 } // namespace edgescan::ui

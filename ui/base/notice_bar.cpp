@@ -9,6 +9,7 @@
 
 #include <QClipboard>
 #include <QDesktopServices>
+#include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHideEvent>
@@ -36,6 +37,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     action_->setObjectName("notice-action");
     auto* line = new FlowLayout(this); // in a narrow window the buttons are below the text
     line->setContentsMargins(10, 4, 6, 4);
+    line->keepLastInPlace(); // Close
     QFont bold = sign_->font();
     bold.setBold(true);
     sign_->setFont(bold);
@@ -85,9 +87,12 @@ void NoticeBar::paintKind() {
 
 void NoticeBar::showNotice(Kind kind, const QString& text) {
     // What was done is shown as it is: it may be a command for a terminal.
-    const Note note{kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}};
+    showNote({kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}});
+}
+
+void NoticeBar::showNote(const Note& note) {
     // Of a written file the note stays too, until the next confirmation.
-    if (kind_ != Kind::Done || kind != Kind::Done) keepShown();
+    if (kind_ != Kind::Done || note.kind != Kind::Done) keepShown();
     std::erase_if(earlier_, [&](const Note& before) { return note.text.startsWith(before.text); });
     put(note);
     show();
@@ -118,7 +123,7 @@ void NoticeBar::withdraw(const QStringList& texts) {
 /// What passes is not stored for "earlier", nor confirmations without a button.
 void NoticeBar::keepShown() {
     if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || passes_ || text_->text().isEmpty()) return;
-    earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_});
+    earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_, brief_});
     if (earlier_.size() > kMostEarlier) earlier_.pop_front();
 }
 
@@ -128,7 +133,8 @@ void NoticeBar::put(const Note& note) {
     sign_->setText(kind_ == Kind::Error ? "✕ " + tr("Error") : kind_ == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
     paintKind();
     text_->setText(note.text);
-    line_->setText(note.text.simplified());
+    brief_ = note.brief;
+    line_->setText((brief_.isEmpty() ? note.text : brief_).simplified());
     unfold(false);
     action_->setText(note.label);
     action_->setHidden(note.label.isEmpty());
@@ -161,9 +167,13 @@ void NoticeBar::hideEvent(QHideEvent* event) {
 
 void NoticeBar::showSaved(const QString& path, const QString& content, const QString& more) {
     const QFileInfo file(path);
-    showNotice(Kind::Done,
-               tr("Saved %1%2, %3 kB.").arg(path, content.isEmpty() ? QString() : ": " + content).arg((file.size() + 999) / 1000) +
-                   (more.isEmpty() ? QString() : " " + more));
+    const auto words = [&](const QString& shown) {
+        return shownText(
+            tr("Saved %1%2, %3 kB.").arg(shown, content.isEmpty() ? QString() : ": " + content).arg((file.size() + 999) / 1000) +
+            (more.isEmpty() ? QString() : " " + more));
+    };
+    const QString end = file.absoluteDir().dirName() + '/' + file.fileName(); // the line has room for the end of a path
+    showNote({Kind::Done, words(path), {}, {}, path.size() > end.size() + 2 ? words("…/" + end) : QString()});
     offer(tr("Open folder"), [folder = file.absolutePath()] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
 }
 
@@ -185,6 +195,12 @@ void NoticeBar::showRemoved(QUndoStack& stack, const QString& what, const QStrin
     offerUndo(stack);
 }
 
+void NoticeBar::showUndone(QUndoStack& stack) {
+    showNotice(Kind::Done, tr("Undone: %1.").arg(stack.redoText()));
+    offer(tr("Redo"), [&stack] { stack.redo(); });
+    passes_ = true;
+}
+
 void NoticeBar::unfold(bool on) {
     unfold_->setChecked(on);
     unfold_->setText(on ? tr("Less") : tr("More"));
@@ -198,7 +214,7 @@ void NoticeBar::offerMore() {
     if (unfolded()) return unfold_->show();
     // Measured without the button, so that it does not cause itself.
     const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
-    unfold_->setVisible(!line_->fits(room));
+    unfold_->setVisible(!brief_.isEmpty() || !line_->fits(room));
 }
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {

@@ -43,6 +43,8 @@ public:
     void offerUndo(QUndoStack& stack);
     /// Names what the newest step of the stack removed, with a button that brings it back, and `more` sentences.
     void showRemoved(QUndoStack& stack, const QString& what, const QString& more = {});
+    /// Names the step that was undone last, with a button that does it again.
+    void showUndone(QUndoStack& stack);
     [[nodiscard]] QString text() const;
     /// Hides the Copy button; for windows with large buttons.
     void setBrief(bool on);
@@ -62,7 +64,9 @@ private:
         Kind kind = Kind::Done;
         QString text, label; // `label`: text of the button; empty: no button
         std::function<void()> action;
+        QString brief{}; // for the line; empty: the text
     };
+    void showNote(const Note& note);
     void paintKind();
     void put(const Note& note);
     void keepShown();
@@ -80,6 +84,7 @@ private:
     QToolButton* more_;
     QToolButton* copy_ = nullptr;
     std::function<void()> onAction_;
+    QString brief_; // of the shown note
 };
 
 } // namespace edgescan::ui

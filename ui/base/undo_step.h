@@ -47,15 +47,22 @@ private:
 
 inline constexpr const char* kDrops = "drops"; ///< property of a stack that drops steps: the operator undoes nothing
 
-/// After another scan was opened: takes away the newest steps that belong to the scan before, so that Undo names only what it can undo.
+/// After another scan was opened, and after each step: takes away the next steps that belong to another scan, so that Undo and Redo name
+/// only what they can do.
 inline void dropStepsOfOtherScans(QUndoStack& stack) {
+    if (stack.property(kDrops).toBool()) return;
     stack.setProperty(kDrops, true);
-    while (stack.canUndo()) {
-        const auto* step = dynamic_cast<const ScanStep*>(stack.command(stack.index() - 1));
-        const int before = stack.index();
-        if (step == nullptr || step->applies()) break;
+    const auto isOfOther = [&stack](int place) {
+        const auto* step = place < stack.count() ? dynamic_cast<const ScanStep*>(stack.command(place)) : nullptr;
+        return step != nullptr && !step->applies();
+    };
+    for (int before = -1; stack.canUndo() && stack.count() != before && isOfOther(stack.index() - 1);) {
+        before = stack.count();
         stack.undo(); // changes nothing, and the stack forgets the step
-        if (stack.index() == before) break;
+    }
+    for (int before = -1; stack.canRedo() && stack.count() != before && isOfOther(stack.index());) {
+        before = stack.count();
+        stack.redo();
     }
     stack.setProperty(kDrops, false);
 }

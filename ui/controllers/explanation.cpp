@@ -50,12 +50,20 @@ std::optional<std::size_t> edgeNextTo(const edges::Detection& detection, std::si
     return isNear ? edge : std::nullopt;
 }
 
+/// Which number is the cell's, and which the threshold's.
+QString strengths(const edges::Why& why) {
+    if (!why.depth) return {}; // in another unit, which the verdict names
+    return ' ' +
+           Explanation::tr("This cell has the strength %1; the threshold is %2.").arg(why.strength, 0, 'f', 2).arg(why.lower, 0, 'f', 2);
+}
+
 /// For readers who do not know the terms of the verdict.
 QString plainWords(const edges::Why& why) {
     if (why.probe.state != CellState::Valid && !why.probe.filled) return Explanation::tr("Nothing was measured here.");
     if (!why.probe.edge)
-        return why.level == edges::StrengthLevel::Below ? Explanation::tr("The surface changes too little here to be an edge.")
-                                                        : Explanation::tr("The surface changes here, but another cell of it is the edge.");
+        return why.level == edges::StrengthLevel::Below
+                   ? Explanation::tr("The surface changes too little here to be an edge.") + strengths(why)
+                   : Explanation::tr("The surface changes here, but another cell of it is the edge.");
     switch (why.probe.kind) {
     case edges::DepthEdge::Jump:
     case edges::DepthEdge::Silhouette:

@@ -5,6 +5,7 @@
 #include "ui/base/count_text.h"
 #include "ui/base/language/catalogue.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/undo_step.h"
 #include "ui/controllers/files/source.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
@@ -13,6 +14,7 @@
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
+#include "ui/panels/cab/zoom_buttons.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
@@ -49,7 +51,7 @@ constexpr int kCancelAfterMs = 300;
 CabMode::CabMode(MainWindow& window, QWidget* middle)
     : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
-      menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)) {
+      zoom_(new ZoomButtons), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)) {
     badge_->setTwoLines();
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
@@ -57,6 +59,8 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     corner_->hide();
     back_->hide();
     back_->setWords("⇄ " + QObject::tr("Cloud"));
+    zoom_->setOver(window.viewer().views.cloud(), *corner_);
+    connect(zoom_, &ZoomButtons::zoomed, this, &CabMode::zoom);
     window.setCentralWidget(frame_);
     connectHead();
     connectSide();
@@ -64,6 +68,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     connect(corner_, &CornerPicture::reachChanged, this, &CabMode::showCorner);
     for (CornerPicture* each : {corner_, back_}) connect(each, &QAbstractButton::clicked, this, &CabMode::swap);
     follow();
+    nameUndone();
 }
 
 CabMode::~CabMode() {
@@ -85,6 +90,7 @@ void CabMode::connectHead() {
     });
     connect(head.warnings(), &QToolButton::clicked, &window_.viewer().warnings, &QToolButton::click);
     connect(head.cancel(), &QToolButton::clicked, &window_.viewer().engine.works(), &Works::cancel);
+    connect(badge_, &StateBadge::clicked, this, [this] { window_.viewer().notice.showHint(badge_->toolTip()); });
     connect(head.leave(), &HoldButton::held, this, &CabMode::leaveRequested);
     connect(head.leave(), &HoldButton::releasedEarly, this,
             [this] { window_.viewer().notice.showHint(tr("Hold it for one second to leave.")); });
@@ -144,11 +150,6 @@ void CabMode::follow() {
         showNumbers();
         showCorner();
     });
-    connect(&window_.viewer().targets, &Targets::measured, this, [this] {
-        measure_ = window_.viewer().targets.notebook().measures.back();
-        measureAt_ = window_.viewer().targets.notebook().measures.size() - 1;
-        showNumbers();
-    });
     connect(&window_.viewer().measures, &Measures::kindChanged, this, &CabMode::showNumbers);
     connect(&window_.viewer().views, &LinkedViews::flippedChanged, this, [this] {
         showNumbers();
@@ -168,6 +169,17 @@ void CabMode::follow() {
     });
 }
 
+/// A cab has no menu in sight that names the step before: the notice does, after the step.
+void CabMode::nameUndone() {
+    QUndoStack& undo = window_.viewer().undo;
+    connect(&undo, &QUndoStack::indexChanged, this, [this, &undo, last = undo.index(), count = undo.count()](int index) mutable {
+        const bool undone = index == last - 1 && undo.count() == count; // a step of another scan leaves the stack instead
+        last = index;
+        count = undo.count();
+        if (on_ && undone && !undo.property(kDrops).toBool()) window_.viewer().notice.showUndone(undo);
+    });
+}
+
 void CabMode::set(bool on) {
     if (std::exchange(on_, on) == on) return;
     if (swapped_) swap();
@@ -178,6 +190,7 @@ void CabMode::set(bool on) {
     const QSize size = window_.size();
     auto& application = *qobject_cast<QApplication*>(QApplication::instance());
     if (!on) useTheme(application, false);
+    if (!on) zoom_->hide();
     window_.viewer().notice.endPassing(); // a hint about the other mode
     window_.useCab(on);
     lockDocks(on);
@@ -232,7 +245,8 @@ void CabMode::showScan() {
     const PictureOrigin origin =
         originOfDrawn(window_.viewer().engine, window_.viewer().live.scanner(), window_.viewer().comparing.drawnA());
     badge_->showState(origin.sign, origin.badge);
-    badge_->setToolTip(origin.more);
+    const QString name = picture == nullptr ? QString() : scanName(picture->detection->scan->name) + ". "; // whole
+    badge_->setToolTip(origin.badge + ". " + name + origin.more);
     const QStringList warnings = window_.viewer().warnings.warnings();
     QToolButton* button = frame_->head().warnings();
     button->setText((window_.viewer().warnings.acknowledged() ? QStringLiteral("✓ ") : QStringLiteral("▲ ")) +
@@ -240,6 +254,7 @@ void CabMode::showScan() {
     button->setAccessibleName(window_.viewer().warnings.text());
     button->setVisible(!warnings.isEmpty());
     for (QWidget* each : ofScan_) each->setEnabled(picture != nullptr);
+    zoom_->setVisible(picture != nullptr);
     if (picture == nullptr) return frame_->head().showScan(tr("No scan"), tr("Open one, or connect to a scanner"));
     const Scan& scan = *picture->detection->scan;
     const int expected = std::max(picture->source.growth.expectedLines, scan.lines());

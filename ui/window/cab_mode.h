@@ -1,15 +1,10 @@
 // Cab mode: the same window for operators with gloves. Tools, numbers and steppers replace menus, cards and sliders.
 #pragma once
 
-#include "core/inspect/measure/notebook.h"
-
 #include <QObject>
-#include <QPoint>
 #include <QTimer>
 
-#include <cstdint>
-#include <optional>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 class QAbstractButton;
@@ -26,7 +21,9 @@ class CabFrame;
 class CornerPicture;
 class GloveMenus;
 class Keypad;
+class ZoomButtons;
 class MainWindow;
+struct PictureMark;
 class StateBadge;
 struct TargetNumbers;
 
@@ -59,6 +56,7 @@ private:
     void fillRemoval(QMenu& menu) const;
     void connectSide();
     void follow();
+    void nameUndone();
     void showScan();
     void showWork();
     void showAsked();
@@ -66,29 +64,27 @@ private:
     void showSettings();
     void showCorner();
     void swap();
+    void zoom(double factor);
     void lockDocks(bool on);
     [[nodiscard]] TargetNumbers numbers() const;
     [[nodiscard]] TargetNumbers ofRock(const rocks::Rock& rock) const;
-    [[nodiscard]] TargetNumbers ofMeasure(const inspect::StoredMeasure& measure) const;
+    [[nodiscard]] TargetNumbers ofMeasure(std::size_t place) const;
     [[nodiscard]] const rocks::Rock* chosenRock() const;
-    void followChoice();
     void step(int by);
-    [[nodiscard]] std::optional<QPoint> markedPlace() const;
+    [[nodiscard]] PictureMark chosenPlace() const;
 
     MainWindow& window_;
     StateBadge* badge_;
     CabFrame* frame_;
     CornerPicture* corner_;
     CornerPicture* back_; // returns to the cloud, over the image
+    ZoomButtons* zoom_;
     QMenu* menu_;
     Keypad* keypad_;
     GloveMenus* gloveMenus_;
     QToolButton* remove_ = nullptr;
     std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;
-    std::optional<inspect::StoredMeasure> measure_; // shown until a target, a rock or another measurement is chosen
-    std::size_t measureAt_ = 0;                     // its place in the notebook, while it is there: two of them may be equal
-    std::pair<std::optional<std::uint32_t>, std::vector<std::size_t>> chosen_; // cells of the target and of the rocks
     Corner shown_ = Corner::Range;
     bool on_ = false;
     bool swapped_ = false; // the large pane is an image, and the cloud is in the corner

@@ -3,17 +3,20 @@
 #include "core/edges/explain/cell_values.h"
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
+#include "core/inspect/measure/notebook.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/tool_column.h"
+#include "ui/panels/cab/zoom_buttons.h"
 #include "ui/panels/targets/target_words.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/main_window.h"
 
@@ -29,7 +32,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kMostRemovals = 6; // measurements in the menu, the newest first
+constexpr int kNearHigh = 48;            // px
+constexpr std::size_t kMostRemovals = 6; // measurements in the menu: the chosen one, then the newest
+constexpr std::size_t kMostPins = 3;     // targets in it, while none is chosen: the newest
 
 void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
 
@@ -128,6 +133,10 @@ void CabMode::addTools() {
     connect(undo, &QToolButton::clicked, &window_.viewer().undo, &QUndoStack::undo);
     connect(&window_.viewer().undo, &QUndoStack::canUndoChanged, undo, &QWidget::setEnabled);
     undo->setEnabled(window_.viewer().undo.canUndo());
+    connect(&window_.viewer().undo, &QUndoStack::undoTextChanged, undo, [undo](const QString& step) {
+        undo->setAccessibleName(step.isEmpty() ? tr("Undo") : tr("Undo: %1").arg(step));
+        undo->setToolTip(undo->accessibleName());
+    });
     column.setFoot(undo);
     const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
     for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
@@ -139,8 +148,14 @@ void CabMode::addSideButtons() {
     QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
     tune->setCheckable(true);
     connect(tune, &QToolButton::clicked, &frame_->side(), &NumbersSide::setTuning);
-    QToolButton* usual = gloveButton("cab-default", "undo", tr("Default"));
-    connect(usual, &QToolButton::clicked, this, [this] { window_.viewer().tuning.usePreset(edges::builtInPresets().front()); });
+    // In the head of the settings, and where a low screen has room next to the number that is changed most.
+    QToolButton* usual = gloveButton("cab-default", "usual", tr("Default"));
+    QToolButton* near = gloveButton("cab-default-near", "usual", tr("Default"));
+    near->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    near->setMinimumHeight(kNearHigh);
+    for (QToolButton* each : {usual, near})
+        connect(each, &QToolButton::clicked, this, [this] { window_.viewer().tuning.usePreset(edges::builtInPresets().front()); });
+    frame_->side().mainStepper()->setAside(near);
     QToolButton* classes = gloveButton("cab-classes", "layers", QObject::tr("Classes"));
     classes->setCheckable(true);
     connect(classes, &QToolButton::clicked, &window_.viewer().legend, &EdgeLegend::byClassRequested);
@@ -159,14 +174,21 @@ void CabMode::addSideButtons() {
 void CabMode::fillRemoval(QMenu& menu) const {
     menu.clear();
     Targets& targets = window_.viewer().targets;
-    if (const inspect::PinnedTarget* target = targets.active())
-        menu.addAction(tr("Target %1").arg(targets.inWords(*target)).replace('&', "&&"), &targets,
-                       [&targets, number = target->number] { targets.remove(number); });
+    const auto& pins = targets.notebook().targets;
+    const auto add = [&](const inspect::PinnedTarget& target) {
+        menu.addAction(tr("Target %1").arg(targets.inWords(target)).replace('&', "&&"), &targets,
+                       [&targets, number = target.number] { targets.remove(number); });
+    };
+    if (targets.active() != nullptr)
+        add(*targets.active());
+    else
+        std::for_each(pins.rbegin(), pins.rbegin() + static_cast<std::ptrdiff_t>(std::min(pins.size(), kMostPins)), add);
     const std::vector<QString> measures = targets.measuresInWords();
-    const int last = static_cast<int>(measures.size()) - 1;
-    for (int n = last; n >= 0 && n > last - kMostRemovals; --n)
-        menu.addAction(measures[static_cast<std::size_t>(n)], &targets,
-                       [&targets, n] { targets.removeMeasure(static_cast<std::size_t>(n)); });
+    std::vector<std::size_t> order;
+    for (std::size_t n = measures.size(); n-- > 0;) order.push_back(n);
+    if (const auto chosen = targets.chosenMeasure()) std::ranges::stable_partition(order, [&](std::size_t n) { return n == *chosen; });
+    if (order.size() > kMostRemovals) order.resize(kMostRemovals);
+    for (const std::size_t n : order) menu.addAction(measures[n], &targets, [&targets, n] { targets.removeMeasure(n); });
 }
 
 void CabMode::addMeasures(QMenu& menu) {
@@ -180,10 +202,20 @@ void CabMode::addMeasures(QMenu& menu) {
     });
 }
 
-std::optional<QPoint> CabMode::markedPlace() const {
+/// Where the image has what is chosen: the ends of a measurement, a rock or a target.
+PictureMark CabMode::chosenPlace() const {
+    const LinkedViews& views = window_.viewer().views;
+    if (!window_.viewer().engine.picture()) return {};
+    PictureMark mark;
+    const auto& measures = views.marks().measures;
+    if (const auto chosen = std::ranges::find_if(measures, &MeasureMark::active); chosen != measures.end()) {
+        for (const std::size_t cell : chosen->cells) mark.cells << views.placeOf(cell);
+        mark.links = chosen->links;
+        return mark;
+    }
     const rocks::Rock* const rock = chosenRock();
-    const auto cell = rock != nullptr ? std::optional<std::size_t>(rock->cell) : window_.viewer().views.marked();
-    return cell && window_.viewer().engine.picture() ? std::optional(window_.viewer().views.placeOf(*cell)) : std::nullopt;
+    if (const auto cell = rock != nullptr ? std::optional<std::size_t>(rock->cell) : views.marked()) mark.cells << views.placeOf(*cell);
+    return mark;
 }
 
 void CabMode::showCorner() {
@@ -193,7 +225,7 @@ void CabMode::showCorner() {
     if (!some) return;
     const bool range = shown_ == Corner::Range;
     corner_->setWords("⇄ " + (range ? QObject::tr("Range image") : QObject::tr("Edge map")));
-    corner_->show((range ? window_.viewer().views.gray() : window_.viewer().views.edges()).image(), markedPlace());
+    corner_->show((range ? window_.viewer().views.gray() : window_.viewer().views.edges()).image(), chosenPlace());
 }
 
 /// Exchanges the large view and the corner: image and cloud.
@@ -204,8 +236,17 @@ void CabMode::swap() {
     image.installEventFilter(back_);
     window_.showAlone(swapped_ ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(swapped_);
+    swapped_ ? zoom_->setOver(image, *back_) : zoom_->setOver(window_.viewer().views.cloud(), *corner_);
     image.setTaken(swapped_ ? back_->reach() : 0);
     back_->setWords(back_->text()); // at the same place
+}
+
+/// Zooms the large view about its middle.
+void CabMode::zoom(double factor) {
+    CloudView& cloud = window_.viewer().views.cloud();
+    if (!swapped_) return cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, factor));
+    ViewPort& images = *window_.viewer().views.gray().viewPort();
+    images.zoomAt(images.centre(), factor);
 }
 
 void CabMode::showSettings() {
@@ -237,11 +278,12 @@ TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
     return values;
 }
 
-TargetNumbers CabMode::ofMeasure(const inspect::StoredMeasure& measure) const {
-    const MeasureWords words = window_.viewer().targets.wordsOf(measure);
+TargetNumbers CabMode::ofMeasure(std::size_t place) const {
+    const auto& measures = window_.viewer().targets.notebook().measures;
+    const MeasureWords words = window_.viewer().targets.wordsOf(measures[place]);
     TargetNumbers values;
     values.title = tr("Measured");
-    values.place = tr("%1 of %2").arg(measureAt_ + 1).arg(window_.viewer().targets.notebook().measures.size());
+    values.place = tr("%1 of %2").arg(place + 1).arg(measures.size());
     values.distanceName = words.kind;
     const bool one = words.value.count("±") == 1; // several lengths have one each
     values.distance = !window_.viewer().targets.settled() ? QStringLiteral("…") : one ? words.value.section(" ± ", 0, 0) : words.value;
@@ -259,41 +301,23 @@ const rocks::Rock* CabMode::chosenRock() const {
     return chosen != nullptr && target != nullptr && rocks.picture()->labelAt(target->cell) == chosen->label ? nullptr : chosen;
 }
 
-/// Stops showing the measurement once another target or rock is chosen, or the measurement was removed.
-void CabMode::followChoice() {
-    const Targets& targets = window_.viewer().targets;
-    const inspect::PinnedTarget* target = targets.active();
-    const decltype(chosen_) now{target != nullptr ? std::optional(target->cell) : std::nullopt, window_.viewer().rocks.selected()};
-    const auto& measures = targets.notebook().measures;
-    if (std::exchange(chosen_, now) != now) measure_.reset();
-    if (!measure_ || (measureAt_ < measures.size() && measures[measureAt_] == *measure_)) return;
-    const auto found = std::ranges::find(measures, *measure_); // an earlier one was removed
-    measureAt_ = static_cast<std::size_t>(found - measures.begin());
-    if (found == measures.end()) measure_.reset();
-}
-
 /// Goes over the targets and then over the measurements, cyclically.
 void CabMode::step(int by) {
-    followChoice();
-    const inspect::Notebook& notebook = window_.viewer().targets.notebook();
-    const inspect::PinnedTarget* const target = window_.viewer().targets.active();
-    const auto targets = static_cast<int>(notebook.targets.size()), all = targets + static_cast<int>(notebook.measures.size());
+    Targets& targets = window_.viewer().targets;
+    const inspect::Notebook& notebook = targets.notebook();
+    const inspect::PinnedTarget* const target = targets.active();
+    const auto chosen = targets.chosenMeasure();
+    const auto pins = static_cast<int>(notebook.targets.size()), all = pins + static_cast<int>(notebook.measures.size());
     if (all == 0) return;
-    const int now = measure_            ? targets + static_cast<int>(measureAt_)
+    const int now = chosen              ? pins + static_cast<int>(*chosen)
                     : target != nullptr ? static_cast<int>(target - notebook.targets.data())
                     : by > 0            ? -1
                                         : 0;
     const int next = ((now + by) % all + all) % all;
-    measure_.reset();
-    if (next >= targets) {
-        measureAt_ = static_cast<std::size_t>(next - targets);
-        measure_ = notebook.measures[measureAt_];
-        return showNumbers();
-    }
+    if (next >= pins) return targets.chooseMeasure(static_cast<std::size_t>(next - pins));
     const std::uint32_t cell = notebook.targets[static_cast<std::size_t>(next)].cell;
     window_.viewer().views.pin(cell);
     window_.viewer().rocks.select({cell});
-    showNumbers(); // also if it was pinned already, under the measurement
 }
 
 TargetNumbers CabMode::numbers() const {
@@ -301,11 +325,12 @@ TargetNumbers CabMode::numbers() const {
     const auto& all = targets.notebook().targets;
     const inspect::PinnedTarget* target = targets.active();
     const rocks::Rock* const rock = chosenRock();
-    TargetNumbers values = measure_ ? ofMeasure(*measure_) : rock != nullptr ? ofRock(*rock) : TargetNumbers{};
+    const auto chosen = targets.chosenMeasure();
+    TargetNumbers values = chosen ? ofMeasure(*chosen) : rock != nullptr ? ofRock(*rock) : TargetNumbers{};
     values.targets = static_cast<int>(all.size());
     values.measures = static_cast<int>(targets.notebook().measures.size());
     values.measuring = window_.viewer().measures.kind().has_value();
-    if (measure_ || rock != nullptr || target == nullptr) return values;
+    if (chosen || rock != nullptr || target == nullptr) return values;
     values.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
     values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
     const auto known = targets.known().targets.find(target->cell);
@@ -325,6 +350,8 @@ TargetNumbers CabMode::numbers() const {
     }
     if (cell.probe.state != CellState::Valid) return values;
     addPlace(values, cell.probe);
+    if (const QString clicked = targets.clickOf(*target); clicked.contains("▲"))
+        values.warned += (values.warned.isEmpty() ? "" : "\n") + clicked.mid(clicked.indexOf("▲"));
     for (const TargetRow& row : targetRows(cell, around)) {
         if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) values.rows.emplace_back(row.name, row.value);
     }
@@ -332,13 +359,11 @@ TargetNumbers CabMode::numbers() const {
 }
 
 void CabMode::showNumbers() {
-    followChoice();
     if (!on_) return;
     TargetNumbers shown = numbers();
     if (window_.viewer().views.flipped() && !shown.title.isEmpty()) shown.title = "B: " + shown.title; // while A is in the views
     frame_->side().showNumbers(shown);
-    const Targets& targets = window_.viewer().targets;
-    remove_->setEnabled(targets.active() != nullptr || !targets.notebook().measures.empty());
+    remove_->setEnabled(!window_.viewer().targets.notebook().empty());
 }
 
 } // namespace edgescan::ui

@@ -408,6 +408,7 @@ void MainWindow::escape() {
         viewer_.selection.select({});
     else {
         viewer_.views.clearPin();
+        viewer_.targets.chooseMeasure(std::nullopt);
         viewer_.rocks.select({});
         viewer_.explanation.forgetTrail();
     }

@@ -91,6 +91,7 @@ Command measureMenu(Viewer& v) {
             v, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
     };
     const auto letGo = [&v] {
+        if (const auto chosen = v.targets.chosenMeasure()) return v.targets.removeMeasure(*chosen);
         if (const inspect::PinnedTarget* target = v.targets.active()) v.targets.remove(target->number);
     };
     return submenu("&Measure", {

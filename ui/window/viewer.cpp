@@ -69,6 +69,8 @@ void Viewer::followPictures() {
     QObject::connect(&comparing, &Comparing::begun, &rocks, [this] { rocks.setShown(false); }); // faces cover what changed
     QObject::connect(
         &views, &LinkedViews::newScanShown, &undo, [this] { dropStepsOfOtherScans(undo); }, Qt::QueuedConnection); // after all
+    QObject::connect(
+        &undo, &QUndoStack::indexChanged, &undo, [this] { dropStepsOfOtherScans(undo); }, Qt::QueuedConnection);
 }
 
 } // namespace edgescan::ui

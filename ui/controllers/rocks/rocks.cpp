@@ -321,6 +321,7 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
 void Rocks::lookAt(std::uint32_t label) {
     if (!picture_ || label == 0 || label > picture_->study.rocks.size()) return;
     const std::size_t cell = picture_->rock(label)->cell;
+    views_.pin(std::nullopt); // the rock is chosen instead of a target, which may be on it
     select({cell});
     ViewPort& images = *views_.gray().viewPort();
     if (!images.fitted()) images.centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5)); // else all of it is in sight

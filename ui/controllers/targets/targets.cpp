@@ -36,6 +36,9 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
     connect(&views_, &LinkedViews::cellMenuOpens, this, &Targets::addToMenu);
     connect(&rocks_, &Rocks::rocksShown, this, &Targets::show);
     connect(&rocks_, &Rocks::shownChanged, this, &Targets::show);
+    connect(&rocks_, &Rocks::selectionChanged, this, [this] {
+        if (!rocks_.selected().empty()) chooseMeasure(std::nullopt);
+    });
     connect(&store_, &TargetStore::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
     connectPanel();
 }
@@ -50,6 +53,7 @@ void Targets::connectPanel() {
     });
     connect(&panel_, &TargetsPanel::copyAllRequested, this, &Targets::copyAll);
     connect(&panel_, &TargetsPanel::removeAllRequested, this, &Targets::removeAll);
+    connect(&panel_, &TargetsPanel::measureChosen, this, [this](int place) { chooseMeasure(static_cast<std::size_t>(place)); });
     connect(&panel_, &TargetsPanel::measureRemoved, this, [this](int place) { removeMeasure(static_cast<std::size_t>(place)); });
     TargetCard& card = panel_.card();
     const auto ofActive = [this](auto act) {
@@ -93,7 +97,7 @@ QString Targets::keyOf(const Picture& picture) const {
 /// What another scan had: an empty list without a word looks like a loss.
 QString Targets::leftBehind(std::size_t entries) {
     if (entries == 0) return {};
-    return tr("Targets and measurements of the scan before: %1. They are stored and come back with it.").arg(entries);
+    return tr("Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.").arg(entries);
 }
 
 void Targets::followPicture() {
@@ -103,6 +107,7 @@ void Targets::followPicture() {
         if (!key_.isEmpty()) others_[key_] = std::move(notebook_);
         key_ = key;
         notebook_ = {};
+        chosen_.reset();
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
         stored_ = !path.isEmpty();
@@ -110,6 +115,7 @@ void Targets::followPicture() {
                         : store_.isOff()
                             ? tr("Not stored: EdgeScan was started without its settings.")
                             : tr("Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file."));
+        if (before > 0) notice_.showHint(leftBehind(before));
         if (const auto other = others_.find(key); other != others_.end()) {
             notebook_ = other->second;
         } else if (auto kept = store_.load(scan)) {
@@ -126,7 +132,10 @@ void Targets::followPicture() {
 
 void Targets::followPin(std::optional<std::size_t> cell) {
     if (using_) return;
-    if (cell) pin(*cell);
+    if (cell) {
+        chosen_.reset();
+        pin(*cell);
+    }
     show();
 }
 
@@ -192,7 +201,16 @@ void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
     after.measures.push_back(measure);
     change(stepName("Measure"), std::move(after));
     emit pinned();
-    emit measured();
+    chooseMeasure(notebook_.measures.size() - 1);
+}
+
+void Targets::chooseMeasure(std::optional<std::size_t> place) {
+    if (place && *place >= notebook_.measures.size()) return;
+    if (place) {
+        views_.pin(std::nullopt);
+        if (!rocks_.selected().empty()) rocks_.select({});
+    }
+    if (std::exchange(chosen_, place) != place) show();
 }
 
 void Targets::removeMeasure(std::size_t place) {
@@ -224,6 +242,13 @@ void Targets::change(const QString& what, inspect::Notebook after) {
 }
 
 void Targets::use(const inspect::Notebook& notebook) {
+    if (chosen_) { // another one may have gone: it has another place then
+        const auto& measures = notebook.measures;
+        const inspect::StoredMeasure chosen = notebook_.measures[*chosen_];
+        const auto found = std::ranges::find(measures, chosen);
+        if (*chosen_ >= measures.size() || measures[*chosen_] != chosen)
+            chosen_ = found == measures.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - measures.begin()));
+    }
     notebook_ = notebook;
     keep();
     ask();

@@ -72,6 +72,8 @@ public:
     [[nodiscard]] const KnownTargets& known() const { return known_; }
     /// The data of a card that was not measured at the cell.
     [[nodiscard]] TargetSurroundings around(std::size_t cell) const;
+    /// How the cell of a target follows from its click, with a warning if a nearer surface is next to it; empty: it was chosen itself.
+    [[nodiscard]] QString clickOf(const inspect::PinnedTarget& target) const;
     /// Goes this many entries forward in the notebook, cyclically, and shows the card.
     void goTo(int by);
 
@@ -93,6 +95,10 @@ public:
     void lock(int number, bool on);
     void keepMeasure(const inspect::StoredMeasure& measure);
     void removeMeasure(std::size_t place);
+    /// One thing is chosen: with a measurement no target is active and no rock is selected. Empty: none is chosen.
+    void chooseMeasure(std::optional<std::size_t> place);
+    /// Its place in the notebook, until a target, a rock or another measurement is chosen.
+    [[nodiscard]] std::optional<std::size_t> chosenMeasure() const { return chosen_; }
     /// "3 Big one · 12.340 m · rock 4 · E ... N ... RL ... m": what the list shows of it, in one line.
     [[nodiscard]] QString inWords(const inspect::PinnedTarget& target) const;
     [[nodiscard]] MeasureWords wordsOf(const inspect::StoredMeasure& measure) const;
@@ -118,9 +124,7 @@ public:
 signals:
     /// The panel has new content to look at.
     void pinned();
-    /// The last measurement of the notebook is new.
-    void measured();
-    /// The card shows another target or other values.
+    /// The card shows another target or other values, or another measurement is chosen.
     void cardChanged();
     void explanationRequested(std::size_t cell);
     void measureRequested(std::size_t cell);
@@ -155,7 +159,6 @@ private:
     [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;
     [[nodiscard]] CellMarks marks() const;
     [[nodiscard]] QString tagOf(const inspect::PinnedTarget& target) const;
-    [[nodiscard]] QString clickOf(const inspect::PinnedTarget& target) const;
 
     Engine& engine_;
     LinkedViews& views_;
@@ -176,7 +179,8 @@ private:
     KnownConfidence confidence_;
     // number and cell: the stored card belongs to this picture
     std::map<std::pair<int, std::uint32_t>, std::weak_ptr<const Picture>> pinnedOn_;
-    bool using_ = false; // an undo step is running: signals of the views are ignored
+    std::optional<std::size_t> chosen_; // measurement of the notebook
+    bool using_ = false;                // an undo step is running: signals of the views are ignored
 
     // Used only on the pool's threads, by one at a time.
     std::weak_ptr<const Scan> noiseScan_;

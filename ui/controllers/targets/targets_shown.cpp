@@ -106,7 +106,8 @@ CellMarks Targets::marks() const {
     const inspect::PinnedTarget* shown = active();
     for (const inspect::PinnedTarget& target : notebook_.targets)
         marks.targets.push_back({target.cell, tagOf(target), QString::number(target.number), &target == shown, target.clicked});
-    for (const inspect::StoredMeasure& measure : notebook_.measures) {
+    for (std::size_t n = 0; n < notebook_.measures.size(); ++n) {
+        const inspect::StoredMeasure& measure = notebook_.measures[n];
         const inspect::MeasuredCells* now = knownOf(measure);
         const bool warned = now != nullptr && (now->isWarned() || mountingAssumed(*known_.picture->detection->scan) ||
                                                isDoubtful(*known_.picture->detection->scan, measure));
@@ -115,7 +116,8 @@ CellMarks Targets::marks() const {
                                             : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
                                   inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
                                   (warned ? "▲ " : "") + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
-                                  {measure.clicked.begin(), measure.clicked.end()}});
+                                  {measure.clicked.begin(), measure.clicked.end()},
+                                  n == chosen_});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
     marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
@@ -172,7 +174,7 @@ void Targets::show() {
         QString line = words.kind + "  " + words.value;
         if (!words.warnings.isEmpty()) line += "\n" + words.warnings.front();
         if (words.warnings.size() > 1) line += QString(" · +%1 ▲").arg(words.warnings.size() - 1);
-        lines.push_back({line, (words.warnings + words.remarks).join('\n')});
+        lines.push_back({line, (words.warnings + words.remarks).join('\n'), lines.size() == chosen_});
     }
     panel_.showMeasures(lines);
     showCard();

@@ -80,6 +80,7 @@ public:
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.
     void setMarks(CellMarks marks);
+    [[nodiscard]] const CellMarks& marks() const { return marks_; }
     /// Sides of cells in the images (corners: x = beam, y = line), and the cells along them in the cloud, ascending; empty: no outline.
     /// It ends with its scan.
     void setOutline(const std::vector<QLine>& sides, std::vector<std::uint32_t> cells);

@@ -16,6 +16,7 @@ constexpr int kNarrowest = 150, kWidest = 300;
 constexpr int kMargin = 8;
 constexpr double kMostWords = 0.1; // of the height
 constexpr int kLeastForGloves = 48;
+constexpr double kRing = 8.0, kEndRing = 4.0; // radius, px: of one cell, of each end of a measurement
 
 } // namespace
 
@@ -25,7 +26,7 @@ CornerPicture::CornerPicture(QWidget* parent) : QAbstractButton(parent) {
     place();
 }
 
-void CornerPicture::show(std::shared_ptr<const QImage> image, std::optional<QPoint> marked) {
+void CornerPicture::show(std::shared_ptr<const QImage> image, const PictureMark& marked) {
     marked_ = marked;
     if (std::exchange(image_, std::move(image)) != image_) {
         scaled_ = QPixmap();
@@ -92,11 +93,17 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
         QRectF at(QPointF(), QSizeF(scaled_.size()) / devicePixelRatioF());
         at.moveCenter(QRectF(above).center());
         painter.drawPixmap(at.topLeft(), scaled_);
-        if (marked_) {
-            const QPointF cell(at.left() + (marked_->x() + 0.5) / image_->width() * at.width(),
-                               at.top() + (marked_->y() + 0.5) / image_->height() * at.height());
-            strokeTwice(painter, QPen(Qt::black, 4.0), QPen(Qt::white, 2.0), [&] { painter.drawEllipse(cell, 8.0, 8.0); });
-        }
+        const auto place = [&](const QPoint& cell) {
+            return QPointF(at.left() + (cell.x() + 0.5) / image_->width() * at.width(),
+                           at.top() + (cell.y() + 0.5) / image_->height() * at.height());
+        };
+        const auto draw = [&] {
+            for (const auto& [a, b] : marked_.links)
+                painter.drawLine(place(marked_.cells.value(static_cast<int>(a))), place(marked_.cells.value(static_cast<int>(b))));
+            const double ring = marked_.cells.size() == 1 ? kRing : kEndRing;
+            for (const QPoint& cell : marked_.cells) painter.drawEllipse(place(cell), ring, ring);
+        };
+        strokeTwice(painter, QPen(Qt::black, 4.0), QPen(Qt::white, 2.0), draw);
     }
     painter.setPen(QColor(0xe8, 0xe8, 0xe8));
     if (words_ > 0)

@@ -5,11 +5,20 @@
 #include <QImage>
 #include <QPixmap>
 #include <QPoint>
+#include <QVector>
 
+#include <cstddef>
 #include <memory>
-#include <optional>
+#include <utility>
+#include <vector>
 
 namespace edgescan::ui {
+
+/// What is chosen, in cells of the image: x = beam, y = line.
+struct PictureMark {
+    QVector<QPoint> cells;
+    std::vector<std::pair<std::size_t, std::size_t>> links; ///< pairs of indices into `cells`; a line joins each pair
+};
 
 /// GUI thread only. In the upper right corner of its parent.
 class CornerPicture : public QAbstractButton {
@@ -17,8 +26,9 @@ class CornerPicture : public QAbstractButton {
 public:
     explicit CornerPicture(QWidget* parent);
 
-    /// One pixel per cell; `marked`: x = beam, y = line. Null image: only the text.
-    void show(std::shared_ptr<const QImage> image, std::optional<QPoint> marked);
+    /// One pixel per cell. Null image: only the text.
+    void show(std::shared_ptr<const QImage> image, const PictureMark& marked);
+    [[nodiscard]] const PictureMark& marked() const { return marked_; }
     void setWords(const QString& words);
     [[nodiscard]] const std::shared_ptr<const QImage>& image() const { return image_; }
 
@@ -39,7 +49,7 @@ private:
     [[nodiscard]] int wordsHeight(int width) const;
 
     std::shared_ptr<const QImage> image_;
-    std::optional<QPoint> marked_;
+    PictureMark marked_;
     QPixmap scaled_;
     int words_ = 0; // px of its height
 };

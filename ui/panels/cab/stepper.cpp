@@ -2,8 +2,10 @@
 #include "ui/panels/cab/stepper.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <utility>
 
@@ -19,7 +21,7 @@ int stepsAfter(int repeats) { return repeats < 12 ? 1 : repeats < 30 ? 5 : 25; }
 } // namespace
 
 Stepper::Stepper(const QString& name, QWidget* parent)
-    : QWidget(parent), name_(new QLabel), less_(new QToolButton), value_(new QLabel), more_(new QToolButton) {
+    : QWidget(parent), head_(new QHBoxLayout), name_(new QLabel), less_(new QToolButton), value_(new QLabel), more_(new QToolButton) {
     less_->setText(QStringLiteral("−"));
     more_->setText(QStringLiteral("+"));
     less_->setObjectName("less");
@@ -40,10 +42,14 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(2 * kLineGap);
     grid->setVerticalSpacing(kLineGap);
-    grid->addWidget(name_, 0, 0, 1, 2);
-    grid->addWidget(value_, 1, 0, 1, 2);
-    grid->addWidget(less_, 2, 0);
-    grid->addWidget(more_, 2, 1);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(kLineGap);
+    words->addWidget(name_);
+    words->addWidget(value_);
+    head_->addLayout(words, 1);
+    grid->addLayout(head_, 0, 0, 1, 2);
+    grid->addWidget(less_, 1, 0);
+    grid->addWidget(more_, 1, 1);
     addButton(*less_, -1);
     addButton(*more_, +1);
     showName(name);
@@ -59,9 +65,11 @@ void Stepper::setMeaning(const QString& ofLess, const QString& ofMore) {
         QFont letters = label->font();
         letters.setPixelSize(kMeaning);
         label->setFont(letters);
-        grid->addWidget(label, 3, column);
+        grid->addWidget(label, 2, column);
     }
 }
+
+void Stepper::setAside(QToolButton* button) { head_->addWidget(button, 0, Qt::AlignTop); }
 
 void Stepper::addButton(QToolButton& button, int direction) {
     button.setMinimumWidth(kButton);

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -16,6 +17,8 @@ public:
 
     /// Words below the buttons: what more and less of the value do.
     void setMeaning(const QString& ofLess, const QString& ofMore);
+    /// Adds a button right of name and value.
+    void setAside(QToolButton* button);
     void showName(const QString& name);
     void showValue(const QString& value);
     [[nodiscard]] QString value() const;
@@ -30,6 +33,7 @@ signals:
 private:
     void addButton(QToolButton& button, int direction);
 
+    QHBoxLayout* head_;
     QLabel* name_;
     QToolButton* less_;
     QLabel* value_;

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace edgescan::ui {
@@ -138,7 +139,7 @@ QLabel* wordsOf(QWidget* parent, const char* name) {
 
 ChangeLegend::ChangeLegend(QWidget* parent)
     : ViewPlate(parent), title_(wordsOf(this, "change-title")), unit_(wordsOf(this, "change-unit")), how_(wordsOf(this, "change-how")),
-      overRocks_(wordsOf(this, "change-over-rocks")), region_(wordsOf(this, "change-region")),
+      overRocks_(wordsOf(this, "change-over-rocks")), region_(wordsOf(this, "change-region")), summary_(wordsOf(this, "change-summary")),
       byDistance_(new QCheckBox(tr("colour by distance from A"), this)), histogram_(new DistanceView(this)),
       distances_(wordsOf(this, "change-distances")), fold_(new QToolButton(this)), previous_(new QToolButton(this)),
       next_(new QToolButton(this)), end_(new QToolButton(this)) {
@@ -197,6 +198,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         if (button == end_) buttons->addStretch(1);
         button->setFocusPolicy(Qt::TabFocus);
         buttons->addWidget(button);
+        if (button == fold_) buttons->addWidget(summary_);
     }
     connect(fold_, &QToolButton::toggled, this, [this] {
         showRows();
@@ -267,12 +269,12 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
                                   .arg(shortLength(distances->histogram.medianM))
                                   .arg(countText(distances->histogram.beyond))
                                   .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
-    for (QToolButton* button : {previous_, next_})
-        button->setVisible(rowsShown_ && comparison != nullptr && !comparison->change.regions.empty());
-    compared_ = comparison != nullptr;
+    regions_ = comparison == nullptr ? 0 : comparison->change.regions.size();
+    const bool begins = !std::exchange(compared_, comparison != nullptr) && compared_;
     ofTwoScans_ = comparison != nullptr && comparison->isOfTwoScans();
     warned_ = comparison != nullptr && comparison->change.earlier.how.outOfSpec;
     showRegion(QString());
+    if (begins) foldIfLow();
     showFlipped(flipped_);
     show();
     fit();
@@ -296,7 +298,8 @@ void ChangeLegend::fit() {
     }
     next_->setText(next_->toolTip());
     int buttons = 0;
-    for (const QToolButton* button : {fold_, previous_, next_, end_}) buttons += button->sizeHint().width() + kBetweenButtons;
+    for (const QWidget* each : std::initializer_list<const QWidget*>{fold_, summary_, previous_, next_, end_})
+        buttons += each->isVisibleTo(this) ? each->sizeHint().width() + kBetweenButtons : 0;
     if (buttons > room) next_->setText(tr("Next"));
     fitContent();
 }
@@ -322,6 +325,12 @@ void ChangeLegend::showRows() {
     fold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     fold_->setAccessibleName(fold_->toolTip());
     fold_->setVisible(compared_ && rowsShown_ && !flipped_);
+    next_->setVisible(rowsShown_ && regions_ > 0);
+    previous_->setVisible(rowsShown_ && regions_ > 0 && !isOneLine());
+    title_->setVisible(!isOneLine());
+    summary_->setVisible(isOneLine());
+    summary_->setText(tr("Changes: %1").arg(countText(regions_)));
+    region_->setVisible(!words_.at(region_).isEmpty() && !isOneLine());
     for (const Row& row : rows_) {
         const QString count = row.count->text();
         const bool shown = open && rowsShown_ && !count.isEmpty() && (!brief_ || count != "0");
@@ -341,8 +350,17 @@ void ChangeLegend::showRows() {
     overRocks_->setVisible(open && overRocksOn_);
 }
 
+bool ChangeLegend::isOneLine() const { return brief_ && compared_ && rowsShown_ && regions_ > 0 && !flipped_ && fold_->isChecked(); }
+
+/// Open, it would cover most of a low view.
+void ChangeLegend::foldIfLow() {
+    constexpr int kLow = 480; // px
+    if (brief_ && parentWidget() != nullptr && parentWidget()->height() < kLow) fold_->setChecked(true);
+}
+
 void ChangeLegend::setBrief(bool on) {
     brief_ = on;
+    if (on) foldIfLow();
     showFlipped(flipped_);
 }
 
@@ -353,7 +371,7 @@ void ChangeLegend::showFlipped(bool flipped) {
     const QString toSee = brief_ ? '\n' + tr("to see it: A/B, %1").arg(QObject::tr("Show &A").remove('&')) : QString();
     setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_) + toSee);
     showRows();
-    fitContent();
+    fit();
 }
 
 void ChangeLegend::showOverRocks(bool on) {
@@ -362,7 +380,7 @@ void ChangeLegend::showOverRocks(bool on) {
 }
 
 void ChangeLegend::showRegion(const QString& words) {
-    region_->setVisible(!words.isEmpty());
+    region_->setVisible(!words.isEmpty() && !isOneLine());
     setWords(*region_, words);
 }
 

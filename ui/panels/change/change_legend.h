@@ -29,7 +29,7 @@ public:
     void showKept(const QString& before, const Comparison* comparison, bool working, bool refused);
     /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
-    /// On: for a cab, without explanations and without rows that count nothing.
+    /// On: for a cab, without explanations and without rows that count nothing. Over a low view it begins folded, as one line.
     void setBrief(bool on);
     void setRows(const ChangeRows& rows);
     void setByDistance(bool on);
@@ -69,7 +69,11 @@ private:
     void showRows();
     void emitRows();
 
+    [[nodiscard]] bool isOneLine() const;
+    void foldIfLow();
+
     QLabel *title_, *unit_, *how_, *overRocks_, *region_;
+    QLabel* summary_; // next to the buttons, while all else is folded in a cab
     std::array<Row, kChangeRows> rows_;
     QCheckBox* byDistance_;
     DistanceView* histogram_;
@@ -82,6 +86,7 @@ private:
     bool flipped_ = false;
     bool rowsShown_ = true;
     bool brief_ = false;
+    std::size_t regions_ = 0;                                     // that changed
     bool compared_ = false, ofTwoScans_ = false, warned_ = false; // of the comparison
 };
 

@@ -1,7 +1,9 @@
 // A word with a shape and a colour.
 #include "ui/panels/live/state_badge.h"
 
+#include <QMouseEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
@@ -69,6 +71,26 @@ int grown(int pixels, const QFontMetrics& letters) {
     return static_cast<int>(std::lround(pixels * std::max(1.0, letters.height() / kUsualLetters)));
 }
 
+constexpr int kLeastLetters = 8;
+constexpr int kThreeLinesPx = 15; // letters: as large as the facts next to it
+
+struct BadgeParts {
+    QString name, between, time, ago; ///< "FILE north 3", " · ", "2026-11-19 08:12:05 UTC", ", 5 days ago"
+};
+
+/// Without a time in the text, what is after the last separator.
+BadgeParts partsOf(const QString& text) {
+    static const QRegularExpression time("(\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d UTC)(.*)$");
+    static const QRegularExpression separator("( · | )$");
+    const QRegularExpressionMatch found = time.match(text);
+    const int part = text.lastIndexOf(QStringLiteral(" · "));
+    if (!found.hasMatch()) return part < 0 ? BadgeParts{text, {}, {}, {}} : BadgeParts{text.left(part), " · ", text.mid(part + 3), {}};
+    QString name = text.left(found.capturedStart());
+    const QString between = separator.match(name).captured();
+    name.chop(between.size());
+    return {name, between, found.captured(1), found.captured(2)};
+}
+
 } // namespace
 
 StateBadge::StateBadge(QWidget* parent) : QWidget(parent) {
@@ -82,20 +104,39 @@ void StateBadge::setShrinks() { setSizePolicy(QSizePolicy::Maximum, QSizePolicy:
 
 void StateBadge::setTwoLines() { twoLines_ = true; }
 
-// The state is at one end, its time at the other: a narrow badge keeps both.
+/// The time is always whole, in two lines if it has to be; the name before it is shortened at its end.
 QStringList StateBadge::linesIn(int width) const {
     const QFontMetrics metrics(font());
     const auto fits = [&](const QString& words) { return metrics.horizontalAdvance(words) <= width; };
-    if (fits(text_) || !twoLines_) return {metrics.elidedText(text_, Qt::ElideMiddle, width)};
-    const QString separator = QStringLiteral(" · ");
+    if (fits(text_)) return {text_};
+    const BadgeParts parts = partsOf(text_);
+    if (parts.time.isEmpty()) return twoLines_ ? brokenIn(width) : QStringList{metrics.elidedText(text_, Qt::ElideRight, width)};
+    if (!twoLines_) {
+        const int room = width - metrics.horizontalAdvance(parts.between + parts.time);
+        const bool some = room >= kLeastLetters * metrics.averageCharWidth();
+        return {some ? metrics.elidedText(parts.name, Qt::ElideRight, room) + parts.between + parts.time
+                     : metrics.elidedText(text_, Qt::ElideRight, width)};
+    }
+    QStringList lines{metrics.elidedText(parts.name, Qt::ElideRight, width)};
+    if (fits(parts.time + parts.ago)) return lines << parts.time + parts.ago;
+    if (fits(parts.time)) return lines << parts.time;
+    return lines << parts.time.section(' ', 0, 0) << parts.time.section(' ', 1);
+}
+
+/// Two lines, the first with as many words as it has room for.
+QStringList StateBadge::brokenIn(int width) const {
+    const QFontMetrics metrics(font());
     QString first;
-    for (int at = text_.indexOf(' '); at >= 0 && fits(text_.left(at)); at = text_.indexOf(' ', at + 1)) first = text_.left(at);
-    if (first.isEmpty()) return {metrics.elidedText(text_, Qt::ElideMiddle, width)};
-    if (const int part = text_.lastIndexOf(separator); part > 0 && part < first.size()) first = text_.left(part); // LIVE above its time
-    QString rest = text_.mid(first.size()).trimmed();
-    if (rest.startsWith(separator.trimmed())) rest = rest.mid(1).trimmed();
-    if (first.endsWith(separator.trimmed())) first = first.chopped(1).trimmed();
-    return {first, metrics.elidedText(rest, Qt::ElideMiddle, width)};
+    for (int at = text_.indexOf(' '); at >= 0 && metrics.horizontalAdvance(text_.left(at)) <= width; at = text_.indexOf(' ', at + 1))
+        first = text_.left(at);
+    if (first.isEmpty()) return {metrics.elidedText(text_, Qt::ElideRight, width)};
+    return {first, metrics.elidedText(text_.mid(first.size()).trimmed(), Qt::ElideRight, width)};
+}
+
+void StateBadge::mousePressEvent(QMouseEvent* event) { event->setAccepted(twoLines_); }
+
+void StateBadge::mouseReleaseEvent(QMouseEvent* event) {
+    if (rect().contains(event->pos())) emit clicked();
 }
 
 void StateBadge::showState(Sign sign, const QString& text) {
@@ -114,7 +155,6 @@ QSize StateBadge::sizeHint() const {
 }
 
 QSize StateBadge::minimumSizeHint() const {
-    constexpr int kLeastLetters = 8;
     const QFontMetrics metrics(font());
     const int letters = metrics.averageCharWidth() * kLeastLetters, margin = grown(kMargin, metrics);
     return {std::min(sizeHint().width(), 3 * margin + grown(kShape, metrics) + letters), sizeHint().height()};
@@ -130,7 +170,13 @@ void StateBadge::paintEvent(QPaintEvent* /*event*/) {
     drawShape(painter, sign_, QRectF(margin, (height() - shape) / 2.0, shape, shape));
     painter.setPen(Qt::white);
     const QRect place = rect().adjusted(margin + shape + margin, 0, -margin / 2, 0);
-    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, linesIn(place.width()).join('\n'));
+    const QStringList lines = linesIn(place.width());
+    if (lines.size() > 2) {
+        QFont letters = font();
+        letters.setPixelSize(kThreeLinesPx);
+        painter.setFont(letters);
+    }
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, lines.join('\n'));
 }
 
 StateBadge::Sign signOf(files::Liveness liveness) {

@@ -19,18 +19,25 @@ public:
     [[nodiscard]] Sign sign() const { return sign_; }
     [[nodiscard]] QString text() const { return text_; }
     [[nodiscard]] QSize sizeHint() const override;
-    /// The middle of a long text is cut out (…) where there is no room for it. Otherwise the badge always has room for all of it.
+    /// The name in a long text is shortened (…) where there is no room for it. Otherwise the badge always has room for all of it.
     void setShrinks();
-    /// A text that one line has no room for takes two.
+    /// A text that one line has no room for takes two, or three if the second has no room for the time. A tap is a click.
     void setTwoLines();
     /// What it shows of its text, in this many px.
     [[nodiscard]] QStringList linesIn(int width) const;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
+signals:
+    void clicked();
+
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
+    [[nodiscard]] QStringList brokenIn(int width) const;
+
     Sign sign_ = Sign::Off;
     QString text_;
     bool twoLines_ = false;

@@ -73,8 +73,11 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     column->addWidget(note_);
     column->addStretch(1);
     // Not currentRowChanged: a list that gets the focus sets a current row itself.
-    for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated})
+    for (const auto chosen : {&QListWidget::itemClicked, &QListWidget::itemActivated}) {
         connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
+        connect(measures_, chosen, this, [this](QListWidgetItem* item) { emit measureChosen(measures_->row(item)); });
+    }
+    connect(measures_, &QListWidget::currentRowChanged, removeMeasure_, [this](int row) { removeMeasure_->setEnabled(row >= 0); });
     targets_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(targets_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
         if (QListWidgetItem* item = targets_->itemAt(at))
@@ -89,6 +92,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {
         if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
     });
+    removeMeasure_->setEnabled(false);
     showAsked({});
     showTargets({});
     showMeasures({});
@@ -98,7 +102,6 @@ TargetsPanel::TargetsPanel(QWidget* parent)
 void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines) {
     if (shown == lines && list.count() == static_cast<int>(lines.size())) return;
     shown = lines;
-    const int before = list.currentRow();
     list.clear();
     int chosen = -1;
     for (const TargetLine& line : lines) {
@@ -106,7 +109,7 @@ void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const
         item->setToolTip(line.tip);
         if (line.chosen) chosen = list.count() - 1;
     }
-    list.setCurrentRow(chosen >= 0 ? chosen : &list == measures_ ? std::min(before, list.count() - 1) : -1);
+    list.setCurrentRow(chosen);
     fitHeight(list);
 }
 
@@ -139,7 +142,6 @@ void TargetsPanel::showAsked(const QString& words) {
 void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
     const bool more = lines.size() > shownMeasures_.size();
     fill(*measures_, shownMeasures_, lines);
-    if (more) measures_->setCurrentRow(measures_->count() - 1);
     for (QWidget* each : {static_cast<QWidget*>(measuresTitle_), static_cast<QWidget*>(measures_), static_cast<QWidget*>(removeMeasure_)})
         each->setVisible(!lines.empty());
     if (more && measuring_) QMetaObject::invokeMethod(this, &TargetsPanel::showNewest, Qt::QueuedConnection); // after the layout

@@ -51,6 +51,7 @@ signals:
     void targetMenuRequested(int place, const QPoint& position);
     void copyAllRequested();
     void removeAllRequested();
+    void measureChosen(int place);
     void measureRemoved(int place);
 
 private:

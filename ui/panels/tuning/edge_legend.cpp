@@ -74,7 +74,6 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     unfold_->setFixedSize(kForGloves, kForGloves);
     unfold_->setCheckable(true);
     unfold_->setFocusPolicy(Qt::TabFocus);
-    grid->addWidget(unfold_, grid->rowCount() - 1, 2);
     connect(unfold_, &QToolButton::toggled, this, [this] {
         showRows();
         adjustSize();
@@ -110,6 +109,8 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     filled_->hide();
     grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
     addOthers(*grid);
+    foot_ = grid->rowCount();
+    placeHead();
     paintSwatches();
     hide(); // no content yet
 }
@@ -197,6 +198,7 @@ void EdgeLegend::showRows() {
     byClass_->setVisible(known_ && !brief_ && !low_);
     unfold_->setVisible(known_ && brief_ && !low_);
     covered_->setVisible(isCovered_ && (open || !brief_));
+    edges_->setText(isCovered_ && brief_ ? tr("Edges, under rocks") : tr("Edges")); // a tick alone would say that they are seen
     filled_->setVisible(isFilled_ && (open || !brief_));
     missing_->parentWidget()->setVisible(isMissing_ && open && roomy_);
     ray_->parentWidget()->setVisible(open && roomy_);
@@ -220,8 +222,18 @@ void EdgeLegend::fitInto(int height) {
     adjustSize();
 }
 
+/// In a cab the row with the button is the lowest: it stays under the finger while the rows above it come and go.
+void EdgeLegend::placeHead() {
+    auto* grid = static_cast<QGridLayout*>(layout());
+    const int row = brief_ ? foot_ : 0;
+    grid->addWidget(edges_, row, 0);
+    grid->addWidget(total_, row, 1, Qt::AlignRight);
+    grid->addWidget(unfold_, row, 2);
+}
+
 void EdgeLegend::setBrief(bool on) {
     brief_ = on;
+    placeHead();
     paintSwatches();
     showRows();
     adjustSize();

@@ -50,11 +50,13 @@ private:
     };
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
     void showRows();
+    void placeHead();
     void paintSwatches();
     void addOthers(QGridLayout& grid);
     void showMissing(const Scan& scan);
     void emitClasses();
 
+    int foot_ = 0; // row
     QCheckBox* edges_ = nullptr;
     QLabel* total_ = nullptr;
     std::array<Row, kEdgeClasses> rows_;

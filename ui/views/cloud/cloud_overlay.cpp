@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRing = 9.0; // radius, px: the same on the screen at every distance
 constexpr int kLabelMargin = 8;
-constexpr double kArrow = 22.0, kArrowInset = 10.0; // px
+constexpr double kArrow = 22.0, kArrowInset = 10.0, kArrowStep = 4.0; // px
 
 } // namespace
 
@@ -36,11 +36,10 @@ void CloudOverlay::setMarks(const OverlayMarks& marks) {
 
 QRect CloudOverlay::covered(const OverlayMarks& marks) const {
     const bool words = !marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.caption.isEmpty() || !marks.stale.isEmpty();
-    if (words || !marks.marks.empty() || !marks.dragged.isEmpty()) return rect();
+    if (words || !marks.marks.empty() || !marks.dragged.isEmpty() || marks.way) return rect();
     const double reach = kRing + 4.0;
     QRectF area;
     if (marks.ring) area = QRectF(*marks.ring, *marks.ring).adjusted(-reach, -reach, reach, reach);
-    if ((marks.ring || marks.ray) && !QRectF(rect()).contains(marks.ring ? *marks.ring : marks.ray->p2())) return rect(); // with the arrow
     if (marks.ray) area = area.united(QRectF(marks.ray->p1(), marks.ray->p2()).normalized().adjusted(-reach, -reach, reach, reach));
     if (marks.tipAt && !marks.tip.isEmpty())
         area = area.united(tipBox(fontMetrics(), rect(), marks.tipAt->toPoint(), marks.tip).adjusted(-2, -2, 2, 2));
@@ -58,12 +57,15 @@ std::vector<QRectF> CloudOverlay::platesOver() const {
 
 std::optional<QLineF> CloudOverlay::arrow() const {
     const QRectF room = QRectF(rect()).adjusted(kArrowInset, kArrowInset, -kArrowInset, -kArrowInset);
-    if ((!marks_.ring && !marks_.ray) || room.isEmpty()) return std::nullopt;
-    const QPointF target = marks_.ring ? *marks_.ring : marks_.ray->p2(); // no ring: it is behind the camera
-    if (QRectF(rect()).contains(target)) return std::nullopt;
-    const QPointF way = target - room.center();
-    const double across = std::abs(way.x()) / (room.width() / 2.0), down = std::abs(way.y()) / (room.height() / 2.0);
-    const QLineF whole(room.center(), room.center() + way / std::max({across, down, 1e-9}));
+    if (!marks_.way || room.isEmpty()) return std::nullopt;
+    const double across = std::abs(marks_.way->x()) / (room.width() / 2.0), down = std::abs(marks_.way->y()) / (room.height() / 2.0);
+    const QLineF whole(room.center(), room.center() + *marks_.way / std::max({across, down, 1e-9}));
+    for (double end = whole.length(); end > 2.0 * kArrow; end -= kArrowStep) {
+        const QPointF tip = whole.pointAt(end / whole.length());
+        const QRectF box = QRectF(tip - QPointF(kArrow, kArrow), QSizeF(2.0 * kArrow, 2.0 * kArrow));
+        if (std::ranges::any_of(plates_, [&](const QRectF& plate) { return plate.intersects(box); })) continue;
+        return QLineF(whole.pointAt((end - kArrow) / whole.length()), tip);
+    }
     return QLineF(whole.pointAt(std::max(0.0, 1.0 - kArrow / std::max(kArrow, whole.length()))), whole.p2());
 }
 

@@ -19,6 +19,7 @@ struct OverlayMarks {
     std::optional<QPointF> ring;  ///< the marked point, widget pixels
     std::optional<QLineF> ray;    ///< from the sensor to the point
     bool hidden = false;          ///< other points hide the point: drawn dashed
+    std::optional<QPointF> way;   ///< from the middle of the view to the chosen point, which is outside of it: an arrow is drawn
     QString centreText;           ///< the reason why the view is empty
     QString note;                 ///< top left
     QString tip;                  ///< next to a point ...
@@ -32,8 +33,8 @@ struct OverlayMarks {
 
     bool operator==(const OverlayMarks&) const = default;
     [[nodiscard]] bool empty() const {
-        return !ring && !ray && !tipAt && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && stale.isEmpty() && marks.empty() &&
-               dragged.isEmpty();
+        return !ring && !ray && !way && !tipAt && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && stale.isEmpty() &&
+               marks.empty() && dragged.isEmpty();
     }
 };
 
@@ -45,7 +46,7 @@ public:
     [[nodiscard]] const OverlayMarks& marks() const { return marks_; }
     /// The tags of targets and measurements, where they were drawn last.
     [[nodiscard]] const std::vector<QRectF>& tags() const { return tags_; }
-    /// At the rim of the view, towards a marked point outside of it.
+    /// At the rim of the view or of a plate there, towards the chosen point outside of it.
     [[nodiscard]] std::optional<QLineF> arrow() const;
     /// Note and caption, where they were drawn last.
     [[nodiscard]] const std::array<QRect, 2>& labels() const { return labels_; }

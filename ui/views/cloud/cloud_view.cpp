@@ -336,6 +336,7 @@ void CloudView::updateOverlay() {
         const double dpr = devicePixelRatioF();
         if (ray) marks.ray = QLineF(ray->x0 / dpr, ray->y0 / dpr, ray->x1 / dpr, ray->y1 / dpr);
     }
+    if (const auto cell = chosenCell()) marks.way = wayOutTo(*cell);
     overlay_->setMarks(marks);
 }
 

@@ -242,6 +242,11 @@ private:
     void showGround();
     void guessBudget();
     [[nodiscard]] const ScreenMarks& marksOnScreen();
+    [[nodiscard]] std::optional<std::uint32_t> chosenCell() const;
+    /// In the plane of the screen; empty: the cell is in view.
+    [[nodiscard]] std::optional<QPointF> wayOutTo(std::uint32_t cell) const;
+    /// Goes to the chosen point, if the arrow to it is at this place.
+    bool followArrow(QPointF pixel);
     void setRotationCentre(QPointF pixel);
     void showFocus();
     void pinch(QPointF middle, QPointF shift, double factor);

@@ -1,8 +1,17 @@
 // The operator's marks over the cloud: targets, measurements, a selection, hidden cells.
+#include "ui/views/cloud/cloud_overlay.h"
 #include "ui/views/cloud/cloud_scene.h"
 #include "ui/views/cloud/cloud_view.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace edgescan::ui {
+namespace {
+
+constexpr double kArrowReach = 30.0; // px: of a finger
+
+} // namespace
 
 void CloudView::setSelection(std::shared_ptr<const CellIndices> cells) {
     if (cells == selection_) return;
@@ -68,6 +77,37 @@ void CloudView::setMarks(CellMarks marks) {
     marks_ = std::move(marks);
     screenMarks_.reset();
     updateOverlay();
+}
+
+/// Of another view the cell under the pointer, else what the operator chose.
+std::optional<std::uint32_t> CloudView::chosenCell() const {
+    if (marked_ && !hoveredCell_) return marked_;
+    if (const auto target = std::ranges::find_if(marks_.targets, &TargetMark::active); target != marks_.targets.end())
+        return static_cast<std::uint32_t>(target->cell);
+    const auto measure = std::ranges::find_if(marks_.measures, &MeasureMark::active);
+    if (measure != marks_.measures.end() && !measure->cells.empty()) return static_cast<std::uint32_t>(measure->cells.front());
+    return marked_;
+}
+
+/// A point behind the camera is reached by turning the same way as to one in front of it.
+std::optional<QPointF> CloudView::wayOutTo(std::uint32_t cell) const {
+    if (!cloud_ || !cloud_->drawable(cell)) return std::nullopt;
+    const Eigen::Vector3d by = cloud_->point(cell).cast<double>() - pose_.position;
+    if (pose_.parallel || by.dot(pose_.forward()) > 0.0) {
+        const ScreenPoint at = toScreen(screenView(), cloud_->point(cell));
+        if (QRectF(rect()).contains(QPointF(at.x, at.y) / devicePixelRatioF())) return std::nullopt;
+    }
+    const QPointF way(by.dot(pose_.right()), -by.dot(pose_.right().cross(pose_.forward())));
+    const double length = std::hypot(way.x(), way.y());
+    return length > 0.0 ? way / length : QPointF(0.0, 1.0);
+}
+
+bool CloudView::followArrow(QPointF pixel) {
+    const auto arrow = overlay_->arrow();
+    const auto cell = chosenCell();
+    if (!arrow || !cell || QLineF(arrow->center(), pixel).length() > kArrowReach) return false;
+    flyTo(*cell);
+    return true;
 }
 
 /// Testing whether a point is hidden visits all points near it. With many targets only the active one is tested.

@@ -124,6 +124,7 @@ void CloudView::mouseReleaseEvent(QMouseEvent* event) {
         moved();
         return;
     }
+    if (event->button() == Qt::LeftButton && followArrow(at)) return;
     const auto cell = cellAt(at);
     if (event->button() == Qt::LeftButton && cell) emit clicked(*cell);
     if (event->button() == Qt::LeftButton && !cell && cloud_) {

@@ -6,6 +6,7 @@
 #include "ui/views/cloud/cloud_view.h"
 
 #include <QEvent>
+#include <QLayout>
 #include <QPainter>
 
 #include <algorithm>
@@ -65,10 +66,11 @@ void ScalePlate::keepOff(const QRect& pinned, std::vector<QRect> rings) {
 std::optional<QPoint> ScalePlate::freePlace(const std::vector<QRect>& rings) const {
     std::vector<QRect> taken = rings;
     bool legendsAtRight = false;
-    for (const ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+    for (ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (other == this || !other->isVisible()) continue;
         taken.push_back(other->geometry());
-        legendsAtRight = legendsAtRight || other->geometry().center().x() > cloud_->width() / 2;
+        const bool isLegend = cloud_->layout() != nullptr && cloud_->layout()->indexOf(other) >= 0;
+        legendsAtRight = legendsAtRight || (isLegend && other->geometry().center().x() > cloud_->width() / 2);
     }
     if (!keptFree_.isEmpty()) taken.push_back(keptFree_);
     const int left = kFromRim, right = cloud_->width() - kFromRim - width(), bottom = cloud_->height() - kFromRim - height();

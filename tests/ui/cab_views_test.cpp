@@ -1,0 +1,199 @@
+// What a finger does over the views in cab mode: it zooms, folds legends, scrolls, and takes steps back whose names it reads.
+#include "tests/support/folders.h"
+#include "tests/ui/sized_window.h"
+#include "ui/base/elided_label.h"
+#include "ui/base/notice_bar.h"
+#include "ui/panels/cab/cab_frame.h"
+#include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/cab/stepper.h"
+#include "ui/panels/change/change_legend.h"
+#include "ui/panels/live/state_badge.h"
+#include "ui/panels/tuning/edge_legend.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/theme.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QToolButton>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class CabViewsTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string scan_, other_;
+
+    static void press(MainWindow& window, const char* name) { QTest::mouseClick(tool(window, name), Qt::LeftButton); }
+    static QRect placeOf(const QWidget& of) { return {of.mapToGlobal(QPoint()), of.size()}; }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        scan_ = (folder_ / "boxes.json").string();
+        other_ = (folder_ / "others.json").string();
+        QVERIFY(bool(files::saveScan(test::boxesScan(200, 240, 3, 0.02), scan_)));
+        QVERIFY(bool(files::saveScan(test::boxesScan(160, 200, 5, 0.02), other_)));
+    }
+    void cleanup() { useTheme(*qApp, false); }
+
+    // On every screen, over the cloud and over the image that is exchanged with it.
+    void aTapZooms() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        QVERIFY(!tool(on.window, "cab-zoom-in")->isVisible());
+        on.window.cab().set(true);
+        CloudView& cloud = on.viewer.views.cloud();
+        for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+            resizeTo(on.window, size);
+            QTRY_VERIFY(tool(on.window, "cab-zoom-in")->isVisible());
+            for (const char* name : {"cab-zoom-in", "cab-zoom-out"}) {
+                const QToolButton& button = *tool(on.window, name);
+                QVERIFY(button.width() >= 48 && button.height() >= 48);
+                QVERIFY(placeOf(cloud).contains(placeOf(button)));
+                QVERIFY(!placeOf(on.window.cab().corner()).intersects(placeOf(button)));
+                QVERIFY(!placeOf(on.viewer.legend).intersects(placeOf(button)));
+            }
+            if (const auto* scale = cloud.findChild<QWidget*>("scale-plate"); scale->isVisible()) // below, as without the buttons
+                QVERIFY(scale->geometry().center().y() > cloud.height() / 2);
+            const double before = cloud.camera().distance();
+            press(on.window, "cab-zoom-in");
+            QVERIFY(cloud.camera().distance() < 0.9 * before);
+            press(on.window, "cab-zoom-out");
+            QVERIFY(std::abs(cloud.camera().distance() - before) < 1e-6 * before);
+        }
+        QTest::mouseClick(&on.window.cab().corner(), Qt::LeftButton);
+        QTRY_VERIFY(on.viewer.views.gray().isVisible() && tool(on.window, "cab-zoom-in")->isVisible());
+        const double wide = on.viewer.views.gray().viewPort()->cellSize().width();
+        press(on.window, "cab-zoom-in");
+        QVERIFY(on.viewer.views.gray().viewPort()->cellSize().width() > 1.1 * wide);
+        on.window.cab().set(false);
+        QVERIFY(!tool(on.window, "cab-zoom-in")->isVisible());
+    }
+
+    // Next to fewer and more, with its word.
+    void theUsualSettingsAreNextToFewerAndMore() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {1024, 768});
+        const edges::Settings usual = on.viewer.engine.settings();
+        const Stepper& stepper = *on.window.cab().frame().side().mainStepper();
+        const QToolButton& button = *tool(on.window, "cab-default-near");
+        QVERIFY(button.isVisible() && stepper.isAncestorOf(&button) && button.text() == "Default" && button.height() >= 48);
+        QTest::mouseClick(stepper.more(), Qt::LeftButton);
+        QVERIFY(!(on.viewer.engine.settings() == usual));
+        press(on.window, "cab-default-near");
+        QCOMPARE(on.viewer.engine.settings(), usual);
+    }
+
+    // Undo names its step, before and after it, and none is of a scan that was on the screen before.
+    void undoNamesItsStep() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QToolButton* undo = tool(on.window, "cab-undo");
+        on.viewer.views.pin(100 * 240 + 120);
+        on.viewer.views.pin(60 * 240 + 60);
+        QCOMPARE(undo->accessibleName(), QString("Undo: Pin 2"));
+        press(on.window, "cab-undo");
+        QCOMPARE(on.viewer.notice.text(), QString("Undone: Pin 2."));
+        QVERIFY(on.viewer.notice.isVisible());
+        QTest::mouseClick(on.viewer.notice.findChild<QToolButton*>("notice-action"), Qt::LeftButton);
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(2));
+        QTest::mouseClick(on.window.cab().frame().side().mainStepper()->more(), Qt::LeftButton);
+        QVERIFY(on.settled() && on.open(other_));
+        press(on.window, "cab-undo"); // the setting, which is of no scan
+        QVERIFY2(on.viewer.notice.text().startsWith("Undone: "), qPrintable(on.viewer.notice.text()));
+        QTRY_VERIFY2(!undo->isEnabled(), "only steps of the scan before are left");
+        QCOMPARE(undo->accessibleName(), QString("Undo"));
+    }
+
+    // The row with its button stays where it is; over rocks it does not claim that edges are seen.
+    void theLegendOfEdgesFoldsInPlace() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {1280, 800});
+        const EdgeLegend& legend = on.viewer.legend;
+        QVERIFY(eventually([&] { return legend.unfold()->isVisible(); }));
+        const QRect folded = placeOf(*legend.unfold()), all = placeOf(*legend.edges());
+        QTest::mouseClick(legend.unfold(), Qt::LeftButton);
+        QTRY_VERIFY(legend.classSwitch(0)->isVisible());
+        QApplication::processEvents();
+        QCOMPARE(placeOf(*legend.unfold()).bottomLeft().y(), folded.bottomLeft().y());
+        QCOMPARE(placeOf(*legend.edges()).center().y(), all.center().y());
+        QVERIFY(placeOf(*legend.classSwitch(0)).bottom() <= all.top());
+        QTest::mouseClick(legend.unfold(), Qt::LeftButton);
+        QCOMPARE(legend.edges()->text(), QString("Edges"));
+        on.viewer.rocks.setShown(true);
+        QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
+        QTRY_COMPARE(legend.edges()->text(), QString("Edges, under rocks"));
+        on.window.cab().set(false);
+        QCOMPARE(legend.edges()->text(), QString("Edges"));
+        QVERIFY(placeOf(*legend.classSwitch(0)).top() >= placeOf(*legend.edges()).bottom());
+    }
+
+    // One line over the low view of a small screen.
+    void theComparisonBeginsFoldedOnASmallScreen() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        on.window.cab().set(true);
+        resizeTo(on.window, {853, 533});
+        on.viewer.comparing.openDemoPair();
+        ChangeLegend& legend = on.viewer.changeLegend;
+        QVERIFY(eventually([&] { return legend.isVisible() && !legend.counted(ChangeRow::Nearer).isEmpty(); }));
+        auto* fold = legend.findChild<QToolButton*>("change-fold");
+        const auto* summary = legend.findChild<QLabel*>("change-summary");
+        QTRY_VERIFY(fold->isVisible() && legend.next()->isVisible() && summary->isVisible());
+        QVERIFY2(summary->text().startsWith("Changes: "), qPrintable(summary->text()));
+        QVERIFY(!legend.row(ChangeRow::Nearer)->isVisible() && !legend.previous()->isVisible());
+        QVERIFY2(legend.height() <= fold->height() + 24, qPrintable(QString::number(legend.height())));
+        QVERIFY(placeOf(on.viewer.views.cloud()).contains(placeOf(legend)));
+        const int bottom = placeOf(*fold).bottom();
+        QTest::mouseClick(fold, Qt::LeftButton);
+        QTRY_VERIFY(legend.row(ChangeRow::Nearer)->isVisible() && !summary->isVisible());
+        QCOMPARE(placeOf(*fold).bottom(), bottom);
+    }
+
+    // The line of a saved file has the end of its path. Close stays where it is, whether or not More is there.
+    void aNoteShowsTheEndOfAPathAndKeepsItsClose() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        NoticeBar& notice = on.viewer.notice;
+        const auto* line = static_cast<const ElidedLabel*>(notice.findChild<QLabel*>("notice-line"));
+        const auto buttons = notice.findChildren<QToolButton*>();
+        const auto* close = *std::ranges::find_if(buttons, [](const QToolButton* each) { return each->text() == "Close"; });
+        for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+            resizeTo(on.window, size);
+            const QString path = QString::fromStdString((folder_ / "a/folder/that/is/far/away/from/the/root/of/all/rocks.csv").string());
+            notice.showSaved(path, "12 points");
+            QTRY_VERIFY2(line->shown().contains("all/rocks.csv"), qPrintable(line->shown()));
+            QVERIFY(notice.text().contains(path));
+            notice.showNotice(NoticeBar::Kind::Warning, "Short.");
+            QApplication::processEvents();
+            const QRect before = placeOf(*close);
+            notice.hide();
+            notice.showNotice(NoticeBar::Kind::Warning, QString("A note of several words. ").repeated(12));
+            QTRY_VERIFY(notice.findChild<QToolButton*>("notice-unfold")->isVisible());
+            QCOMPARE(placeOf(*close).right(), before.right());
+            notice.hide();
+        }
+    }
+
+    // A tap on the badge shows the name that has no room in it.
+    void theBadgeGivesTheWholeName() {
+        WindowFixture on;
+        const std::string path = (folder_ / "the-north-draw-bell-after-the-third-blast-of-november.json").string();
+        QVERIFY(bool(files::saveScan(test::boxesScan(60, 80, 3, 0.02), path)) && on.showWith(path));
+        on.window.cab().set(true);
+        QTest::mouseClick(on.window.findChild<StateBadge*>("cab-origin"), Qt::LeftButton);
+        QVERIFY2(on.viewer.notice.text().contains(QString::fromStdString(on.picture().detection->scan->name)),
+                 qPrintable(on.viewer.notice.text()));
+    }
+};
+
+int cab_views_test(int argc, char** argv) { return runWindowTest<CabViewsTest>(argc, argv); }
+#include "cab_views_test.moc"

@@ -1,0 +1,72 @@
+// Zooms by taps.
+#include "ui/panels/cab/zoom_buttons.h"
+
+#include <QEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <tuple>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr int kSide = 52, kInset = 4, kRightEdge = 12, kBelowCorner = 8; // px
+constexpr int kSignPx = 26;
+constexpr double kZoomStep = 1.25;
+
+} // namespace
+
+ZoomButtons::ZoomButtons() {
+    setObjectName("cab-zoom");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kInset, kInset, kInset, kInset);
+    column->setSpacing(kInset);
+    for (const auto& [name, sign, words, factor] :
+         {std::tuple("cab-zoom-in", "+", tr("Zoom in"), kZoomStep), {"cab-zoom-out", "−", tr("Zoom out"), 1.0 / kZoomStep}}) {
+        auto* button = new QToolButton;
+        button->setObjectName(name);
+        button->setText(QString::fromUtf8(sign));
+        button->setAccessibleName(words);
+        button->setFixedSize(kSide, kSide);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAutoRepeat(true);
+        QFont letters = button->font();
+        letters.setPixelSize(kSignPx);
+        letters.setBold(true);
+        button->setFont(letters);
+        connect(button, &QToolButton::clicked, this, [this, by = factor] { emit zoomed(by); });
+        column->addWidget(button);
+    }
+    adjustSize();
+    hide();
+}
+
+void ZoomButtons::setOver(QWidget& view, QWidget& corner) {
+    const bool shown = !isHidden();
+    for (QWidget* each : {parentWidget(), corner_}) {
+        if (each != nullptr) each->removeEventFilter(this);
+    }
+    corner_ = &corner;
+    setParent(&view);
+    for (QWidget* each : {&view, &corner}) each->installEventFilter(this);
+    place();
+    setVisible(shown);
+}
+
+bool ZoomButtons::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Move) place();
+    return ViewPlate::eventFilter(watched, event);
+}
+
+/// In the middle of the right edge, or lower where the picture in the corner reaches that far. It stays there while the picture is off.
+void ZoomButtons::place() {
+    const QSize room = parentWidget()->size(), own = sizeHint();
+    const int top = std::max((room.height() - own.height()) / 2, corner_->geometry().bottom() + kBelowCorner);
+    setGeometry(QRect(QPoint(room.width() - kRightEdge - own.width(), top), own));
+    raise();
+}
+
+} // namespace edgescan::ui
+
+#include "moc_zoom_buttons.cpp"
