@@ -48,6 +48,7 @@ public:
 signals:
     /// Indices into the lists.
     void targetChosen(int place);
+    void nameRequested(int place);
     void targetMenuRequested(int place, const QPoint& position);
     void copyAllRequested();
     void removeAllRequested();
