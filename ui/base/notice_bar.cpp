@@ -24,7 +24,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kMostEarlier = 9;
-constexpr int kLeastText = 200; // px
+constexpr int kLeastText = 200;      // px
+constexpr double kWholeFrom = 100.0; // kB, of a file's size
 
 } // namespace
 
@@ -161,9 +162,11 @@ void NoticeBar::hideEvent(QHideEvent* event) {
 
 void NoticeBar::showSaved(const QString& path, const QString& content, const QString& more) {
     const QFileInfo file(path);
-    showNotice(Kind::Done,
-               tr("Saved %1%2, %3 kB.").arg(path, content.isEmpty() ? QString() : ": " + content).arg((file.size() + 999) / 1000) +
-                   (more.isEmpty() ? QString() : " " + more));
+    const double kilobytes = std::max(0.1, static_cast<double>(file.size()) / 1000.0);
+    showNotice(Kind::Done, tr("Saved %1%2, %3 kB.")
+                                   .arg(path, content.isEmpty() ? QString() : ": " + content)
+                                   .arg(kilobytes, 0, 'f', kilobytes < kWholeFrom ? 1 : 0) +
+                               (more.isEmpty() ? QString() : " " + more));
     offer(tr("Open folder"), [folder = file.absolutePath()] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
 }
 
