@@ -139,7 +139,7 @@ int run(const Record& record) {
     }
     // The last lines are wanted only until the recording has begun.
     files::LiveFeed feed(scanner, *sweep, [] {}, {.lines = record.lines, .keptBytes = kKeptBytes});
-    if (const Result<Done> started = feed.startRecording(record.out); !started) {
+    if (const auto started = feed.startRecording(record.out); !started) {
         printError(started.error());
         return kRefused;
     }

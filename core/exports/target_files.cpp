@@ -46,7 +46,7 @@ std::string csvTargets(const edges::Detection& detection, const TargetList& targ
     std::string text = "target,name,note,distance_m,tolerance_m";
     for (const char* name : coordinateNames(frame)) text += std::string(",") + name;
     text += ",line,beam,edge,pinned_utc\n";
-    const auto metres = [](double value) { return "," + shortestText(rounded(value, 1000)); };
+    const auto metres = [](double value) { return "," + fixedText(value, 3); }; // the digits of the window's table
     for (const PinnedTarget& target : targets) {
         text += std::to_string(target.number) + "," + csvCell(target.name) + "," + csvCell(target.note);
         if (hasPlace(scan, target)) {

@@ -1,12 +1,17 @@
 // One press of Esc ends one thing, in the order of docs/guide/keys.md, whichever view has the keyboard focus, on the desk and in a cab.
 #include "tests/ui/sized_window.h"
 #include "ui/base/notice_bar.h"
+#include "ui/panels/live/live_panel.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/theme.h"
+#include "ui/window/tool_bar.h"
 
 #include <QDialog>
+#include <QLineEdit>
+#include <QSpinBox>
 
+#include <functional>
 #include <vector>
 
 using namespace edgescan;
@@ -81,6 +86,50 @@ private slots:
                 left(*view, "rock tool");
             }
         }
+    }
+
+    // Whatever opened it closes it again; then letters are for the view.
+    void theRowOfTheAddressClosesAsItOpened() {
+        WindowFixture on;
+        QVERIFY(on.showWith(boxes_) && on.activate());
+        LivePanel& panel = on.viewer.livePanel;
+        auto* host = panel.findChild<QLineEdit*>("live-host");
+        auto* port = panel.findChild<QSpinBox*>("live-port");
+        QToolButton* connect = nullptr;
+        for (auto* each : on.viewer.tools.findChildren<QToolButton*>()) {
+            if (each->accessibleName() == "Connect") connect = each;
+        }
+        QVERIFY(connect != nullptr);
+        const auto byKey = [&] { QTest::keyClick(&on.window, Qt::Key_L, Qt::ControlModifier); };
+        const auto byButton = [&] { QTest::mouseClick(connect, Qt::LeftButton); };
+        const std::vector<std::function<void()>> ways{
+            byKey,
+            byButton,
+            [&] { press(*host); },
+            [&] {
+                port->setFocus();
+                press(*port);
+            },
+            [&] {
+                QTest::mouseClick(&on.viewer.gray, Qt::LeftButton);
+                QVERIFY(on.viewer.gray.hasFocus());
+                press(on.viewer.gray);
+            },
+            [&] { QTest::mouseClick(panel.findChild<QToolButton*>("live-close"), Qt::LeftButton); }};
+        for (std::size_t n = 0; n < ways.size(); ++n) {
+            n % 2 == 0 ? byKey() : byButton();
+            QVERIFY(panel.isVisible() && host->hasFocus());
+            on.viewer.notice.hide();
+            ways[n]();
+            QVERIFY2(!panel.isVisible(), qPrintable(QString::number(n)));
+            QVERIFY(on.viewer.cloud.hasFocus() || on.viewer.gray.hasFocus());
+        }
+        byKey();
+        host->setText("127.0.0.1");
+        port->setValue(9); // nothing answers
+        QTest::keyClick(host, Qt::Key_Return);
+        QVERIFY(on.viewer.live.scanner().connected() && on.viewer.cloud.hasFocus());
+        on.viewer.live.scanner().disconnectScanner();
     }
 
     void backspaceTakesOneClickBack() {

@@ -15,12 +15,14 @@
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/count_curve.h"
 #include "ui/panels/tuning/warning_button.h"
+#include "ui/views/cloud/view_cube.h"
 #include "ui/window/cab_mode.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -30,7 +32,9 @@
 #include <QSpinBox>
 #include <QTimer>
 #include <QToolButton>
+#include <QUrl>
 
+#include <set>
 #include <utility>
 
 using namespace edgescan;
@@ -111,6 +115,31 @@ private slots:
         scan_ = *bell;
         bell_ = (folder_ / "bell.json").string();
         QVERIFY(bool(files::saveScan(scan_, bell_)));
+    }
+
+    // The mean direction of the lines turns by 90 degrees while this sweep grows: a view has one name all the time.
+    void aViewOfAGrowingSweepHasOneName() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        QVERIFY(on.show());
+        const auto* cube = on.window.findChild<ViewCube*>("view-cube");
+        std::set<std::string> names;
+        CameraPose pose;
+        connect(&on.viewer.cloud, &CloudView::frameDrawn, this, [&] {
+            if (!cube->isVisible() || lines(on.window) < 10 || (!names.empty() && !(on.viewer.cloud.camera() == pose))) return;
+            pose = on.viewer.cloud.camera();
+            std::string now;
+            for (const auto face : {ViewCube::Face::Front, ViewCube::Face::Back, ViewCube::Face::Left, ViewCube::Face::Right,
+                                    ViewCube::Face::Top, ViewCube::Face::Bottom}) {
+                const auto place = cube->middleOf(face);
+                now += place ? std::to_string(qRound(place->x())) + "," + std::to_string(qRound(place->y())) + " " : std::string("- ");
+            }
+            names.insert(now);
+        });
+        on.viewer.live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY(lines(on.window) == kLines && on.viewer.cloud.atRest());
+        QCOMPARE(names.size(), std::size_t{1});
     }
 
     void onlyAPictureThatGrowsIsCalledLive() {
@@ -773,6 +802,9 @@ private slots:
         press(window, "live-connect"); // Stop
         QTRY_VERIFY(!window.viewer().engine.behind());
         QVERIFY2(panel.isVisible() && panel.strip().isVisible(), "its last picture is on the screen");
+        QCOMPARE(panel.strip().badge().text(), QString("STOPPED")); // one word in both places
+        QVERIFY2(window.viewer().origin.text().startsWith("STOPPED · "), qPrintable(window.viewer().origin.text()));
+        QVERIFY(window.viewer().origin.sign() == panel.strip().badge().sign());
         QVERIFY(on.open(bell_));
         QVERIFY(!panel.isVisible());
         panel.askAddress();
@@ -784,6 +816,36 @@ private slots:
         QVERIFY(panel.isVisible());
         press(window, "live-connect");
         QVERIFY(!panel.isVisible());
+    }
+
+    // A recording holds the sweep under way from its begin: the notice counts the lines from before Record. The dialog of Open offers the
+    // folder of the recordings.
+    void aRecordingCountsTheLinesFromBeforeRecord() {
+        const auto emulated = scanner(60);
+        QVERIFY(emulated);
+        const QString folder = QString::fromStdString((folder_ / "recorded").string());
+        WindowFixture on(QString::fromStdString((folder_ / "recorded.ini").string()));
+        on.viewer.live.setRecordingFolder(folder);
+        QVERIFY(showsFirstLines(on, *emulated));
+        const int before = lines(on.window);
+        press(on.window, "live-record");
+        QTRY_VERIFY(lines(on.window) > before + 10);
+        press(on.window, "live-record");
+        const QRegularExpression counted("It begins with the sweep under way: ([0-9]+) lines of it came before Record\\.$");
+        QTRY_VERIFY2(counted.match(on.viewer.notice.text()).hasMatch(), qPrintable(on.viewer.notice.text()));
+        const int said = counted.match(on.viewer.notice.text()).captured(1).toInt();
+        QVERIFY2(said >= before && said <= lines(on.window), qPrintable(QString("%1 from %2").arg(said).arg(before)));
+        QList<QUrl> places;
+        const Meanwhile looked([&] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) return false;
+            places = dialog->sidebarUrls();
+            dialog->reject();
+            return true;
+        });
+        on.viewer.files.ask();
+        QVERIFY(looked.done() && places.contains(QUrl::fromLocalFile(folder)));
+        on.viewer.live.scanner().disconnectScanner();
     }
 
     void thePictureBeforeAScannersFirstOneIsCalledOld() {

@@ -1,4 +1,6 @@
 // The meaning of thresholds in the real window: typed depths, curves under the sliders, and why a cell is an edge.
+#include "core/edges/edgescan_plus/edge_class_names.h"
+#include "core/edges/explain/why.h"
 #include "core/edges/gray/gray.h"
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/parameters.h"
@@ -220,6 +222,28 @@ private slots:
         const QString text = window_->viewer().explanation.card()->text();
         QVERIFY2(text.startsWith(QString("line %1, beam %2: range ").arg(cell / 160).arg(cell % 160)), qPrintable(text));
         QVERIFY2(text.contains("\nEdge: "), qPrintable(text));
+    }
+
+    // The card is as large for the next cell; and it has the words of the target's card.
+    void whyHasOneSizeAndTheWordsOfTheTargetsCard() {
+        use(edges::Settings{});
+        const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
+        askWhy(edgeWithNeighbours(detection));
+        if (QTest::currentTestFailed()) return;
+        const WhyCard& card = *window_->viewer().explanation.card();
+        const QSize size = card.size();
+        const auto& mask = detection.mask->cells;
+        const auto flat = static_cast<std::size_t>(std::ranges::find(mask, 0) - mask.begin());
+        window_->viewer().explanation.explain(inspect::exactly(flat), Explanation::Subject::Click);
+        QTRY_VERIFY(card.verdict().startsWith("No edge: "));
+        QCOMPARE(card.size(), size);
+        for (const auto kind : {edges::DepthEdge::Jump, edges::DepthEdge::Convex, edges::DepthEdge::Concave}) {
+            edges::Why why;
+            why.probe.edge = true;
+            why.probe.kind = kind;
+            const std::string words = edges::whyNumbers(why, edges::Settings{});
+            QVERIFY2(words.find(std::string("class ") + edges::edgeClassLabel(kind)) != words.npos, words.c_str());
+        }
     }
 
     // On the card: the verdict, the points on both sides of a jump with their fitted lines, the numbers, in this order.

@@ -25,7 +25,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr std::size_t kMostEarlier = 9;
-constexpr int kLeastText = 200; // px
+constexpr int kLeastText = 200;      // px
+constexpr double kWholeFrom = 100.0; // kB, of a file's size
 
 } // namespace
 
@@ -167,10 +168,12 @@ void NoticeBar::hideEvent(QHideEvent* event) {
 
 void NoticeBar::showSaved(const QString& path, const QString& content, const QString& more) {
     const QFileInfo file(path);
+    const double kilobytes = std::max(0.1, static_cast<double>(file.size()) / 1000.0);
     const auto words = [&](const QString& shown) {
-        return shownText(
-            tr("Saved %1%2, %3 kB.").arg(shown, content.isEmpty() ? QString() : ": " + content).arg((file.size() + 999) / 1000) +
-            (more.isEmpty() ? QString() : " " + more));
+        return shownText(tr("Saved %1%2, %3 kB.")
+                             .arg(shown, content.isEmpty() ? QString() : ": " + content)
+                             .arg(kilobytes, 0, 'f', kilobytes < kWholeFrom ? 1 : 0) +
+                         (more.isEmpty() ? QString() : " " + more));
     };
     const QString end = file.absoluteDir().dirName() + '/' + file.fileName(); // the line has room for the end of a path
     showNote({Kind::Done, words(path), {}, {}, path.size() > end.size() + 2 ? words("…/" + end) : QString()});

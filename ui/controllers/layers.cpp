@@ -17,7 +17,6 @@
 #include "ui/panels/rocks/rock_colours.h"
 #include "ui/views/cloud/cloud_view.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -91,8 +90,7 @@ Layers::Layers(Engine& engine, LinkedViews& views, Files& files, Targets& target
     connect(&panel_, &LayersPanel::removeRequested, this, &Layers::remove);
     connect(&panel_, &LayersPanel::targetsRequested, this, &Layers::placeByTargets);
     connect(&panel_, &LayersPanel::locateRequested, this, [this](int layer) {
-        const QString path =
-            QFileDialog::getOpenFileName(notice_.window(), tr("Where is the layer now?"), preferences_.folder("scans"), Files::filters());
+        const QString path = Files::askScan(notice_.window(), tr("Where is the layer now?"), preferences_);
         if (!path.isEmpty()) locate(layer, path);
     });
     connect(&views_.cloud(), &CloudView::layerClicked, this, [this](int drawn) {
@@ -191,7 +189,7 @@ void Layers::placeAgain() {
 
 void Layers::ask() {
     if (shownScan() == nullptr) return add({});
-    add(QFileDialog::getOpenFileNames(notice_.window(), tr("Add scans as layers"), preferences_.folder("scans"), Files::filters()));
+    add(Files::askScans(notice_.window(), tr("Add scans as layers"), preferences_));
 }
 
 void Layers::add(const QStringList& paths) {

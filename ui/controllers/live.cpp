@@ -59,8 +59,7 @@ Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& vi
     panel_.setSweep(rememberedSweep(preferences_));
     panel_.setAddress(preferences_.text("live/host"), preferences_.text("live/port", "2112").toInt());
     panel_.hide();
-    recordingFolder_ =
-        preferences_.text("folder/recordings", QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/EdgeScan");
+    recordingFolder_ = preferences_.recordingFolder();
     connectPanel();
     connectScanner();
     connect(&engine_, &Engine::opened, this, [this](const QString& path) {
@@ -123,9 +122,11 @@ void Live::connectScanner() {
     connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
     connect(&scanner_, &ScannerLink::otherChanged, this, &Live::offerOther);
     connect(&scanner_, &ScannerLink::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
-    connect(&scanner_, &ScannerLink::written, this, [this](const QString& path) {
+    connect(&scanner_, &ScannerLink::written, this, [this](const QString& path, int linesBefore) {
         preferences_.keepRecentFile(path);
-        notice_.showSaved(path);
+        notice_.showSaved(path, {},
+                          linesBefore == 0 ? QString()
+                                           : tr("It begins with the sweep under way: %1 lines of it came before Record.").arg(linesBefore));
     });
 }
 

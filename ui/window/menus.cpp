@@ -64,7 +64,7 @@ Command fileMenu(Viewer& v, const WindowCommands& commands) {
                              recent,
                              command("Open &Demo Draw-Bell", "", [&v] { v.files.openDemo(); }),
                              command("Demo before and after a &Blast", "", [&v] { v.comparing.openDemoPair(); }),
-                             command("&Connect to Scanner…", "Ctrl+L", [&v] { v.live.panel().askAddress(); }),
+                             command("&Connect to Scanner…", "Ctrl+L", [&v] { v.live.panel().toggleAddress(); }),
                              command("Re&load", "F5", [&v] { v.files.reload(); }),
                              kLine,
                              submenu("&Export", exports),

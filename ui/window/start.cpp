@@ -20,7 +20,6 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
-#include <QFileDialog>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTimer>
@@ -135,8 +134,7 @@ StartPage* showStart(MainWindow& w, Preferences& preferences) {
     QObject::connect(page, &StartPage::demoPairRequested, &w, [&w] { w.viewer().comparing.openDemoPair(); });
     QObject::connect(page, &StartPage::scanRequested, &w, [&w](const QString& path) { w.sessions().open({path}); });
     QObject::connect(page, &StartPage::locateRequested, &w, [&w, &preferences, page](const QString& path) {
-        const QString now =
-            QFileDialog::getOpenFileName(&w, QObject::tr("Where is the scan now?"), preferences.folder("scans"), Files::filters());
+        const QString now = Files::askScan(&w, QObject::tr("Where is the scan now?"), preferences);
         if (now.isEmpty()) return;
         preferences.forgetRecentFile(path);
         preferences.keepRecentFile(now);

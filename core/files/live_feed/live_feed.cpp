@@ -208,7 +208,7 @@ std::vector<scanner::FinishedSweep> LiveFeed::takeFinished() {
     return feed_.assembler().takeFinished();
 }
 
-Result<Done> LiveFeed::startRecording(const std::filesystem::path& path) {
+Result<int> LiveFeed::startRecording(const std::filesystem::path& path) {
     {
         const std::lock_guard lock(mutex_);
         if (recorder_ || starting_) return Error{"a recording is being written already", path.string(), "stop it first"};
@@ -220,8 +220,11 @@ Result<Done> LiveFeed::startRecording(const std::filesystem::path& path) {
     starting_ = false;
     if (!writer) return writer.error();
     recorder_ = std::move(*writer);
-    for (RecordingMessagePtr& message : messagesOfSweep()) recorder_->post(std::move(message));
-    return Done{};
+    std::vector<RecordingMessagePtr> before = messagesOfSweep();
+    // Of a sweep that began before what is remembered, the first lines are gone.
+    const int lines = std::min(feed_.assembler().progress().received, static_cast<int>(before.size()));
+    for (RecordingMessagePtr& message : before) recorder_->post(std::move(message));
+    return lines;
 }
 
 std::vector<RecordingMessagePtr> LiveFeed::messagesOfSweep() const {

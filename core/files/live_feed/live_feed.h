@@ -76,7 +76,7 @@ public:
 
     /// Begins with what is remembered of the sweep that is growing, so that pressing Record a moment late loses nothing.
     /// Error: a recording is being written already, or the file cannot be made.
-    Result<Done> startRecording(const std::filesystem::path& path);
+    Result<int> startRecording(const std::filesystem::path& path);
     /// Closes the recording, within seconds whatever the disk does; what was written. Error: what could not be since its start.
     Result<RecordingState> stopRecording();
     /// For a recording of nothing: closes and removes it.

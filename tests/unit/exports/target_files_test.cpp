@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace edgescan::test {
 namespace {
 
@@ -63,8 +65,13 @@ TEST(TargetFiles, TableAndDrawingHaveThePlacesOfTheCardsInTheirFrame) {
         const std::string names = placed ? "easting_m,northing_m,elevation_m" : "x_m,y_m,z_m";
         EXPECT_TRUE(csv.starts_with("target,name,note,distance_m,tolerance_m," + names + ",line,beam,edge,pinned_utc\n1,cl\xC3\xA9,"))
             << csv;
-        for (int axis = 0; axis < 3; ++axis)
-            EXPECT_NE(csv.find("," + shortestText(rounded(place[axis], 1000)) + ","), std::string::npos) << csv;
+        for (int axis = 0; axis < 3; ++axis) EXPECT_NE(csv.find("," + fixedText(place[axis], 3) + ","), std::string::npos) << csv;
+        // The digits of the table in the window: millimetres, with zeros at the end.
+        const std::string measured = csv.substr(csv.find("\n4,") + 1);
+        std::stringstream cells(measured.substr(0, measured.find('\n')));
+        std::string cell;
+        for (int n = 0; std::getline(cells, cell, ',') && n < 8; ++n)
+            EXPECT_TRUE(n < 3 || (cell.size() > 4 && cell[cell.size() - 4] == '.')) << cell;
         EXPECT_NE(csv.find("\n5,hole,,,,,,,"), std::string::npos) << csv;
 
         const auto drawing = exportWithProvenance(ExportContent::Targets, *on.detection, on.folder / "t.dxf", on.options);

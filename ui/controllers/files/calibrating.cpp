@@ -129,9 +129,7 @@ void Calibrating::ask() {
     card_->setQuestion(QStringList{screenPath_} + others_, base_);
 }
 
-void Calibrating::askAdd() {
-    add(QFileDialog::getOpenFileNames(card_, tr("Scans with the same mounting"), preferences_.folder("scans"), Files::filters()));
-}
+void Calibrating::askAdd() { add(Files::askScans(card_, tr("Scans with the same mounting"), preferences_)); }
 
 void Calibrating::add(const QStringList& paths) {
     if (card_ == nullptr || paths.isEmpty()) return;

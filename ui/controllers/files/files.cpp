@@ -15,6 +15,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QUrl>
 
 #include <algorithm>
 #include <filesystem>
@@ -89,9 +90,30 @@ QString Files::filters() {
     return tr("All supported (%1)").arg(all.join(' ')) + ";;" + filters.join(";;") + ";;" + tr("All files (*)");
 }
 
-void Files::ask() {
-    emit chosen(QFileDialog::getOpenFileNames(notice_.window(), tr("Open scan"), preferences_.folder("scans"), filters()));
+namespace {
+
+QStringList askPaths(QWidget* parent, const QString& title, const Preferences& preferences, QFileDialog::FileMode mode) {
+    QFileDialog dialog(parent, title, preferences.folder("scans"), Files::filters());
+    dialog.setFileMode(mode);
+    QList<QUrl> places = dialog.sidebarUrls();
+    const QString recordings = preferences.recordingFolder();
+    const QUrl place = QUrl::fromLocalFile(recordings);
+    if (QFileInfo(recordings).isDir() && !places.contains(place)) places << place;
+    dialog.setSidebarUrls(places);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles() : QStringList();
 }
+
+} // namespace
+
+QStringList Files::askScans(QWidget* parent, const QString& title, const Preferences& preferences) {
+    return askPaths(parent, title, preferences, QFileDialog::ExistingFiles);
+}
+
+QString Files::askScan(QWidget* parent, const QString& title, const Preferences& preferences) {
+    return askPaths(parent, title, preferences, QFileDialog::ExistingFile).value(0);
+}
+
+void Files::ask() { emit chosen(askScans(notice_.window(), tr("Open scan"), preferences_)); }
 
 void Files::reload() {
     if (!path_.isEmpty()) engine_.open(path_, options_);

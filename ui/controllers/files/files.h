@@ -54,6 +54,10 @@ public:
     [[nodiscard]] QString placeInSeries() const;
     /// The filters of a dialog that asks for a scan.
     [[nodiscard]] static QString filters();
+    /// Asks for scans; the folder of the recordings is offered at the side. Empty: none was chosen.
+    [[nodiscard]] static QStringList askScans(QWidget* parent, const QString& title, const Preferences& preferences);
+    /// Asks for one.
+    [[nodiscard]] static QString askScan(QWidget* parent, const QString& title, const Preferences& preferences);
 
 signals:
     void straightened(bool on);

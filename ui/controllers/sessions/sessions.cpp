@@ -267,8 +267,7 @@ void Sessions::refuse(NoticeBar::Kind kind, const QString& sentence) {
 void Sessions::askForPlace(const QString& sentence) {
     refuse(NoticeBar::Kind::Warning, sentence);
     notice_.offer(tr("Locate…"), [this] {
-        const QString path =
-            QFileDialog::getOpenFileName(notice_.window(), tr("Where is the scan now?"), preferences_.folder("scans"), Files::filters());
+        const QString path = Files::askScan(notice_.window(), tr("Where is the scan now?"), preferences_);
         if (!path.isEmpty()) locate(path);
     });
 }

@@ -92,6 +92,13 @@ void Targets::askNameOf(int number) {
     if (name) rename(number, *name);
 }
 
+void Targets::editName() {
+    const inspect::PinnedTarget* target = active();
+    if (target == nullptr) return notice_.showHint(tr("There is no target to name: pin a cell, or choose a target."));
+    if (panel_.card().name()->visibleRegion().isEmpty()) return askNameOf(target->number);
+    panel_.card().editName();
+}
+
 void Targets::askNote(int number) {
     const inspect::PinnedTarget* target = numbered(notebook_, number);
     if (target == nullptr) return;

@@ -47,6 +47,11 @@ void Targets::connectPanel() {
     connect(&panel_, &TargetsPanel::targetChosen, this, [this](int place) {
         if (place < static_cast<int>(notebook_.targets.size())) views_.pin(notebook_.targets[static_cast<std::size_t>(place)].cell);
     });
+    connect(&panel_, &TargetsPanel::nameRequested, this, [this](int place) {
+        if (place >= static_cast<int>(notebook_.targets.size())) return;
+        views_.pin(notebook_.targets[static_cast<std::size_t>(place)].cell);
+        editName();
+    });
     connect(&panel_, &TargetsPanel::targetMenuRequested, this, [this](int place, const QPoint& position) {
         if (place < static_cast<int>(notebook_.targets.size()))
             views_.openMenu(position, inspect::exactly(notebook_.targets[static_cast<std::size_t>(place)].cell));

@@ -86,6 +86,8 @@ public:
     void askName(const inspect::MeantCell& click);
     void rename(int number, const QString& name);
     void setNote(int number, const QString& note);
+    /// In the field of the card, or in a dialog while the card is hidden.
+    void editName();
     /// Asks for it.
     void askNameOf(int number);
     void askNote(int number);

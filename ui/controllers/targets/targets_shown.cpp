@@ -162,9 +162,10 @@ void Targets::show() {
         const inspect::CellTarget* now = knownOf(target.cell);
         QString words = wordsOf(target).join("   ");
         if (target.locked) words += "   " + tr("locked");
-        if (!target.note.empty()) words += "\n" + shownName(exactText(target.note), 80);
+        if (!target.note.empty()) words += "   " + shownName(exactText(target.note), 80);
+        const QString first = words; // shortened in the list
         if (const QString place = now != nullptr ? positionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
-        lines.push_back({words, tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown});
+        lines.push_back({words, first + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown});
     }
     rocks_.setNames(names);
     panel_.showTargets(lines);

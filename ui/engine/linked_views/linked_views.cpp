@@ -149,6 +149,8 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
     const auto outline = cloud_.outline();
     if (cloud_.scan() != shown()->detection->scan) {
         cloud_.setCloud(shown()->detection->scan, shown()->cloud, CloudView::Camera::Keep);
+        cloud_.setAxes(std::nullopt);
+        nameDirections();
         if (hidden) cloud_.setHidden(hidden);
         cloud_.setSelection(selection);
         cloud_.setOutline(outline);
@@ -177,8 +179,10 @@ void LinkedViews::showNewScan() {
     }
     const bool turned = replacesCoarse && cloud_.camera() != fittedCamera_;
     setOutline({}, {});
+    cloud_.setAxes(std::nullopt);
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
     fitted_ = turned;
+    nameDirections();
     fitToSweep();
     box_.reset();
     emit boxed(QString());
@@ -200,7 +204,16 @@ void LinkedViews::showMoreLines(const Picture& last) {
     setOutline({}, {}); // the cloud drops it too
     const bool untouched = cloud_.camera() == fittedCamera_;
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, CloudView::Camera::Keep);
+    nameDirections();
     if (untouched) fitToSweep();
+}
+
+/// Those of the whole sweep: the mean direction of its lines turns while it grows, and one view would be Top at first and then Front.
+void LinkedViews::nameDirections() {
+    const Growth& growth = shown()->source.growth;
+    if (!growth.growing) return cloud_.setAxes(shown()->cloud->axes);
+    if (cloud_.axesSet()) return;
+    if (const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
 }
 
 /// Once, as soon as the place of its lines is known: the view shows what is to come, and does not move while it comes.

@@ -164,6 +164,7 @@ private:
     void showNewScan();
     void showMoreLines(const Picture& last);
     void fitToSweep();
+    void nameDirections();
     void hover(std::optional<std::size_t> cell, const QObject* from);
     void changeRangeWindow(int window, int level);
     void applyAspect();

@@ -128,6 +128,10 @@ QString Preferences::folder(const QString& kind) const {
     return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
+QString Preferences::recordingFolder() const {
+    return text("folder/recordings", QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/EdgeScan");
+}
+
 void Preferences::keepFolder(const QString& kind, const QString& path) {
     folders_[kind] = QFileInfo(path).absolutePath();
     keep("folder/" + kind, folders_[kind]);

@@ -39,6 +39,8 @@ public:
     /// missing: that of the exports, of the scans, else the user's documents. During this run it works even if settings are not stored.
     [[nodiscard]] QString folder(const QString& kind) const;
     void keepFolder(const QString& kind, const QString& path);
+    /// Of new recordings; it may not exist yet.
+    [[nodiscard]] QString recordingFolder() const;
 
     [[nodiscard]] edges::Settings settings(const edges::Settings& otherwise) const;
     void keepSettings(const edges::Settings& settings);

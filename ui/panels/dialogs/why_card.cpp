@@ -25,6 +25,7 @@ constexpr int kWidest = 420, kNarrowest = 260; // px, of the texts
 constexpr double kShare = 0.42;                // of a narrow window: a cell is free at one of the sides
 constexpr int kRing = 16;                      // px around a cell
 constexpr int kRim = 12;                       // px
+constexpr int kUsualLines = 24;                // of text, with a picture: one click after another finds the card as high
 constexpr double kMargin = 0.05;               // of the depths that are shown, on each side
 constexpr double kMostStretched = 20.0;        // limit of the exaggeration of depth against width
 
@@ -119,6 +120,9 @@ WhyCard::WhyCard(QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     beside_->setObjectName("why-beside");
     beside_->setAutoDefault(false);
+    QSizePolicy place = beside_->sizePolicy();
+    place.setRetainSizeWhenHidden(true);
+    beside_->setSizePolicy(place);
     beside_->hide();
     connect(beside_, &QPushButton::clicked, this, &WhyCard::nearestEdgeRequested);
     auto* content = new QWidget;
@@ -133,18 +137,24 @@ WhyCard::WhyCard(QWidget* parent)
     layout->addWidget(buttons);
 }
 
-/// As high as its text where the screen has room for it; else the text scrolls.
+/// It has one size from click to click, and grows once for a longer text where the screen has room for it; else the text scrolls.
 void WhyCard::fit() {
     const int wide = parentWidget() == nullptr ? kWidest : static_cast<int>(kShare * parentWidget()->width()) - kFrame;
     for (QLabel* each : {plain_, cell_, verdict_, numbers_}) each->setMinimumWidth(std::clamp(wide, kNarrowest, kWidest));
     QWidget& content = *content_->widget();
     content.ensurePolished();
     const int high = content.layout()->heightForWidth(std::max(content_->viewport()->width(), content.layout()->minimumSize().width()));
+    kept_ = std::max({kept_, high, kUsualLines * fontMetrics().lineSpacing() + picture_->height()});
     content_->setMinimumHeight(0);
     const QRect room = screen()->availableGeometry();
     const int others = layout()->minimumSize().height() - content_->minimumSizeHint().height();
-    content_->setMinimumHeight(std::min(high, room.height() - kFromTop - others - kFrame));
+    content_->setMinimumHeight(std::min(kept_, room.height() - kFromTop - others - kFrame));
     adjustSize();
+}
+
+void WhyCard::hideEvent(QHideEvent* event) {
+    kept_ = 0;
+    QDialog::hideEvent(event);
 }
 
 void WhyCard::showPlain(const QString& sentence) {

@@ -53,6 +53,9 @@ public:
 signals:
     void nearestEdgeRequested();
 
+protected:
+    void hideEvent(QHideEvent* event) override;
+
 private:
     void fit();
     void placeNextToCell();
@@ -61,6 +64,7 @@ private:
     QLabel *plain_, *cell_, *verdict_, *numbers_, *below_;
     QPushButton* beside_;
     ProfileView* picture_;
+    int kept_ = 0;           // px: the height of its text while it is open
     QVector<QPoint> places_; // of the cell, on the screen
 };
 

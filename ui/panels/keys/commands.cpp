@@ -13,6 +13,8 @@
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QShortcutEvent>
+#include <QStringList>
 #include <QWidget>
 
 #include <algorithm>
@@ -26,6 +28,7 @@ void makeSwitch(QAction& action, const Command& command, Preferences& preference
         QObject::connect(&action, &QAction::triggered, &action, command.set);
         return;
     }
+    action.setProperty(kChanges, true);
     if (command.inSessions) action.setProperty(kInSessions, command.remembered);
     action.setChecked(preferences.flag(command.remembered, command.on));
     command.set(action.isChecked()); // also for the initial state of the action
@@ -52,6 +55,10 @@ Command habit(Command command) {
 
 Command submenu(const char* text, std::vector<Command> commands) {
     return {.text = QObject::tr(text), .submenu = std::move(commands), .source = text};
+}
+
+Command changing(Command command) {
+    return linked(std::move(command), [](QAction& action) { action.setProperty(kChanges, true); });
 }
 
 Command linked(Command command, std::function<void(QAction&)> link) {
@@ -97,6 +104,26 @@ KeysOfFocus::KeysOfFocus(QObject* parent) : QObject(parent) {
     constexpr int kTypedForMs = 1500; // since the last key
     typing_.setSingleShot(true);
     typing_.setInterval(kTypedForMs);
+    letters_.setSingleShot(true);
+    letters_.setInterval(kTypedForMs);
+}
+
+/// One letter alone is meant; a text has several.
+void KeysOfFocus::noteLetter(const QAction& action) {
+    const bool isText = letters_.isActive();
+    letters_.start();
+    if (!isText) changed_.clear();
+    if (action.property(kChanges).toBool()) {
+        const QString name = action.text().remove('&');
+        const QString state = !action.isCheckable() ? QString() : action.isChecked() ? tr("on") : tr("off");
+        // A switch that the text pressed twice is as it was.
+        const bool back = std::erase_if(changed_, [&](const auto& each) { return each.first == name; }) > 0 && action.isCheckable();
+        if (!back) changed_.emplace_back(name, state);
+    }
+    if (!isText || changed_.empty()) return;
+    QStringList all;
+    for (const auto& [name, state] : changed_) all << (name + " " + state).trimmed();
+    emit lettersChanged(tr("Letters outside a field are keys; these changed: %1.").arg(all.join(", ")));
 }
 
 /// The key of a command that asks for something and cannot be used now.
@@ -120,7 +147,12 @@ bool KeysOfFocus::isTypedForADialog(const QKeyEvent& key) {
 
 bool KeysOfFocus::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Shortcut) {
-        const auto* action = qobject_cast<QAction*>(watched);
+        auto* action = qobject_cast<QAction*>(watched);
+        const QKeySequence keys = static_cast<QShortcutEvent*>(event)->key();
+        const int key = keys.count() == 1 ? keys[0] & ~static_cast<int>(Qt::SHIFT) : 0;
+        const bool letter = key >= Qt::Key_A && key <= Qt::Key_Z;
+        if (action != nullptr && letter) // after it has worked
+            QTimer::singleShot(0, action, [this, action] { noteLetter(*action); });
         if (action == nullptr || !action->text().endsWith(QStringLiteral("…"))) return false;
         // After the command: a dialog that it opened runs by then.
         QTimer::singleShot(0, this, [this] {

@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 class QActionGroup;
@@ -19,6 +20,9 @@ class Preferences;
 
 /// Property of an action: the key under which a session file stores this switch.
 inline constexpr const char* kInSessions = "kept-in-sessions";
+
+/// Property of an action: it changes a setting or a result. Remembered switches have it.
+inline constexpr const char* kChanges = "changes";
 
 /// One entry of a menu. The functions below make it.
 struct Command {
@@ -41,6 +45,8 @@ struct Command {
 /// A switch that is remembered, but not in a session: a habit of the operator, not a property of the scan's view.
 [[nodiscard]] Command habit(Command command);
 [[nodiscard]] Command submenu(const char* text, std::vector<Command> commands);
+/// A command that changes a setting or a result.
+[[nodiscard]] Command changing(Command command);
 /// `command` with a link.
 [[nodiscard]] Command linked(Command command, std::function<void(QAction&)> link);
 /// One of the switches of a group, of which one is on. `name`: of its action.
@@ -70,17 +76,25 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
 /// focused slider, number or list. In other widgets these keys are shortcuts.
 /// After the key of a command that asks for something (its text ends in "…") and opened no dialog, keys without a modifier are not commands
 /// for a moment: they were typed for the dialog. A click or Esc ends that.
+/// Several letters in a row outside a field may be a text: what they changed is reported.
 class KeysOfFocus : public QObject {
     Q_OBJECT
 public:
     explicit KeysOfFocus(QObject* parent = nullptr);
     bool eventFilter(QObject* watched, QEvent* event) override;
 
+signals:
+    /// One sentence.
+    void lettersChanged(const QString& words);
+
 private:
     [[nodiscard]] bool asksInVain(const QKeyEvent& key) const;
     [[nodiscard]] bool isTypedForADialog(const QKeyEvent& key);
+    void noteLetter(const QAction& action);
 
-    QTimer typing_; // active = keys without a modifier are not commands
+    QTimer typing_;                                    // active = keys without a modifier are not commands
+    QTimer letters_;                                   // active = the next letter may belong to the same text
+    std::vector<std::pair<QString, QString>> changed_; // what these letters changed: names and states
 };
 
 } // namespace edgescan::ui

@@ -16,6 +16,7 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -63,7 +64,7 @@ LivePanel::LivePanel(QWidget* parent)
       keep_(button("live-keep", tr("Keep last minute"), tr("Write what arrived during the last minute to a new file"))),
       hold_(button("live-hold", tr("Hold"), tr("The picture stays as it is while the scanner goes on."))),
       follow_(button("live-follow", tr("Follow"), tr("The picture grows with the scanner."))), other_(button("live-other", {}, {})),
-      recorded_(new StateBadge), scanner_(new ElidedLabel), strip_(new HealthStrip), otherMenu_(new QMenu(this)) {
+      close_(new QToolButton), recorded_(new StateBadge), scanner_(new ElidedLabel), strip_(new HealthStrip), otherMenu_(new QMenu(this)) {
     setObjectName("live-panel");
     host_->setObjectName("live-host");
     host_->setPlaceholderText(tr("scanner, or ws://ROBOT"));
@@ -81,13 +82,16 @@ LivePanel::LivePanel(QWidget* parent)
     recorded_->hide();
     scanner_->setObjectName("live-scanner");
     otherMenu_->setObjectName("live-others");
+    close_->setObjectName("live-close");
+    close_->setText(tr("Close"));
+    close_->setFocusPolicy(Qt::TabFocus);
 
     auto* head = new QWidget;
     auto* row = buttons_ = new FlowLayout(head);
     row->setContentsMargins(6, 0, 6, 2);
     row->setSpacing(kBetween);
-    for (QWidget* each :
-         std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, topics_, record_, recorded_, keep_, scanner_})
+    for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, topics_, record_, recorded_, keep_,
+                                                         scanner_, close_})
         row->addWidget(each);
     auto* first = stripRow_ = new QHBoxLayout;
     first->setContentsMargins(6, 2, 0, 0);
@@ -113,6 +117,7 @@ LivePanel::LivePanel(QWidget* parent)
     connect(hold_, &QPushButton::clicked, this, [this] { emit followRequested(false); });
     connect(follow_, &QPushButton::clicked, this, [this] { emit followRequested(true); });
     connect(other_, &QPushButton::clicked, this, &LivePanel::askOther);
+    connect(close_, &QToolButton::clicked, this, &LivePanel::close);
     // A click does not take the keyboard focus. Otherwise Space (play and pause) would press the button again, which may have another
     // meaning by then.
     for (QPushButton* each : {connect_, record_, keep_, hold_, follow_, other_}) {
@@ -182,6 +187,26 @@ void LivePanel::askAddress() {
     host_->selectAll();
 }
 
+void LivePanel::toggleAddress() {
+    if (!closeAddress()) askAddress();
+}
+
+bool LivePanel::closeAddress() {
+    if (connected_ || !asking_ || isHidden()) return false;
+    close();
+    return true;
+}
+
+void LivePanel::close() {
+    asking_ = false;
+    showFields();
+    hide();
+    emit closed();
+}
+
+/// Esc in one of the fields.
+void LivePanel::keyPressEvent(QKeyEvent* event) { event->key() == Qt::Key_Escape && !connected_ ? close() : QWidget::keyPressEvent(event); }
+
 void LivePanel::askSweep() {
     if (!sweepDialog_->isVisible()) sweep_->begin();
     sweepDialog_->show();
@@ -243,6 +268,7 @@ void LivePanel::showFields() {
     if (brief_ || !connected_) recorded_->hide();
     topics_->setHidden(!connected_ || !bridge_ || brief_);
     keep_->setHidden(brief_ || !connected_); // it is in the menu
+    close_->setHidden(brief_ || connected_); // the head of a cab closes it
 }
 
 void LivePanel::reserveWidths() {

@@ -39,6 +39,10 @@ public:
     [[nodiscard]] scanner::SweepSettings sweep() const;
     /// Puts the text cursor into the host field.
     void askAddress();
+    /// The same; a second time it closes the panel.
+    void toggleAddress();
+    /// Closes the panel if the operator opened it with askAddress(). False: it was not open, or a scanner is connected.
+    bool closeAddress();
     /// Opens the fields of mounting and steps.
     void askSweep();
 
@@ -74,12 +78,16 @@ signals:
     void otherRequested(int place);
     /// The operator typed mounting or steps while the scanner is connected.
     void sweepRequested();
+    /// The operator closed the panel.
+    void closed();
 
 protected:
     void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void addSweepDialog();
+    void close();
     void reserveWidths();
     void showFields();
     void askOther();
@@ -98,6 +106,7 @@ private:
     QPushButton* hold_;
     QPushButton* follow_;
     QPushButton* other_;
+    QToolButton* close_;
     StateBadge* recorded_; // its place stays free while nothing is recorded
     QLabel* scanner_;
     HealthStrip* strip_;

@@ -263,9 +263,11 @@ void ScannerLink::startRecording(const QString& path) {
     recordingPath_ = path;
     recordingClosed_ = false;
     recordingErrorReported_ = false;
+    linesBefore_ = 0;
     runInThread([this, feed = feed_, path]() -> std::function<void()> {
-        const Result<Done> started = feed->startRecording(exactBytes(path));
-        return [this, started, feed] {
+        const Result<int> started = feed->startRecording(exactBytes(path));
+        return [this, started, feed, path] {
+            if (started && path == recordingPath_) linesBefore_ = *started;
             if (started) return;
             emit failed(shownText(started.error().sentence()));
             if (feed != feed_) return;
@@ -289,7 +291,7 @@ void ScannerLink::stopRecording() {
 void ScannerLink::reportRecorded(const Result<files::RecordingState>& closed, const QString& path) {
     if (!closed) return emit failed(shownText(closed.error().sentence()));
     recordingClosed_ = recordingClosed_ || path == recordingPath_;
-    if (closed->unsynced() == 0) return emit written(path);
+    if (closed->unsynced() == 0) return emit written(path, path == recordingPath_ ? linesBefore_ : 0);
     emit failed(tr("%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.")
                     .arg(path)
                     .arg(closed->unsynced() / 1000 + 1));
@@ -301,7 +303,7 @@ void ScannerLink::keepRecent(const QString& path) {
         const Result<Done> kept = feed->keepRecent(exactBytes(path));
         return [this, kept, path] {
             if (kept)
-                emit written(path);
+                emit written(path, 0);
             else
                 emit failed(shownText(kept.error().sentence()));
         };

@@ -80,7 +80,8 @@ signals:
     void followingChanged(bool following);
     void otherChanged();
     void healthChanged();
-    void written(const QString& path);
+    /// `linesBefore`: lines of the sweep under way that are in it although they came before the operator asked for the recording.
+    void written(const QString& path, int linesBefore);
     void failed(const QString& sentence);
 
 private:
@@ -109,6 +110,7 @@ private:
     bool recording_ = false;
     bool recordingClosed_ = false;
     QString recordingPath_;
+    int linesBefore_ = 0; // in that recording
     bool recordingErrorReported_ = false;
     int heldNumber_ = -1;                         // number of the newest sweep that was shown complete
     std::optional<scanner::SweepState> finished_; // waits to be shown

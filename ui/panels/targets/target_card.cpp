@@ -141,6 +141,11 @@ void TargetCard::show(const inspect::PinnedTarget& target, const inspect::CellTa
     measure_->setEnabled(known->probe.state == CellState::Valid);
 }
 
+void TargetCard::editName() {
+    name_->setFocus();
+    name_->selectAll();
+}
+
 void TargetCard::setRow(std::size_t row, const TargetRow& words, const QString& was) {
     if (row == rows_.size()) {
         rows_.emplace_back(new QLabel, new QLabel);

@@ -22,6 +22,8 @@ public:
 
     /// `known`: null during the computation; the rows stay.
     void show(const inspect::PinnedTarget& target, const inspect::CellTarget* known, const TargetSurroundings& around);
+    /// The next letters replace the name.
+    void editName();
     /// All texts of the card, row by row.
     [[nodiscard]] QString text() const;
 

@@ -4,11 +4,13 @@
 #include "ui/panels/targets/target_card.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -19,15 +21,41 @@ namespace {
 constexpr int kMostLines =
     3; // of a list before it scrolls: with a pose a target has three lines, and its card stays in sight at 1280 x 768
 
-// As high as its lines, so that the panel has one scroll bar instead of three. Its own bar follows from the number of lines alone: a bar
-// that comes with the height changes the width, the width the wrapped lines, and these the height, without end.
-void fitHeight(QListWidget& list) {
+/// Own: as high as its lines. Constant: as high as `kMostLines` of them, so that one more line moves nothing below the list.
+enum class Height { Own, Constant };
+
+// So that the panel has one scroll bar instead of three. Its own bar follows from the number of lines alone: a bar that comes with the
+// height changes the width, the width the wrapped lines, and these the height, without end.
+void fitHeight(QListWidget& list, Height height) {
     list.setVerticalScrollBarPolicy(list.count() > kMostLines ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
-    int high = list.count() > 0 ? 0 : list.fontMetrics().height();
-    for (int n = 0; n < std::min(list.count(), kMostLines); ++n) high += list.visualItemRect(list.item(n)).height();
-    list.setFixedHeight(high + 2 * list.frameWidth() + 2);
+    int high = 0, tallest = list.fontMetrics().height();
+    for (int n = 0; n < list.count(); ++n) {
+        const int line = list.visualItemRect(list.item(n)).height();
+        tallest = std::max(tallest, line);
+        if (n < kMostLines) high += line;
+    }
+    if (height == Height::Constant) high = kMostLines * tallest;
+    list.setFixedHeight((list.count() > 0 ? high : tallest) + 2 * list.frameWidth() + 2);
     if (list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
+
+/// A line of a target: its first row of text ends in "…" where it has no room, so that a name or a note makes no line higher.
+class TargetRows : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const auto* list = qobject_cast<const QListWidget*>(option->widget);
+        if (list == nullptr) return;
+        const int margin = list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, list) + 1;
+        const int first = static_cast<int>(option->text.indexOf(QChar::LineSeparator)); // Qt writes \n so
+        const QString words = option->text.left(first);
+        const QString room = option->fontMetrics.elidedText(words, Qt::ElideRight, list->viewport()->width() - 2 * margin - 2);
+        option->text = first < 0 ? room : room + option->text.mid(first);
+    }
+};
 
 } // namespace
 
@@ -45,6 +73,8 @@ TargetsPanel::TargetsPanel(QWidget* parent)
         list->setResizeMode(QListView::Adjust);
         list->viewport()->installEventFilter(this);
     }
+    targets_->installEventFilter(this);
+    targets_->setItemDelegate(new TargetRows(targets_));
     copyAll_->setToolTip(tr("The positions of all targets as a table with units, for a spreadsheet"));
     letGoOfAll_->setToolTip(tr("All but those that are locked"));
     removeMeasure_->setToolTip(tr("The selected measurement"));
@@ -78,6 +108,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
         connect(measures_, chosen, this, [this](QListWidgetItem* item) { emit measureChosen(measures_->row(item)); });
     }
     connect(measures_, &QListWidget::currentRowChanged, removeMeasure_, [this](int row) { removeMeasure_->setEnabled(row >= 0); });
+    connect(targets_, &QListWidget::itemDoubleClicked, this, [this](QListWidgetItem* item) { emit nameRequested(targets_->row(item)); });
     targets_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(targets_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
         if (QListWidgetItem* item = targets_->itemAt(at))
@@ -85,10 +116,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     });
     connect(copyAll_, &QPushButton::clicked, this, &TargetsPanel::copyAllRequested);
     connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::removeAllRequested);
-    connect(measures_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
-        remarks_->setText(item != nullptr ? item->toolTip() : QString());
-        remarks_->setVisible(!remarks_->text().isEmpty());
-    });
+    connect(measures_, &QListWidget::currentRowChanged, this, &TargetsPanel::showRemarks);
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {
         if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
     });
@@ -99,28 +127,40 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     showNote({});
 }
 
+/// The items stay: a list that is cleared first would scroll, and the next click would meet another line.
 void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines) {
-    if (shown == lines && list.count() == static_cast<int>(lines.size())) return;
+    const int count = static_cast<int>(lines.size());
+    if (shown == lines && list.count() == count) return;
     shown = lines;
-    list.clear();
+    while (list.count() > count) delete list.takeItem(list.count() - 1);
+    while (list.count() < count) list.addItem(QString());
     int chosen = -1;
-    for (const TargetLine& line : lines) {
-        auto* item = new QListWidgetItem(line.words, &list);
-        item->setToolTip(line.tip);
-        if (line.chosen) chosen = list.count() - 1;
+    for (int n = 0; n < count; ++n) {
+        const TargetLine& line = lines[static_cast<std::size_t>(n)];
+        list.item(n)->setText(line.words);
+        list.item(n)->setToolTip(line.tip);
+        if (line.chosen) chosen = n;
     }
     list.setCurrentRow(chosen);
-    fitHeight(list);
+    fitHeight(list, &list == targets_ ? Height::Constant : Height::Own);
 }
 
-/// Another width has other lines.
+/// Another width has other lines. Return in the list of targets asks for the name.
 bool TargetsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Resize &&
         static_cast<QResizeEvent*>(event)->size().width() != static_cast<QResizeEvent*>(event)->oldSize().width()) {
         for (QListWidget* list : {targets_, measures_}) {
             if (watched == list->viewport())
                 QMetaObject::invokeMethod(
-                    list, [list] { fitHeight(*list); }, Qt::QueuedConnection);
+                    list, [list, height = list == targets_ ? Height::Constant : Height::Own] { fitHeight(*list, height); },
+                    Qt::QueuedConnection);
+        }
+    }
+    if (watched == targets_ && event->type() == QEvent::KeyPress && targets_->currentRow() >= 0) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            emit nameRequested(targets_->currentRow());
+            return true;
         }
     }
     return QWidget::eventFilter(watched, event);
@@ -142,9 +182,16 @@ void TargetsPanel::showAsked(const QString& words) {
 void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
     const bool more = lines.size() > shownMeasures_.size();
     fill(*measures_, shownMeasures_, lines);
+    showRemarks();
     for (QWidget* each : {static_cast<QWidget*>(measuresTitle_), static_cast<QWidget*>(measures_), static_cast<QWidget*>(removeMeasure_)})
         each->setVisible(!lines.empty());
     if (more && measuring_) QMetaObject::invokeMethod(this, &TargetsPanel::showNewest, Qt::QueuedConnection); // after the layout
+}
+
+void TargetsPanel::showRemarks() {
+    const QListWidgetItem* chosen = measures_->currentItem();
+    remarks_->setText(chosen != nullptr ? chosen->toolTip() : QString());
+    remarks_->setVisible(!remarks_->text().isEmpty());
 }
 
 /// What was just measured, though the card above it is long.

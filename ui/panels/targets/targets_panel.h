@@ -48,6 +48,7 @@ public:
 signals:
     /// Indices into the lists.
     void targetChosen(int place);
+    void nameRequested(int place);
     void targetMenuRequested(int place, const QPoint& position);
     void copyAllRequested();
     void removeAllRequested();
@@ -57,6 +58,7 @@ signals:
 private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void showNewest();
+    void showRemarks();
     void fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines);
 
     QLabel* hint_;

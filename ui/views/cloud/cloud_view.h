@@ -52,6 +52,10 @@ public:
     void setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const CloudGeometry> geometry, Camera camera = Camera::Reset);
     /// The same for callers that can wait: makes the geometry in this thread.
     void setScan(std::shared_ptr<const Scan> scan);
+    /// Names of the directions, while the cloud that is shown is a part of what is to come. Empty: those of the cloud.
+    void setAxes(const std::optional<ViewFrame>& axes) { axes_ = axes; }
+    [[nodiscard]] bool axesSet() const { return axes_.has_value(); }
+    [[nodiscard]] const ViewFrame& axes() const;
     /// Cells k = line * beams + beam, ascending. Replaces only an index list; setting the same pointer again is free.
     void setEdges(EdgeCells cells);
     void setEdges(std::shared_ptr<const CellIndices> cells) { setEdges(EdgeCells{std::move(cells), {}}); }
@@ -304,6 +308,7 @@ private:
     DrawingBudget budget_;
     QTimer restTimer_; // active = the camera (or a slider) is moving
     bool framePending_ = true, drawAll_ = false;
+    std::optional<ViewFrame> axes_;
     bool growing_ = false; // the cloud replaced a shorter one of the same scan
     int nextPart_ = 0;     // next part of the drawing order; above 0: it is drawn over the frame before
     double drawnFraction_ = 1.0, lastFrameMs_ = 0.0;

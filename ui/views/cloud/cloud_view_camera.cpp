@@ -64,26 +64,31 @@ void CloudView::resetView() {
     viewFromScanner();
 }
 
+const ViewFrame& CloudView::axes() const {
+    static const ViewFrame none;
+    return axes_ ? *axes_ : cloud_ ? cloud_->axes : none;
+}
+
 void CloudView::viewFront() {
-    if (cloud_) look(cloud_->axes.forward, cloud_->axes.up);
+    if (cloud_) look(axes().forward, axes().up);
 }
 void CloudView::viewBack() {
-    if (cloud_) look(-cloud_->axes.forward, cloud_->axes.up);
+    if (cloud_) look(-axes().forward, axes().up);
 }
 void CloudView::viewLeft() {
-    if (cloud_) look(cloud_->axes.right, cloud_->axes.up);
+    if (cloud_) look(axes().right, axes().up);
 }
 void CloudView::viewRight() {
-    if (cloud_) look(-cloud_->axes.right, cloud_->axes.up);
+    if (cloud_) look(-axes().right, axes().up);
 }
 void CloudView::viewTop() {
-    if (cloud_) look(-cloud_->axes.up, cloud_->axes.forward);
+    if (cloud_) look(-axes().up, axes().forward);
 }
 void CloudView::viewBottom() {
-    if (cloud_) look(cloud_->axes.up, cloud_->axes.forward);
+    if (cloud_) look(axes().up, axes().forward);
 }
 void CloudView::viewIsometric() {
-    if (cloud_) look((cloud_->axes.forward - cloud_->axes.right - cloud_->axes.up).normalized(), cloud_->axes.up);
+    if (cloud_) look((axes().forward - axes().right - axes().up).normalized(), axes().up);
 }
 void CloudView::zoomToFit() {
     const Box3f all = extent().mainBounds;

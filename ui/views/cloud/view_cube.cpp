@@ -81,7 +81,7 @@ void ViewCube::follow() {
     place();
     if (!isVisible()) return;
     const CameraPose pose = cloud_->camera();
-    const auto& axes = cloud_->geometryOfCloud()->axes;
+    const ViewFrame& axes = cloud_->axes();
     const auto inCloud = [&axes](const Eigen::Vector3d& way) {
         return Eigen::Vector3d(way.dot(axes.right), way.dot(axes.forward), way.dot(axes.up));
     };

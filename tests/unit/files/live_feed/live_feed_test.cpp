@@ -155,7 +155,10 @@ TEST(LiveFeed, ARecordingBegunLateHoldsTheSweepFromItsBeginning) {
         LiveFeed feed(settingsFor(*scanner), sweep, [] {});
         // In the middle of the second sweep.
         ASSERT_TRUE(waitUntil([&] { return feed.status().lines >= 110; }));
-        ASSERT_TRUE(feed.startRecording(folder / "late.mcap"));
+        const auto started = feed.startRecording(folder / "late.mcap");
+        ASSERT_TRUE(started);
+        EXPECT_GE(*started, 30); // of the second sweep
+        EXPECT_LE(*started, 80);
         EXPECT_FALSE(feed.startRecording(folder / "again.mcap"));
         ASSERT_TRUE(waitUntil([&] { return feed.status().lines >= 165; }));
         EXPECT_NEAR(feed.status().linesPerSecond, 300, 150);
