@@ -277,6 +277,8 @@
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Removed: %1.</source><translation>Quitado: %1.</translation></message>
+<message><source>Undone: %1.</source><translation>Deshecho: %1.</translation></message>
+<message><source>Redo</source><translation>Rehacer</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Más</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Doble clic: en lugar de la nube, y de vuelta</translation></message>
@@ -383,6 +385,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>by confidence</source><translation>por confianza</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
+<message><source>This cell has the strength %1; the threshold is %2.</source><translation>Esta celda tiene la fuerza %1; el umbral es %2.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Aquí no se midió nada.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La superficie cambia demasiado poco aquí para ser un borde.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>La superficie cambia aquí, pero otra celda de ese cambio es el borde.</translation></message>
@@ -444,6 +447,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
+<message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Empieza con el barrido en curso: %1 líneas de él llegaron antes de Grabar.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
@@ -567,9 +571,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
 <message><source> · no time</source><translation> · sin hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
 <message><source>HELD</source><translation>RETENIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
 <message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
 <message><source>RECORDED</source><translation>GRABADO</translation></message>
 <message><source>First line, by %1</source><translation>Primera línea, según %1</translation></message>
@@ -713,13 +717,14 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nombre de esta roca. Un nuevo objetivo sobre ella, número %1, lleva el nombre:</translation></message>
 <message><source>Name of a target</source><translation>Nombre de un objetivo</translation></message>
 <message><source>Name of target %1:</source><translation>Nombre del objetivo %1:</translation></message>
+<message><source>There is no target to name: pin a cell, or choose a target.</source><translation>No hay objetivo que nombrar: fije una celda o elija un objetivo.</translation></message>
 <message><source>Note on a target</source><translation>Nota sobre un objetivo</translation></message>
 <message><source>Note on target %1:</source><translation>Nota sobre el objetivo %1:</translation></message>
 <message><source>Name %1</source><translation>Nombrar %1</translation></message>
 <message><source>Note %1</source><translation>Nota %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados y vuelven con él.</translation></message>
+<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>No guardado: esta imagen es parte de una grabación o de un barrido en vivo, no un archivo entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
@@ -798,6 +803,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>No target</source><translation>Ningún objetivo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>más: %1</translation></message>
+<message><source>Zoom in</source><translation>Acercar</translation></message>
+<message><source>Zoom out</source><translation>Alejar</translation></message>
 <message><source>+ gained</source><translation>+ ganados</translation></message>
 <message><source>− lost</source><translation>− perdidos</translation></message>
 <message><source>kept</source><translation>conservados</translation></message>
@@ -830,6 +837,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>Folds the legend</source><translation>Pliega la leyenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Despliega la leyenda</translation></message>
+<message><source>Changes: %1</source><translation>Cambios: %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para verla: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
@@ -1035,6 +1043,9 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
+<message><source>on</source><translation>activado</translation></message>
+<message><source>off</source><translation>desactivado</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Las letras fuera de un campo son teclas; estas cambiaron: %1.</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertenece a %2: no se cambió nada.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Una tecla de %1 pertenece ahora a otro comando: cambie primero ese.</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>dejar la herramienta, o lo último que se muestra</translation></message>
@@ -1298,6 +1309,7 @@ RL %3 m</translation></message>
 <message><source>No return: %1</source><translation>Sin retorno: %1</translation></message>
 <message><source>No range: %1</source><translation>Sin distancia: %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
+<message><source>Edges, under rocks</source><translation>Bordes, bajo rocas</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
@@ -1407,6 +1419,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Images</source><translation>Imágenes</translation></message>
+<message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Inicial</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
@@ -1555,7 +1568,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar la ú&amp;ltima sesión</translation></message>
 <message><source>Tools</source><translation>Herramientas</translation></message>
-<message><source>Redo</source><translation>Rehacer</translation></message>
 <message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>«%1» ha terminado; un clic vuelve a fijar.</translation></message>
@@ -1586,6 +1598,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Sección po&amp;r la roca</translation></message>
 <message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>
+<message><source>Na&amp;me This Target</source><translation>Nom&amp;brar este objetivo</translation></message>
 <message><source>Remove This Tar&amp;get</source><translation>&amp;Quitar este objetivo</translation></message>
 <message><source>Remove All &amp;Targets</source><translation>Quitar &amp;todos los objetivos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este objetivo</translation></message>
@@ -1702,8 +1715,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
 <message><source>void rim</source><translation>borde de un vacío</translation></message>
-<message><source>off</source><translation>desactivado</translation></message>
-<message><source>on</source><translation>activado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tesis (255 / extensión)</translation></message>
 <message><source>Window (near to far)</source><translation>Ventana (de cerca a lejos)</translation></message>
 <message><source>Logarithmic (near to far)</source><translation>Logarítmica (de cerca a lejos)</translation></message>

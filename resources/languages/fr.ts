@@ -277,6 +277,8 @@
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
+<message><source>Undone: %1.</source><translation>Annulé : %1.</translation></message>
+<message><source>Redo</source><translation>Rétablir</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
 <message><source>More</source><translation>Plus</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
@@ -383,6 +385,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>by confidence</source><translation>par confiance</translation></message>
 <message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
+<message><source>This cell has the strength %1; the threshold is %2.</source><translation>Cette cellule a la force %1 ; le seuil est %2.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Rien n'a été mesuré ici.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La surface change trop peu ici pour être une arête.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>La surface change ici, mais une autre cellule de ce changement est l'arête.</translation></message>
@@ -444,6 +447,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
+<message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Il commence par le balayage en cours : %1 lignes de celui-ci sont arrivées avant Enregistrer.</translation></message>
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
@@ -567,9 +571,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Placed by %1</source><translation>Placé par %1</translation></message>
 <message><source> · no time</source><translation> · sans heure</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
 <message><source>HELD</source><translation>FIGÉ</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
 <message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
 <message><source>RECORDED</source><translation>ENREGISTRÉ</translation></message>
 <message><source>First line, by %1</source><translation>Première ligne, selon %1</translation></message>
@@ -713,13 +717,14 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
 <message><source>Name of a target</source><translation>Nom d'une cible</translation></message>
 <message><source>Name of target %1:</source><translation>Nom de la cible %1 :</translation></message>
+<message><source>There is no target to name: pin a cell, or choose a target.</source><translation>Il n'y a pas de cible à nommer : épinglez une cellule, ou choisissez une cible.</translation></message>
 <message><source>Note on a target</source><translation>Remarque sur une cible</translation></message>
 <message><source>Note on target %1:</source><translation>Remarque sur la cible %1 :</translation></message>
 <message><source>Name %1</source><translation>Nommer %1</translation></message>
 <message><source>Note %1</source><translation>Remarque %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées et reviennent avec lui.</translation></message>
+<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Non enregistré : cette image est une partie d'un enregistrement ou d'un balayage en direct, pas un fichier entier.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
@@ -798,6 +803,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>No target</source><translation>Aucune cible</translation></message>
 <message><source>less: %1</source><translation>moins : %1</translation></message>
 <message><source>more: %1</source><translation>plus : %1</translation></message>
+<message><source>Zoom in</source><translation>Zoom avant</translation></message>
+<message><source>Zoom out</source><translation>Zoom arrière</translation></message>
 <message><source>+ gained</source><translation>+ gagnées</translation></message>
 <message><source>− lost</source><translation>− perdues</translation></message>
 <message><source>kept</source><translation>conservées</translation></message>
@@ -830,6 +837,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Next</source><translation>Suivant</translation></message>
 <message><source>Folds the legend</source><translation>Replie la légende</translation></message>
 <message><source>Unfolds the legend</source><translation>Déplie la légende</translation></message>
+<message><source>Changes: %1</source><translation>Changements : %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>pour la voir : A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
@@ -1035,6 +1043,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
+<message><source>on</source><translation>activé</translation></message>
+<message><source>off</source><translation>désactivé</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>Les lettres hors d'un champ sont des touches ; celles-ci ont changé : %1.</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 appartient à %2 : rien n'a été changé.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Une touche de %1 appartient maintenant à une autre commande : changez d'abord celle-ci.</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>quitter l'outil, ou ce qui est affiché en dernier</translation></message>
@@ -1298,6 +1309,7 @@ RL %3 m</translation></message>
 <message><source>No return: %1</source><translation>Sans retour : %1</translation></message>
 <message><source>No range: %1</source><translation>Sans distance : %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
+<message><source>Edges, under rocks</source><translation>Arêtes, sous les blocs</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
@@ -1407,6 +1419,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
+<message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
 <message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
@@ -1555,7 +1568,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Reprendre la &amp;dernière session</translation></message>
 <message><source>Tools</source><translation>Outils</translation></message>
-<message><source>Redo</source><translation>Rétablir</translation></message>
 <message><source>Scanner view</source><translation>Vue scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>« %1 » est terminé ; un clic épingle à nouveau.</translation></message>
@@ -1586,6 +1598,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Coupe par le &amp;bloc</translation></message>
 <message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>
+<message><source>Na&amp;me This Target</source><translation>Nomme&amp;r cette cible</translation></message>
 <message><source>Remove This Tar&amp;get</source><translation>Supprimer &amp;cette cible</translation></message>
 <message><source>Remove All &amp;Targets</source><translation>Supprimer t&amp;outes les cibles</translation></message>
 <message><source>&amp;Copy This Target</source><translation>Copi&amp;er cette cible</translation></message>
@@ -1702,8 +1715,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
 <message><source>void rim</source><translation>bord d'un vide</translation></message>
-<message><source>off</source><translation>désactivé</translation></message>
-<message><source>on</source><translation>activé</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Thèse (255 / étendue)</translation></message>
 <message><source>Window (near to far)</source><translation>Fenêtre (du proche au lointain)</translation></message>
 <message><source>Logarithmic (near to far)</source><translation>Logarithmique (du proche au lointain)</translation></message>

@@ -277,6 +277,8 @@
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Removed: %1.</source><translation>Removido: %1.</translation></message>
+<message><source>Undone: %1.</source><translation>Desfeito: %1.</translation></message>
+<message><source>Redo</source><translation>Refazer</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Mais</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Duplo clique: no lugar da nuvem, e de volta</translation></message>
@@ -383,6 +385,7 @@ visível %6 m², a %7 m</translation></message>
 <message><source>by confidence</source><translation>por confiança</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primeiro uma varredura.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
+<message><source>This cell has the strength %1; the threshold is %2.</source><translation>Esta célula tem a força %1; o limiar é %2.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Nada foi medido aqui.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>A superfície muda pouco demais aqui para ser uma borda.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>A superfície muda aqui, mas outra célula dessa mudança é a borda.</translation></message>
@@ -444,6 +447,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Não é possível ligar a %1: escreva o nome ou o endereço do scanner, ou ws://ROBOT para um robô com ROS.</translation></message>
+<message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Começa com a varredura em curso: %1 linhas dela chegaram antes de Gravar.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
@@ -567,9 +571,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
 <message><source> · no time</source><translation> · sem hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
+<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
 <message><source>HELD</source><translation>RETIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
 <message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
 <message><source>RECORDED</source><translation>GRAVADO</translation></message>
 <message><source>First line, by %1</source><translation>Primeira linha, segundo %1</translation></message>
@@ -713,13 +717,14 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nome desta rocha. Um novo alvo sobre ela, número %1, leva o nome:</translation></message>
 <message><source>Name of a target</source><translation>Nome de um alvo</translation></message>
 <message><source>Name of target %1:</source><translation>Nome do alvo %1:</translation></message>
+<message><source>There is no target to name: pin a cell, or choose a target.</source><translation>Não há alvo a nomear: fixe uma célula ou escolha um alvo.</translation></message>
 <message><source>Note on a target</source><translation>Nota sobre um alvo</translation></message>
 <message><source>Note on target %1:</source><translation>Nota sobre o alvo %1:</translation></message>
 <message><source>Name %1</source><translation>Nomear %1</translation></message>
 <message><source>Note %1</source><translation>Nota %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
-<message><source>Targets and measurements of the scan before: %1. They are stored and come back with it.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos e voltam com ela.</translation></message>
+<message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Não guardado: esta imagem é parte de uma gravação ou de uma varredura ao vivo, não um arquivo inteiro.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
@@ -798,6 +803,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>No target</source><translation>Nenhum alvo</translation></message>
 <message><source>less: %1</source><translation>menos: %1</translation></message>
 <message><source>more: %1</source><translation>mais: %1</translation></message>
+<message><source>Zoom in</source><translation>Aproximar</translation></message>
+<message><source>Zoom out</source><translation>Afastar</translation></message>
 <message><source>+ gained</source><translation>+ ganhas</translation></message>
 <message><source>− lost</source><translation>− perdidas</translation></message>
 <message><source>kept</source><translation>mantidas</translation></message>
@@ -830,6 +837,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>Folds the legend</source><translation>Recolhe a legenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Expande a legenda</translation></message>
+<message><source>Changes: %1</source><translation>Mudanças: %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para vê-la: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
@@ -1035,6 +1043,9 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
 <message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
+<message><source>on</source><translation>ligado</translation></message>
+<message><source>off</source><translation>desligado</translation></message>
+<message><source>Letters outside a field are keys; these changed: %1.</source><translation>As letras fora de um campo são teclas; estas mudaram: %1.</translation></message>
 <message><source>%1 belongs to %2: nothing was changed.</source><translation>%1 pertence a %2: nada foi alterado.</translation></message>
 <message><source>A key of %1 belongs to another command now: change that one first.</source><translation>Uma tecla de %1 pertence agora a outro comando: altere esse primeiro.</translation></message>
 <message><source>end the tool, or what is shown last</source><translation>deixar a ferramenta, ou o que é mostrado por último</translation></message>
@@ -1298,6 +1309,7 @@ RL %3 m</translation></message>
 <message><source>No return: %1</source><translation>Sem retorno: %1</translation></message>
 <message><source>No range: %1</source><translation>Sem distância: %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
+<message><source>Edges, under rocks</source><translation>Bordas, sob as rochas</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
@@ -1407,6 +1419,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Images</source><translation>Imagens</translation></message>
+<message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Padrão</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
@@ -1555,7 +1568,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>
 <message><source>Go on with the &amp;Last Session</source><translation>Continuar a ú&amp;ltima sessão</translation></message>
 <message><source>Tools</source><translation>Ferramentas</translation></message>
-<message><source>Redo</source><translation>Refazer</translation></message>
 <message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>«%1» terminou; um clique volta a fixar.</translation></message>
@@ -1586,6 +1598,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Secção pela &amp;rocha</translation></message>
 <message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>
+<message><source>Na&amp;me This Target</source><translation>Nome&amp;ar este alvo</translation></message>
 <message><source>Remove This Tar&amp;get</source><translation>&amp;Remover este alvo</translation></message>
 <message><source>Remove All &amp;Targets</source><translation>Remover &amp;todos os alvos</translation></message>
 <message><source>&amp;Copy This Target</source><translation>&amp;Copiar este alvo</translation></message>
@@ -1702,8 +1715,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
 <message><source>void rim</source><translation>beira de um vazio</translation></message>
-<message><source>off</source><translation>desligado</translation></message>
-<message><source>on</source><translation>ligado</translation></message>
 <message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
 <message><source>Window (near to far)</source><translation>Janela (de perto a longe)</translation></message>
 <message><source>Logarithmic (near to far)</source><translation>Logarítmica (de perto a longe)</translation></message>
