@@ -1364,9 +1364,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>line %1  beam %2</source><translation>línea %1  haz %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>Pinned:</source><translation>Fijado:</translation></message>
-<message><source>▲ no pose: no mine coordinates</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sin pose, las coordenadas se cuentan desde el escáner, no desde la cuadrícula de la mina. Escaneo &gt; Pose y montaje… toma una.</translation></message>
+<message><source>Pinned:</source><translation>Fijado:</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE TOLERANCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>

@@ -1364,9 +1364,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>line %1  beam %2</source><translation>ligne %1  faisceau %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  à %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  gris %1</translation></message>
-<message><source>Pinned:</source><translation>Épinglée :</translation></message>
-<message><source>▲ no pose: no mine coordinates</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sans pose, les coordonnées comptent à partir du scanner, non de la grille de la mine. Scan &gt; Pose et montage… en prend une.</translation></message>
+<message><source>Pinned:</source><translation>Épinglée :</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS TOLÉRANCE</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>mesuré %1</translation></message>

@@ -1364,9 +1364,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>line %1  beam %2</source><translation>linha %1  feixe %2</translation></message>
 <message><source>  at %1° / %2°</source><translation>  a %1° / %2°</translation></message>
 <message><source>  gray %1</source><translation>  cinza %1</translation></message>
-<message><source>Pinned:</source><translation>Fixado:</translation></message>
-<message><source>▲ no pose: no mine coordinates</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Without a pose, coordinates count from the scanner, not from the mine grid. Scan &gt; Pose and Mounting… takes one.</source><translation>Sem pose, as coordenadas contam a partir do scanner, não da grade da mina. Varredura &gt; Pose e montagem… recebe uma.</translation></message>
+<message><source>Pinned:</source><translation>Fixado:</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DE TOLERÂNCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
 <message><source>measured %1</source><translation>medido %1</translation></message>

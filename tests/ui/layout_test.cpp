@@ -54,6 +54,18 @@ private slots:
         QVERIFY(bool(files::saveScan(boxesToShow(), bare_)));
     }
 
+    // Its size from before may be that of a larger screen, or of another scale.
+    void aWindowThatIsNoLongerMaximisedFitsItsScreen() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        const QRect room = on.window.screen()->availableGeometry();
+        on.window.resize(room.size() + QSize(0, 200));
+        QTRY_VERIFY(on.window.height() > room.height());
+        QWindowStateChangeEvent restored(Qt::WindowMaximized);
+        QApplication::sendEvent(&on.window, &restored);
+        QTRY_VERIFY2(on.window.frameGeometry().height() <= room.height(), qPrintable(QString::number(on.window.height())));
+    }
+
     void theWindowFitsItsScreen() {
         WindowFixture on;
         QVERIFY(on.show());

@@ -6,6 +6,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/dialogs/export_dialog.h"
+#include "ui/panels/dialogs/place_dialog.h"
 #include "ui/panels/tuning/status_line.h"
 
 #include <QAction>
@@ -65,10 +66,13 @@ private slots:
         const QString expected = QString("E %1  N %2  RL %3").arg(mine.x(), 0, 'f', 3).arg(mine.y(), 0, 'f', 3).arg(mine.z(), 0, 'f', 3);
         QVERIFY2(window.viewer().statusLine.probeShown().contains(expected), qPrintable(window.viewer().statusLine.probeShown()));
         QVERIFY(on.open(bare_));
-        QCOMPARE(window.viewer().statusLine.placeShown(), QString::fromUtf8("▲ no pose: no mine coordinates"));
+        QCOMPARE(window.viewer().statusLine.placeShown(), QString::fromUtf8("▲ no pose"));
         QCOMPARE(window.viewer().statusLine.recordedShown(), QString());
         emit window.viewer().views.gray().clicked(30, 40);
         QVERIFY2(window.viewer().statusLine.probeShown().startsWith("Pinned: x "), qPrintable(window.viewer().statusLine.probeShown()));
+        QTest::mouseClick(tool(window, "no-pose"), Qt::LeftButton);
+        const auto* form = window.findChild<PlaceDialog*>();
+        QVERIFY(form != nullptr && form->isVisible());
     }
 
     // A drawing has its own command, and the tool bar has all exports; without a scan they are off.

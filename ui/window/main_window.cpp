@@ -45,6 +45,7 @@
 #include "ui/window/view_choices.h"
 #include "ui/window/warned_picture.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
@@ -149,7 +150,13 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
     addToolButtons(*this);
-    QApplication::instance()->installEventFilter(new KeysOfFocus(this));
+    for (const KeyedCommand& command : keyedCommands(actions())) {
+        if (command.id == "Scan/Pose and Mounting")
+            connect(&viewer_.statusLine, &StatusLine::poseRequested, command.action, &QAction::trigger);
+    }
+    auto* keys = new KeysOfFocus(this);
+    QApplication::instance()->installEventFilter(keys);
+    connect(keys, &KeysOfFocus::lettersChanged, &viewer_.notice, &NoticeBar::showHint);
     new CellCursor(viewer_.views, this);
     connectEngine();
     sessions_ = sessionsOf(*this, viewer_.preferences);
@@ -265,6 +272,12 @@ void MainWindow::layOutTools() {
     for (const auto changed : {&ScannerLink::connectedChanged, &ScannerLink::followingChanged})
         connect(&scanner, changed, this, &MainWindow::showOrigin);
     connect(&scanner, &ScannerLink::healthChanged, this, &MainWindow::showOrigin);
+    // The letters of the views are not for the fields of the address.
+    const auto focusView = [this] {
+        if (focusWidget() == nullptr && viewer_.cloud.isVisible()) viewer_.cloud.setFocus();
+    };
+    connect(&scanner, &ScannerLink::connectedChanged, this, focusView);
+    connect(&viewer_.livePanel, &LivePanel::closed, this, focusView);
     auto* age = new QTimer(this); // "8 min ago" grows
     connect(age, &QTimer::timeout, this, &MainWindow::showOrigin);
     age->start(kAgeMs);
@@ -402,6 +415,8 @@ void MainWindow::escape() {
     if (leaveTool() || endTour(*this) || viewer_.explanation.closeCard()) return;
     if (viewer_.notice.isVisible())
         viewer_.notice.hide();
+    else if (viewer_.livePanel.closeAddress())
+        return;
     else if (maximised_ != nullptr && !cab_->on())
         maximise(maximised_);
     else if (!viewer_.selection.cells().empty())

@@ -209,6 +209,11 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 /// The window itself gets the mouse only at the edges of its docks.
 bool MainWindow::event(QEvent* event) {
+    // The size from before it was maximised may be that of another screen, or of another scale. It may arrive before or after this event.
+    if (event->type() == QEvent::WindowStateChange && !isMaximized() && !isFullScreen()) {
+        framed_ = false;
+        QTimer::singleShot(0, this, &MainWindow::fitScreen);
+    }
     // Qt would give the focus to the first button of a legend: the next Space would switch it.
     if (event->type() == QEvent::WindowActivate && focusWidget() == nullptr && viewer_.cloud.isVisible()) viewer_.cloud.setFocus();
     const bool done = QMainWindow::event(event);

@@ -63,7 +63,7 @@ ProbeTexts probeWords(const edges::Probe& probe) {
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent), strip_(new QWidget), way_(new QBoxLayout(QBoxLayout::LeftToRight, strip_)), probe_(new QLabel),
-      work_(new QWidget), stage_(new QLabel), bar_(new QProgressBar) {
+      noPose_(new QToolButton), work_(new QWidget), stage_(new QLabel), bar_(new QProgressBar) {
     setSizeGripEnabled(false);
     probe_->setObjectName("probe");
     probe_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -113,6 +113,15 @@ StatusLine::StatusLine(QWidget* parent)
         facts_->addWidget(label);
         factLabels_[static_cast<std::size_t>(kind)].label = label;
     }
+    noPose_->setObjectName("no-pose");
+    noPose_->setAutoRaise(true);
+    noPose_->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
+    noPose_->setText(tr("▲ no pose"));
+    noPose_->setToolTip(
+        tr("Without a pose, coordinates count from the scanner, not from the mine grid. Scan > Pose and Mounting… takes one."));
+    noPose_->hide();
+    connect(noPose_, &QToolButton::clicked, this, &StatusLine::poseRequested);
+    addPinned(noPose_);
     QLabel* incomplete = factLabel(Fact::Incomplete).label;
     followColours(*incomplete, [incomplete](const Theme& theme) {
         incomplete->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme.bad.name()));
@@ -221,12 +230,8 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     const QString howMuch = part ? "✕ " + coreSentence(*incomplete).section(QRegularExpression("[:;,.]"), 0, 0) : QString();
     showFact(Fact::Incomplete, howMuch, part ? tr("✕ INCOMPLETE") : QString(), part);
     QLabel& label = *factLabel(Fact::Place).label;
-    if (!scan.placement) {
-        showFact(Fact::Place, tr("▲ no pose: no mine coordinates"), tr("▲ no pose"), true);
-        label.setToolTip(
-            tr("Without a pose, coordinates count from the scanner, not from the mine grid. Scan > Pose and Mounting… takes one."));
-        return;
-    }
+    noPose_->setHidden(scan.placement != nullptr);
+    if (!scan.placement) return showFact(Fact::Place, {}, {}, false);
     const Placement& place = *scan.placement;
     QString grid = tr("mine grid");
     if (!place.grid.empty()) grid += " " + shownName(exactText(place.grid), 40);
@@ -312,7 +317,7 @@ void StatusLine::endWork() {
 }
 
 QString StatusLine::probeShown() const { return probeMore_.isEmpty() ? QString() : probeMain_ + "  " + probeMore_; }
-QString StatusLine::placeShown() const { return factLabel(Fact::Place).words; }
+QString StatusLine::placeShown() const { return noPose_->isHidden() ? factLabel(Fact::Place).words : noPose_->text(); }
 QString StatusLine::recordedShown() const { return factLabel(Fact::Recorded).words; }
 QString StatusLine::settingsShown() const { return factLabel(Fact::Settings).words; }
 QString StatusLine::countsShown() const { return factLabel(Fact::Counts).words; }

@@ -15,6 +15,7 @@ class QBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QToolButton;
 
 namespace edgescan::ui {
 
@@ -58,6 +59,8 @@ public:
 
 signals:
     void cancelRequested();
+    /// The operator wants to give the scan a pose.
+    void poseRequested();
 
 protected:
     bool event(QEvent* event) override;
@@ -86,6 +89,7 @@ private:
     std::vector<QWidget*> pinnedWidgets_;
     QString probeMain_, probeMore_;
     int longestProbe_ = 0, longestCell_ = 0; // px; longest texts of this scan, without and with the cell
+    QToolButton* noPose_;
     QWidget* work_;
     QLabel* stage_;
     QProgressBar* bar_;
