@@ -18,6 +18,7 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -314,13 +315,39 @@ private slots:
             for (const auto* each : on.viewer.tools.findChildren<QToolButton*>()) all << (each->isVisible() ? each->geometry() : QRect());
             return all;
         };
-        const QVector<QRect> before = places();
-        const std::string named = (folder_ / "b.json").string();
-        std::filesystem::copy_file(placed_, named, std::filesystem::copy_options::overwrite_existing);
-        QVERIFY(on.open(named));
-        QCOMPARE(places(), before);
-        QVERIFY(on.open(placed_));
-        QCOMPARE(places(), before);
+        const std::string brief = (folder_ / "b.json").string();
+        const std::string named = (folder_ / "draw bell 14 east after the second blast.json").string();
+        for (const std::string& path : {brief, named})
+            std::filesystem::copy_file(placed_, path, std::filesystem::copy_options::overwrite_existing);
+        for (const int width : {853, 1024, 1280, 1920}) {
+            resizeTo(on.window, {width, 800});
+            QVERIFY(on.open(brief));
+            const QVector<QRect> before = places();
+            QVERIFY(on.open(named));
+            QCOMPARE(places(), before);
+            QVERIFY(on.open(brief));
+            QCOMPARE(places(), before);
+            // The time is whole at each width, also with a state in front of it.
+            on.viewer.origin.showState(StateBadge::Sign::Waiting, "OLD PICTURE · FILE draw bell 14 east · 2026-11-19 08:12:05 UTC");
+            QCOMPARE(places(), before);
+            const QStringList shown = on.viewer.origin.lines();
+            QVERIFY2(shown.front().startsWith("OLD") && shown.back().endsWith(width < 1000 ? " 08:12:05 UTC" : "2026-11-19 08:12:05 UTC"),
+                     qPrintable(shown.join('\n')));
+            QVERIFY(on.viewer.origin.geometry().right() <= on.viewer.origin.parentWidget()->width());
+        }
+    }
+
+    void aSmallFileHasItsOwnSize() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        const QString path = QString::fromStdString((folder_ / "small.csv").string());
+        for (const auto& [bytes, words] : {std::pair{1234, "1.2 kB."}, {40, "0.1 kB."}, {123456, "123 kB."}}) {
+            QFile file(path);
+            QVERIFY(file.open(QFile::WriteOnly) && file.write(QByteArray(bytes, 'a')) == bytes);
+            file.close();
+            on.viewer.notice.showSaved(path);
+            QVERIFY2(on.viewer.notice.text().endsWith(words), qPrintable(on.viewer.notice.text()));
+        }
     }
 
     // Qt would show a long one as wide as the screen.

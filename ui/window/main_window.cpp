@@ -256,7 +256,7 @@ void MainWindow::layOutTools() {
     addToolBar(Qt::TopToolBarArea, &viewer_.tools);
     viewer_.tools.toggleViewAction()->setVisible(false);
     viewer_.origin.setObjectName("origin");
-    viewer_.origin.setShrinks(); // its tool tip has all of it
+    viewer_.origin.setTwoLines();
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.measures, &Measures::asked, &viewer_.targetsPanel, &TargetsPanel::showAsked);
@@ -288,13 +288,6 @@ void MainWindow::showOrigin() {
     const PictureOrigin origin = originOfDrawn(viewer_.engine, viewer_.live.scanner(), viewer_.comparing.drawnA());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(viewer_.origin.text() + "\n" + origin.more);
-    const QWidget& place = *viewer_.origin.parentWidget();
-    const QStyle& looks = *style();
-    const int around = 2 * (looks.pixelMetric(QStyle::PM_ToolBarItemMargin) + looks.pixelMetric(QStyle::PM_ToolBarFrameWidth));
-    constexpr int kLeastFrame = 8; // px, of its bar
-    // OLD PICTURE passes: it is shortened, and the tools stay.
-    if (!viewer_.engine.replacing()) viewer_.tools.reserve(place.sizeHint().width() + std::max(kLeastFrame, around));
-    arrange();                                                                         // the badge has another width
     viewer_.targets.setSource(originOf(viewer_.engine, viewer_.live.scanner()).badge); // also while A is drawn
     emit originShown();
 }
@@ -337,6 +330,7 @@ void MainWindow::connectEngine() {
         showWarnings();
         showTitle();
         showOrigin();
+        arrange();           // images first: they may have another aspect
         emit pictureShown(); // the controllers received it before
     });
 }

@@ -75,6 +75,7 @@ private:
     void layOutTools();
     void connectEngine();
     void showOrigin();
+    void fitOrigin();
     void escape();
     bool leaveTool();
     void showWarnings();

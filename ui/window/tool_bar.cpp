@@ -126,10 +126,8 @@ QSize ToolBar::sizeHint() const {
     return {std::max(rest, own.width() - words_->sizeHint().width()), own.height()};
 }
 
-/// Never less than before: no button moves each time that the badge has another text.
 void ToolBar::reserve(int pixels) {
-    if (pixels <= reserved_) return;
-    reserved_ = pixels;
+    if (std::exchange(reserved_, pixels) == pixels) return;
     updateGeometry();
 }
 

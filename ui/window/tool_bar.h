@@ -36,7 +36,7 @@ public:
     [[nodiscard]] QString shown() const;
     /// The width of the window without what is reserved: buttons without room go into the menu at the end.
     [[nodiscard]] QSize sizeHint() const override;
-    /// Pixels for the badge right of it.
+    /// Pixels of the window's width for the bar of the badge right of it.
     void reserve(int pixels);
     /// Off: the buttons of a scan are disabled, with their commands.
     void setScanOpen(bool on);

@@ -7,6 +7,7 @@
 #include "ui/base/window_room.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/keys/shortcuts.h"
+#include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/range_window.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -15,6 +16,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/docks.h"
 #include "ui/window/pane_places.h"
+#include "ui/window/tool_bar.h"
 
 #include <QAction>
 #include <QGuiApplication>
@@ -76,6 +78,20 @@ void MainWindow::arrange() {
         return;
     }
     if (follow || pictures_->width() > most) setImagesWidth(std::clamp(usualImages(wide), leastImages, most));
+}
+
+/// The badge has the same place whatever it says: no tool moves. A narrow window gives it what its tools leave.
+void MainWindow::fitOrigin() {
+    constexpr double kShare = 0.16; // of the window's width
+    constexpr int kLeastFrame = 8;  // px, of its bar
+    StateBadge& badge = viewer_.origin;
+    const QMargins margins = badge.parentWidget()->layout()->contentsMargins();
+    const int around = 2 * (style()->pixelMetric(QStyle::PM_ToolBarItemMargin) + style()->pixelMetric(QStyle::PM_ToolBarFrameWidth));
+    const int frame = margins.left() + margins.right() + std::max(kLeastFrame, around);
+    const int wanted = std::max(badge.widthFor("2026-11-19 08:12:05 UTC"), static_cast<int>(kShare * width()));
+    const int room = width() - viewer_.tools.minimumWidth() - frame;
+    badge.setRoom(std::max(badge.minimumSizeHint().width(), std::min(wanted, room)));
+    viewer_.tools.reserve(badge.sizeHint().width() + frame);
 }
 
 /// Says once where they are.
@@ -195,6 +211,7 @@ void MainWindow::resetLayout() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
+    fitOrigin();
     arrange();
     followFrame();
     rememberTimer_.start();
@@ -223,6 +240,7 @@ bool MainWindow::event(QEvent* event) {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
+    fitOrigin();
     arrange();
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -102,6 +103,11 @@ StateBadge::StateBadge(QWidget* parent) : QWidget(parent) {
 
 void StateBadge::setShrinks() { setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred); }
 
+void StateBadge::setRoom(int pixels) {
+    setShrinks();
+    if (std::exchange(room_, pixels) != pixels) updateGeometry();
+}
+
 void StateBadge::setTwoLines() { twoLines_ = true; }
 
 /// The time is always whole, in two lines if it has to be; the name before it is shortened at its end.
@@ -120,6 +126,7 @@ QStringList StateBadge::linesIn(int width) const {
     QStringList lines{metrics.elidedText(parts.name, Qt::ElideRight, width)};
     if (fits(parts.time + parts.ago)) return lines << parts.time + parts.ago;
     if (fits(parts.time)) return lines << parts.time;
+    if (room_ > 0) return lines << metrics.elidedText(parts.time, Qt::ElideLeft, width); // the seconds stay
     return lines << parts.time.section(' ', 0, 0) << parts.time.section(' ', 1);
 }
 
@@ -148,10 +155,16 @@ void StateBadge::showState(Sign sign, const QString& text) {
     update();
 }
 
-QSize StateBadge::sizeHint() const {
+int StateBadge::widthFor(const QString& text) const {
     const QFontMetrics metrics(font());
     const int margin = grown(kMargin, metrics), shape = grown(kShape, metrics);
-    return {margin + shape + margin + metrics.horizontalAdvance(text_) + margin / 2 + 1, std::max(metrics.height(), shape) + margin};
+    return margin + shape + margin + metrics.horizontalAdvance(text) + margin / 2 + 1;
+}
+
+QSize StateBadge::sizeHint() const {
+    const QFontMetrics metrics(font());
+    const int high = room_ > 0 && twoLines_ ? 2 * metrics.height() : metrics.height() + grown(kMargin, metrics);
+    return {room_ > 0 ? room_ : widthFor(text_), std::max(high, grown(kShape, metrics) + grown(kMargin, metrics))};
 }
 
 QSize StateBadge::minimumSizeHint() const {
@@ -169,15 +182,21 @@ void StateBadge::paintEvent(QPaintEvent* /*event*/) {
     const int margin = grown(kMargin, fontMetrics()), shape = grown(kShape, fontMetrics());
     drawShape(painter, sign_, QRectF(margin, (height() - shape) / 2.0, shape, shape));
     painter.setPen(Qt::white);
-    const QRect place = rect().adjusted(margin + shape + margin, 0, -margin / 2, 0);
-    const QStringList lines = linesIn(place.width());
+    const QStringList lines = this->lines();
     if (lines.size() > 2) {
         QFont letters = font();
         letters.setPixelSize(kThreeLinesPx);
         painter.setFont(letters);
     }
-    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, lines.join('\n'));
+    painter.drawText(textPlace(), Qt::AlignLeft | Qt::AlignVCenter, lines.join('\n'));
 }
+
+QRect StateBadge::textPlace() const {
+    const int margin = grown(kMargin, fontMetrics()), shape = grown(kShape, fontMetrics());
+    return rect().adjusted(margin + shape + margin, 0, -margin / 2, 0);
+}
+
+QStringList StateBadge::lines() const { return linesIn(textPlace().width()); }
 
 StateBadge::Sign signOf(files::Liveness liveness) {
     switch (liveness) {

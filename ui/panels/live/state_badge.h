@@ -19,12 +19,19 @@ public:
     [[nodiscard]] Sign sign() const { return sign_; }
     [[nodiscard]] QString text() const { return text_; }
     [[nodiscard]] QSize sizeHint() const override;
-    /// The name in a long text is shortened (…) where there is no room for it. Otherwise the badge always has room for all of it.
+    /// A text that has no room is shortened (…) at the end of its name; the time stays whole. Otherwise the badge has room for all of it.
     void setShrinks();
-    /// A text that one line has no room for takes two, or three if the second has no room for the time. A tap is a click.
+    /// It shrinks, and is so wide whatever it says.
+    void setRoom(int pixels);
+    /// A text that one line has no room for takes two; without a fixed room three, if the second has no room for the time. A tap is a
+    /// click.
     void setTwoLines();
     /// What it shows of its text, in this many px.
     [[nodiscard]] QStringList linesIn(int width) const;
+    /// What it shows of its text now.
+    [[nodiscard]] QStringList lines() const;
+    /// Its own width, with this text.
+    [[nodiscard]] int widthFor(const QString& text) const;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
@@ -37,9 +44,11 @@ protected:
 
 private:
     [[nodiscard]] QStringList brokenIn(int width) const;
+    [[nodiscard]] QRect textPlace() const;
 
     Sign sign_ = Sign::Off;
     QString text_;
+    int room_ = 0; // px; 0: that of its text
     bool twoLines_ = false;
 };
 
