@@ -1709,8 +1709,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara del laplaciano</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qué máscara representa el laplaciano de gaussiana.</translation></message>
 <message><source>jump</source><translation>salto</translation></message>
-<message><source>convex</source><translation>convexo</translation></message>
-<message><source>concave</source><translation>cóncavo</translation></message>
+<message><source>convex fold</source><translation>pliegue convexo</translation></message>
+<message><source>concave fold</source><translation>pliegue cóncavo</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
 <message><source>void rim</source><translation>borde de un vacío</translation></message>
@@ -1884,8 +1884,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>barrido %1 del tópico, contado desde 0; el tópico contiene %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>barrido %1, contado desde 0</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
-<message><source>convex fold</source><translation>pliegue convexo</translation></message>
-<message><source>concave fold</source><translation>pliegue cóncavo</translation></message>
 <message><source>edge</source><translation>borde</translation></message>
 <message><source>the threshold %1</source><translation>el umbral %1</translation></message>
 <message><source>the lower threshold %1</source><translation>el umbral inferior %1</translation></message>

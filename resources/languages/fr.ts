@@ -1709,8 +1709,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Laplacian mask</source><translation>Masque du laplacien</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Quel masque représente le laplacien de gaussienne.</translation></message>
 <message><source>jump</source><translation>saut</translation></message>
-<message><source>convex</source><translation>convexe</translation></message>
-<message><source>concave</source><translation>concave</translation></message>
+<message><source>convex fold</source><translation>pli convexe</translation></message>
+<message><source>concave fold</source><translation>pli concave</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
 <message><source>void rim</source><translation>bord d'un vide</translation></message>
@@ -1884,8 +1884,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>balayage %1 du topic, compté à partir de 0 ; le topic en contient %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>balayage %1, compté à partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>
-<message><source>convex fold</source><translation>pli convexe</translation></message>
-<message><source>concave fold</source><translation>pli concave</translation></message>
 <message><source>edge</source><translation>arête</translation></message>
 <message><source>the threshold %1</source><translation>le seuil %1</translation></message>
 <message><source>the lower threshold %1</source><translation>le seuil bas %1</translation></message>

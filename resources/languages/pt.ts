@@ -1709,8 +1709,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Laplacian mask</source><translation>Máscara do laplaciano</translation></message>
 <message><source>Which mask approximates the Laplacian of Gaussian.</source><translation>Qual máscara representa o laplaciano de gaussiana.</translation></message>
 <message><source>jump</source><translation>salto</translation></message>
-<message><source>convex</source><translation>convexo</translation></message>
-<message><source>concave</source><translation>côncavo</translation></message>
+<message><source>convex fold</source><translation>dobra convexa</translation></message>
+<message><source>concave fold</source><translation>dobra côncava</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
 <message><source>void rim</source><translation>beira de um vazio</translation></message>
@@ -1884,8 +1884,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>varredura %1 do tópico, contada a partir de 0; o tópico contém %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>varredura %1, contada a partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>
-<message><source>convex fold</source><translation>dobra convexa</translation></message>
-<message><source>concave fold</source><translation>dobra côncava</translation></message>
 <message><source>edge</source><translation>borda</translation></message>
 <message><source>the threshold %1</source><translation>o limiar %1</translation></message>
 <message><source>the lower threshold %1</source><translation>o limiar inferior %1</translation></message>

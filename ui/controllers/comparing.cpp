@@ -14,7 +14,6 @@
 
 #include <QAbstractSpinBox>
 #include <QApplication>
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QToolTip>
@@ -200,8 +199,7 @@ void Comparing::read(const inspect::EarlierScan& from, bool asStep) {
 }
 
 void Comparing::askScan() {
-    const QString path =
-        QFileDialog::getOpenFileName(notice_.window(), tr("Compare with an earlier scan"), preferences_.folder("scans"), Files::filters());
+    const QString path = Files::askScan(notice_.window(), tr("Compare with an earlier scan"), preferences_);
     if (!path.isEmpty()) compareWith(path);
 }
 

@@ -82,13 +82,12 @@ void MainWindow::arrange() {
 
 /// The badge has the same place whatever it says: no tool moves. A narrow window gives it what its tools leave.
 void MainWindow::fitOrigin() {
-    constexpr double kShare = 0.16; // of the window's width
-    constexpr int kLeastFrame = 8;  // px, of its bar
+    constexpr int kLeastFrame = 8; // px, of its bar
     StateBadge& badge = viewer_.origin;
     const QMargins margins = badge.parentWidget()->layout()->contentsMargins();
     const int around = 2 * (style()->pixelMetric(QStyle::PM_ToolBarItemMargin) + style()->pixelMetric(QStyle::PM_ToolBarFrameWidth));
     const int frame = margins.left() + margins.right() + std::max(kLeastFrame, around);
-    const int wanted = std::max(badge.widthFor("2026-11-19 08:12:05 UTC"), static_cast<int>(kShare * width()));
+    const int wanted = badge.widthFor("2026-11-19 08:12:05 UTC"); // its second line
     const int room = width() - viewer_.tools.minimumWidth() - frame;
     badge.setRoom(std::max(badge.minimumSizeHint().width(), std::min(wanted, room)));
     viewer_.tools.reserve(badge.sizeHint().width() + frame);

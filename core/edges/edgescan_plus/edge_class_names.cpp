@@ -11,8 +11,6 @@ const char* edgeClassName(DepthEdge kind) {
 }
 
 const char* edgeClassLabel(DepthEdge kind) {
-    if (kind == DepthEdge::Convex) return "convex fold"; // as Why names them
-    if (kind == DepthEdge::Concave) return "concave fold";
     return kind == DepthEdge::None ? "none" : findParameter("classes")->choices[static_cast<std::size_t>(kind) - 1].label;
 }
 

@@ -15,8 +15,8 @@ namespace edgescan::edges {
 namespace {
 
 const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
-                                   {kClassConvex, "convex", "convex"},
-                                   {kClassConcave, "concave", "concave"},
+                                   {kClassConvex, "convex", "convex fold"},
+                                   {kClassConcave, "concave", "concave fold"},
                                    {kClassBorder, "border", "data border"},
                                    {kClassSilhouette, "silhouette", "outline before a void"},
                                    {kClassVoidRim, "rim", "void rim"}};
