@@ -48,7 +48,8 @@ Command compareMenu(Comparing& comparing) {
 
 void addChangeLegend(MainWindow& w) {
     auto* over = qobject_cast<QVBoxLayout*>(w.viewer().views.cloud().layout());
-    over->insertWidget(over->indexOf(&w.viewer().legend), &w.viewer().changeLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
+    // Below the legend of edges, which comes and goes with A: its buttons stay under the pointer.
+    over->insertWidget(over->indexOf(&w.viewer().legend) + 1, &w.viewer().changeLegend, 0, Qt::AlignLeft | Qt::AlignBottom);
     const auto follow = [&w] {
         w.viewer().changeLegend.showOverRocks(w.viewer().views.scene().pointsOver != nullptr);
         w.viewer().legend.setVisible(w.viewer().views.scene().picture != nullptr && w.viewer().views.scene().insteadNow() == nullptr);

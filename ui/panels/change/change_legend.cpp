@@ -235,7 +235,13 @@ QHBoxLayout* ChangeLegend::switchOfTwo() {
             showRows(); // a refused choice
         });
     }
-    row->addStretch(1); // they stay where they are, however wide the plate is
+    row->addStretch(1);                               // they stay where they are, however wide the plate is
+    followColours(*this, [this](const Theme& theme) { // a border too: colour is not the only sign
+        const QString look = QString("QToolButton { border: 1px solid %1; padding: 2px 7px; }"
+                                     "QToolButton:checked { background: %2; color: white; border: 2px solid %3; padding: 1px 6px; }")
+                                 .arg(theme.edge.name(), theme.chosen.name(), theme.accent.name());
+        for (QToolButton* each : shown_) each->setStyleSheet(look);
+    });
     return row;
 }
 
