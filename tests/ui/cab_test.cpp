@@ -417,8 +417,8 @@ private slots:
         on.window.cab().set(true);
         resizeTo(on.window, QSize(1280, 800));
         on.viewer.views.pin(on.viewer.views.cellAt(100, 120));
-        on.viewer.rocks.setShown(true);
         on.viewer.comparing.keep();
+        on.viewer.rocks.setShown(true);
         QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr; }));
         on.viewer.selection.select({100, 101, 102});
         on.viewer.markedEdges.mark(on.viewer.views.cellAt(100, 120), true);

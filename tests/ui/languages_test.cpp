@@ -111,8 +111,8 @@ QSet<QString> everyTextIn(const QWidget& window) {
 bool laidOut(WindowFixture& on, const std::string& scan) {
     on.window.resize(1920, 1080);
     if (!on.showWith(scan)) return false;
-    on.viewer.rocks.setShown(true);
     on.viewer.comparing.keep();
+    on.viewer.rocks.setShown(true);
     on.viewer.confidence.setOn(true);
     on.viewer.views.pin(on.viewer.views.cellAt(20, 30));
     on.viewer.live.panel().show();

@@ -392,47 +392,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
     sessions_->open(paths);
 }
 
-void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape)
-        escape();
-    else if (event->key() != Qt::Key_Backspace || !viewer_.measures.removeLastPick())
-        QMainWindow::keyPressEvent(event);
-}
-
-// One press ends one thing, whichever view has the keyboard focus; docs/guide/keys.md has this order.
-void MainWindow::escape() {
-    if (viewer_.engine.opening()) { // a save or a comparison has its button
-        viewer_.engine.cancel();
-        viewer_.notice.showHint(tr("Cancelled; what was on the screen stays."));
-        return;
-    }
-    if (leaveTool() || endTour(*this) || viewer_.explanation.closeCard()) return;
-    if (viewer_.notice.isVisible())
-        viewer_.notice.hide();
-    else if (viewer_.livePanel.closeAddress())
-        return;
-    else if (maximised_ != nullptr && !cab_->on())
-        maximise(maximised_);
-    else if (!viewer_.selection.cells().empty())
-        viewer_.selection.select({});
-    else {
-        viewer_.views.clearPin();
-        viewer_.targets.chooseMeasure(std::nullopt);
-        viewer_.rocks.select({});
-        viewer_.explanation.forgetTrail();
-    }
-}
-
-/// With its unfinished clicks, and the hint about them. False: no tool is in use.
-bool MainWindow::leaveTool() {
-    const bool isRocks = viewer_.rocks.tool() != RockTool::None;
-    const Tool tool = viewer_.views.tool();
-    if (!isRocks && (tool == Tool::Pin || tool == Tool::Why)) return false; // Why ends with its card
-    isRocks ? viewer_.rocks.useTool(RockTool::None) : viewer_.views.setTool(Tool::Pin);
-    viewer_.notice.endPassing();
-    return true;
-}
-
 } // namespace edgescan::ui
 
 #include "moc_main_window.cpp"
