@@ -536,7 +536,7 @@ private slots:
         v.targets.keepMeasure({inspect::MeasureKind::Distance, {60 * 381 + 150, 60 * 381 + 230}, {}});
         auto* list = v.targetsPanel.findChild<QListWidget*>("measure-list");
         QVERIFY(list != nullptr);
-        QTRY_VERIFY(list->count() == 1 && list->item(0)->text().contains("mounting assumed"));
+        QTRY_VERIFY(list->count() == 1 && list->item(0)->toolTip().contains("mounting assumed"));
         v.live.panel().setSweep(sweep());
         v.live.panel().askSweep(); // typed values are taken when it closes
         fields->close();

@@ -67,10 +67,11 @@ void Viewer::followPictures() {
     next(markedEdges, &MarkedEdges::followPicture);
     next(look, &ScanLook::followPicture);
     QObject::connect(&comparing, &Comparing::begun, &rocks, [this] { rocks.setShown(false); }); // faces cover what changed
-    QObject::connect(
-        &views, &LinkedViews::newScanShown, &undo, [this] { dropStepsOfOtherScans(undo); }, Qt::QueuedConnection); // after all
-    QObject::connect(
-        &undo, &QUndoStack::indexChanged, &undo, [this] { dropStepsOfOtherScans(undo); }, Qt::QueuedConnection);
+    const auto drop = [this] {
+        if (!engine.behind()) dropStepsOfOtherScans(undo); // the scan of a step may be on its way to the screen
+    };
+    QObject::connect(&engine, &Engine::pictureReady, &undo, drop, Qt::QueuedConnection); // after all
+    QObject::connect(&undo, &QUndoStack::indexChanged, &undo, drop, Qt::QueuedConnection);
 }
 
 } // namespace edgescan::ui
