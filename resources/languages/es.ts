@@ -759,7 +759,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vista desde el &amp;escáner</translation></message>
-<message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
+<message><source>F&amp;it the cloud</source><translation>A&amp;justar la nube</translation></message>
+<message><source>Show the &amp;whole images</source><translation>Mostrar las &amp;imágenes enteras</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>recuadro de %1 × %2 celdas: %3 puntos, %4 celdas de borde</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distancias de %1 a %2 m</translation></message>
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falló (%2); cierre otros programas o use un escaneo más pequeño.</translation></message>
@@ -1182,6 +1183,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, %2 achuradas (p &lt; 0.85); regiones de finos: %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
+<message><source>Ctrl+click selects a rock; so does its row in the table.</source><translation>Ctrl+clic elige una roca; su fila de la tabla también.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: P20 %1, P50 %2, P80 %3 (20, 50, 80 % de las rocas no son más anchas), la mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
@@ -1403,7 +1405,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Top</source><translation>Arriba</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
-<message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Encuadrar muestra todo</translation></message>
+<message><source>Zoomed %1 × · Fit (R) shows all</source><translation>Ampliado %1 × · Ajustar (R) muestra todo</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
 <message><source>More edges</source><translation>Más bordes</translation></message>

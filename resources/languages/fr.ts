@@ -759,7 +759,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vue depuis le &amp;scanner</translation></message>
-<message><source>F&amp;it</source><translation>A&amp;juster</translation></message>
+<message><source>F&amp;it the cloud</source><translation>A&amp;juster le nuage</translation></message>
+<message><source>Show the &amp;whole images</source><translation>Montrer les &amp;images entières</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>boîte de %1 × %2 cellules : %3 points, %4 cellules d'arête</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distances de %1 à %2 m</translation></message>
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1 : échec (%2) ; fermez d'autres programmes ou utilisez un scan plus petit.</translation></message>
@@ -1182,6 +1183,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, dont %2 hachurés (p &lt; 0.85) ; régions de fines : %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
+<message><source>Ctrl+click selects a rock; so does its row in the table.</source><translation>Ctrl+clic choisit un bloc ; sa ligne du tableau aussi.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : P20 %1, P50 %2, P80 %3 (20, 50, 80 % des blocs ne sont pas plus larges), le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
@@ -1403,7 +1405,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Top</source><translation>Haut</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
-<message><source>Zoomed %1 × · Fit shows all</source><translation>Agrandi %1 × · Ajuster montre tout</translation></message>
+<message><source>Zoomed %1 × · Fit (R) shows all</source><translation>Agrandi %1 × · Ajuster (R) montre tout</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
 <message><source>More edges</source><translation>Plus d'arêtes</translation></message>

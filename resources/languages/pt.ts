@@ -759,7 +759,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vista a partir do s&amp;canner</translation></message>
-<message><source>F&amp;it</source><translation>A&amp;justar</translation></message>
+<message><source>F&amp;it the cloud</source><translation>A&amp;justar a nuvem</translation></message>
+<message><source>Show the &amp;whole images</source><translation>Mostrar as &amp;imagens inteiras</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>caixa de %1 × %2 células: %3 pontos, %4 células de borda</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distâncias de %1 a %2 m</translation></message>
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falhou (%2); feche outros programas ou use uma varredura menor.</translation></message>
@@ -1182,6 +1183,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, %2 hachuradas (p &lt; 0.85); regiões de finos: %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
+<message><source>Ctrl+click selects a rock; so does its row in the table.</source><translation>Ctrl+clique escolhe uma rocha; a linha dela na tabela também.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: P20 %1, P50 %2, P80 %3 (20, 50, 80 % das rochas não são mais largas), a maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
@@ -1403,7 +1405,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Top</source><translation>Topo</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
-<message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Enquadrar mostra tudo</translation></message>
+<message><source>Zoomed %1 × · Fit (R) shows all</source><translation>Ampliado %1 × · Ajustar (R) mostra tudo</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
 <message><source>More edges</source><translation>Mais bordas</translation></message>

@@ -167,6 +167,7 @@ void Comparing::compareWith(const QString& path) {
         return;
     }
     notice_.showNotice(NoticeBar::Kind::Done, tr("Reading %1 as A").arg(shownName(path)));
+    readingNote_ = notice_.text();
     ReadingOptions reading = files_.options();
     reading.scanIndex.reset(); // the index belongs to the file on the screen
     read({inspect::fileScan(exactBytes(path), reading), engine_.settings()}, true);
@@ -239,7 +240,7 @@ void Comparing::takeRead(const Reading& asked, const Read& read) {
     }
     from.scan.identity = inspect::notebookScan(scan);
     if (!asked.asStep) return use(picture, from);
-    notice_.hide();
+    notice_.withdraw({readingNote_}); // others stay
     push(stepName("Compare with Scan"), picture, from);
 }
 

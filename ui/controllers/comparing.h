@@ -124,6 +124,7 @@ private:
     ChangeRows rows_{true, true, true, true, true, true};
     bool shown_ = true;
     bool refused_ = false;    ///< A and the picture on the screen could not be compared
+    QString readingNote_;     ///< that A is being read
     QStringList notes_;       ///< of the comparison, in the notice bar; they go with A
     bool bySurfaces_ = false; ///< the operator lets the surfaces line up A with a scan without a place, or the other way round
     bool byDistance_ = false;

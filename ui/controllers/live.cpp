@@ -108,7 +108,10 @@ void Live::connectPanel() {
     connect(&panel_, &LivePanel::recordRequested, this, &Live::record);
     connect(&panel_, &LivePanel::keepRequested, this, &Live::keepLastMinute);
     connect(&panel_, &LivePanel::sweepRequested, this, &Live::useSweep);
-    connect(&panel_, &LivePanel::otherRequested, this, [this](int place) { scanner_.showOther(static_cast<std::size_t>(place)); });
+    connect(&panel_, &LivePanel::otherRequested, this, [this](int place) {
+        notice_.withdraw({endNote_});
+        scanner_.showOther(static_cast<std::size_t>(place));
+    });
     connect(&panel_, &LivePanel::followRequested, this, [this](bool on) {
         scanner_.follow(on);
         panel_.setFollowing(scanner_.following());
@@ -119,6 +122,9 @@ void Live::connectScanner() {
     connect(&scanner_, &ScannerLink::connectedChanged, &panel_, &LivePanel::setConnected);
     connect(&scanner_, &ScannerLink::recordingChanged, &panel_, &LivePanel::setRecording);
     connect(&scanner_, &ScannerLink::followingChanged, &panel_, &LivePanel::setFollowing);
+    connect(&scanner_, &ScannerLink::followingChanged, this, [this](bool on) {
+        if (on) notice_.withdraw({endNote_}); // it is of the sweep that was held
+    });
     connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
     connect(&scanner_, &ScannerLink::otherChanged, this, &Live::offerOther);
     connect(&scanner_, &ScannerLink::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });
@@ -248,6 +254,7 @@ void Live::reportSweepEnd() {
     warnings.prepend(isWhole ? tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) : tr("%1 has ended.").arg(name));
     if (scanner_.connected() && !scanner_.following()) warnings.front() += " " + tr("It is held on the screen; Follow shows the next one.");
     notice_.showNotice(warnings.size() == 1 ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, warnings.join('\n'));
+    endNote_ = notice_.text();
 }
 
 void Live::loadTimeline(const QString& path) {

@@ -74,6 +74,7 @@ private:
     NoticeBar& notice_;
     Preferences& preferences_;
     ScannerLink scanner_;
+    QString endNote_;                      // of the last sweep that ended
     std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as read from the file
     QString recordingFolder_;
     std::string topic_, joint_; // that the operator chose of the robot at the address below

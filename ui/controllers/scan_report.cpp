@@ -45,6 +45,7 @@ void ScanReport::ask() {
         notice_.showHint(tr("There is nothing to report yet: open a scan first."));
         return;
     }
+    emit asked();
     ReportWords words;
     words.site = preferences_.text("report/site");
     words.author = preferences_.text("report/author");

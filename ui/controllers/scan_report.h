@@ -31,6 +31,8 @@ public:
     [[nodiscard]] bool working() const { return working_ > 0; }
 
 signals:
+    /// The operator is asked for the form: the report is of the engine's picture.
+    void asked();
     /// The page is written.
     void saved(const QString& path);
     void ended();

@@ -66,6 +66,9 @@ void Viewer::followPictures() {
     next(confidence, &Confidence::followPicture);
     next(markedEdges, &MarkedEdges::followPicture);
     next(look, &ScanLook::followPicture);
+    // What is written is of B: A is not on the screen meanwhile.
+    QObject::connect(&exports, &Exports::asked, &comparing, [this] { comparing.flip(false); });
+    QObject::connect(&report, &ScanReport::asked, &comparing, [this] { comparing.flip(false); });
     QObject::connect(&comparing, &Comparing::begun, &rocks, [this] { rocks.setShown(false); }); // faces cover what changed
     const auto drop = [this] {
         if (!engine.behind()) dropStepsOfOtherScans(undo); // the scan of a step may be on its way to the screen

@@ -87,6 +87,11 @@ std::string notesPicture(const edges::Detection& detection, const RangeNoise& no
     const auto isInside = [&](std::uint32_t cell) { return cell < scan.cells(); }; // else of an earlier shape of the scan
     std::vector<PictureNumber> texts;
     std::vector<PictureLine> lines;
+    for (const inspect::PinnedTarget& target : notebook.targets) {
+        if (!isInside(target.cell)) continue;
+        const Eigen::Vector2d place = at(target.cell);
+        texts.push_back({std::to_string(target.number) + (target.name.empty() ? "" : " " + target.name), place.x(), place.y(), true, true});
+    }
     for (const inspect::StoredMeasure& measure : notebook.measures) {
         if (!std::ranges::all_of(measure.cells, isInside)) continue;
         const auto measured = inspect::measureStored(scan, noise, measure);
@@ -97,17 +102,14 @@ std::string notesPicture(const edges::Detection& detection, const RangeNoise& no
             lines.push_back({a.x(), a.y(), b.x(), b.y()});
             middle += (a + b) / 2 / static_cast<double>(links.size());
         }
-        if (measured) texts.push_back({(measured->isWarned() ? "▲ " : "") + inspect::measureText(*measured), middle.x(), middle.y(), true});
-    }
-    for (const inspect::PinnedTarget& target : notebook.targets) {
-        if (!isInside(target.cell)) continue;
-        const Eigen::Vector2d place = at(target.cell);
-        texts.push_back({std::to_string(target.number) + (target.name.empty() ? "" : " " + target.name), place.x(), place.y(), true});
+        if (measured) texts.push_back({(measured->isWarned() ? "▲ " : "") + inspect::measureText(*measured), middle.x(), middle.y()});
     }
     std::size_t leftOut = 0;
-    return numberedFigure(grayPicture(detection, mostPixels), "Targets and measures on gray levels",
-                          pictureNumbers(width, height, texts, leftOut, lines),
-                          "The targets by their numbers, and what was measured. Black is near, or nothing came back.");
+    const std::string numbers = pictureNumbers(width, height, texts, leftOut, lines);
+    const std::string caption =
+        "The targets by their numbers, and what was measured. Black is near, or nothing came back." +
+        (leftOut == 0 ? "" : " " + std::to_string(leftOut) + " values have no room in the picture; the table has all.");
+    return numberedFigure(grayPicture(detection, mostPixels), "Targets and measures on gray levels", numbers, caption);
 }
 
 int spread(const Rgb& c) { return std::max({c.red, c.green, c.blue}) - std::min({c.red, c.green, c.blue}); }

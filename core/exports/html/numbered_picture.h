@@ -12,6 +12,7 @@ struct PictureNumber {
     std::string text;
     double x = 0.0, y = 0.0;
     bool always = false; ///< also where it covers others, and on narrow screens
+    bool dot = false;    ///< a dot is at the place, and the text above it
 };
 
 /// A straight line, in pixels of the picture.

@@ -32,7 +32,8 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
     EXPECT_NE(without.find("E, N, RL: ▲ no pose"), std::string::npos) << without;
     EXPECT_EQ(without.find("E, N, RL"), without.rfind("E, N, RL")); // what is the same is written once
     EXPECT_NE(without.find("Targets and measures on gray levels"), std::string::npos);
-    EXPECT_NE(without.find("<text x=\"40.5\" y=\"25.5\">1</text>"), std::string::npos) << "its number is where it is";
+    EXPECT_NE(without.find("<circle cx=\"40.5\" cy=\"25.5\""), std::string::npos) << "its dot is where it is";
+    EXPECT_NE(without.find(">1</text>"), std::string::npos);
 
     scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
     const auto placed = edges::detectEdges(std::make_shared<const Scan>(scan), edges::Settings{});
@@ -49,11 +50,12 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
     notebook.measures.push_back({inspect::MeasureKind::Distance, {10 * 90 + 20, 30 * 90 + 60}});
     const std::string both = section(scan);
     EXPECT_NE(both.find(">1 A &lt; B</text>"), std::string::npos);
-    EXPECT_NE(both.find("<line x1=\"20.5\" y1=\"10.5\" x2=\"60.5\" y2=\"30.5\"/>"), std::string::npos);
+    EXPECT_NE(both.find("<line x1=\"20.5\" y1=\"10.5\" x2=\"60.5\" y2=\"30.5\" stroke"), std::string::npos);
     const auto length = inspect::measureStored(scan, inspect::noiseOf(*placed), notebook.measures[0]);
     ASSERT_TRUE(length);
-    EXPECT_NE(both.find("x=\"40.5\" y=\"20.5\">" + std::string(length->isWarned() ? "▲ " : "") + inspect::measureText(*length)),
-              std::string::npos);
+    EXPECT_NE(
+        both.find("x=\"40.5\" y=\"20.5\" class=\"small\">" + std::string(length->isWarned() ? "▲ " : "") + inspect::measureText(*length)),
+        std::string::npos);
 
     notebook.targets[0].cell = 60 * 90; // no cell of this scan
     EXPECT_NE(section(scan).find("no cell of this scan"), std::string::npos);

@@ -75,6 +75,7 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QStr
         notice_.showHint(tr("There is nothing to export yet: open a scan first."));
         return;
     }
+    emit asked();
     const std::shared_ptr<const edges::Detection> detection = engine_.picture()->detection;
     ExportDialog dialog(detection, wanted, {selection_, selectedOnly}, notice_.window());
     std::vector<ExportDialog::Format> formats;

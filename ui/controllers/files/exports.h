@@ -39,6 +39,10 @@ public:
     /// To the clipboard.
     void copyCommand();
 
+signals:
+    /// The operator is asked what to write: it is of the engine's picture.
+    void asked();
+
 private:
     void askOf(exports::ExportContent wanted, bool selectedOnly, const QString& extension = {});
     void reportSaved(exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates);

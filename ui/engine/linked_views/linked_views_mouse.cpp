@@ -79,7 +79,8 @@ void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::
         menu.addSeparator();
     }
     menu.addAction(tr("View from &scanner"), &cloud_, &CloudView::viewFromScanner);
-    menu.addAction(tr("F&it"), &cloud_, &CloudView::zoomToFit);
+    menu.addAction(tr("F&it the cloud"), &cloud_, &CloudView::zoomToFit);
+    if (!gray().viewPort()->fitted()) menu.addAction(tr("Show the &whole images"), this, [this] { gray().viewPort()->fit(); });
     menu.exec(position);
 }
 

@@ -43,7 +43,6 @@ ZoomButtons::ZoomButtons() {
 }
 
 void ZoomButtons::setOver(QWidget& view, QWidget& corner) {
-    const bool shown = !isHidden();
     for (QWidget* each : {parentWidget(), corner_}) {
         if (each != nullptr) each->removeEventFilter(this);
     }
@@ -51,7 +50,12 @@ void ZoomButtons::setOver(QWidget& view, QWidget& corner) {
     setParent(&view);
     for (QWidget* each : {&view, &corner}) each->installEventFilter(this);
     place();
-    setVisible(shown);
+}
+
+void ZoomButtons::setVisible(bool on) {
+    constexpr int kLeastHeight = 330; // px
+    wanted_ = on;
+    ViewPlate::setVisible(on && parentWidget() != nullptr && parentWidget()->height() >= kLeastHeight);
 }
 
 bool ZoomButtons::eventFilter(QObject* watched, QEvent* event) {
@@ -65,6 +69,7 @@ void ZoomButtons::place() {
     const int top = std::max((room.height() - own.height()) / 2, corner_->geometry().bottom() + kBelowCorner);
     setGeometry(QRect(QPoint(room.width() - kRightEdge - own.width(), top), own));
     raise();
+    setVisible(wanted_);
 }
 
 } // namespace edgescan::ui

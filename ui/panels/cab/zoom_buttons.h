@@ -16,6 +16,8 @@ public:
     /// Shows them over the view, below `corner`, which is in its upper right corner.
     void setOver(QWidget& view, QWidget& corner);
     bool eventFilter(QObject* watched, QEvent* event) override;
+    /// In a low view they stay hidden: they would cover too much of it, and two fingers zoom there.
+    void setVisible(bool on) override;
 
 signals:
     void zoomed(double factor);
@@ -24,6 +26,7 @@ private:
     void place();
 
     QWidget* corner_ = nullptr;
+    bool wanted_ = false;
 };
 
 } // namespace edgescan::ui

@@ -89,6 +89,7 @@ constexpr int kLongestName = 30;   // characters
 constexpr int kAround = 32;        // px: of the plate and of the view
 constexpr int kBeforeName = 70;    // px of a row: switch, colour, gaps
 constexpr int kBetweenButtons = 6; // px
+constexpr int kForGloves = 48;     // px
 
 QString nameOf(ChangeRow row) {
     switch (row) {
@@ -344,7 +345,8 @@ void ChangeLegend::showRows() {
     }
     const ShownOfTwo shown = flipped_ ? ShownOfTwo::A : rowsShown_ ? ShownOfTwo::Difference : ShownOfTwo::B;
     for (std::size_t n = 0; n < shown_.size(); ++n) {
-        shown_[n]->setVisible(compared_ && !brief_); // a cab has the menu A/B
+        shown_[n]->setVisible(compared_ && (!brief_ || flipped_)); // a cab has the menu A/B; over A it has the way back in sight
+        shown_[n]->setMinimumHeight(brief_ ? kForGloves : 0);
         shown_[n]->setChecked(n == static_cast<std::size_t>(shown));
     }
     unit_->setVisible(open && compared_ && rowsShown_ && !brief_);

@@ -31,7 +31,8 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kBetween = 8;       // px between two buttons
+constexpr int kBetween = 8; // px between two buttons
+constexpr int kAfterStopMs = 1500;
 constexpr int kUsualPort = 2112;  // SICK's second CoLa port, the default of sick_scan_xd
 constexpr int kBridgePort = 8765; // of foxglove_bridge
 
@@ -104,7 +105,14 @@ LivePanel::LivePanel(QWidget* parent)
     column->addWidget(head);     // first: the buttons do not move when the strip gets another row
     column->addLayout(first, 1); // spare height, until the panel gives it back, moves no button
 
-    connect(connect_, &QPushButton::clicked, this, [this] { connected_ ? emit disconnectRequested() : emit connectRequested(); });
+    connect(connect_, &QPushButton::clicked, this, [this] {
+        if (connected_) {
+            sinceStop_.start();
+            emit disconnectRequested();
+        } else if (!brief_ || !sinceStop_.isValid() || sinceStop_.elapsed() > kAfterStopMs) { // else the second tap of a glove
+            emit connectRequested();
+        }
+    });
     connect(host_, &QLineEdit::textChanged, this, &LivePanel::followAddress);
     connect(host_, &QLineEdit::editingFinished, this, &LivePanel::splitAddress);
     for (QLineEdit* each : {host_, port_->findChild<QLineEdit*>()}) {

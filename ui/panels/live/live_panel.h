@@ -4,6 +4,7 @@
 #include "core/scanner/sweep_assembly/sweep_settings.h"
 #include "ui/panels/live/health_strip.h"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 class QDialog;
@@ -110,6 +111,7 @@ private:
     StateBadge* recorded_; // its place stays free while nothing is recorded
     QLabel* scanner_;
     HealthStrip* strip_;
+    QElapsedTimer sinceStop_;
     FlowLayout* buttons_ = nullptr;
     QHBoxLayout* stripRow_ = nullptr;
     bool connected_ = false, brief_ = false, bridge_ = false;

@@ -198,7 +198,7 @@ void EdgeLegend::showRows() {
     byClass_->setVisible(known_ && !brief_ && !low_);
     unfold_->setVisible(known_ && brief_ && !low_);
     covered_->setVisible(isCovered_ && (open || !brief_));
-    edges_->setText(isCovered_ && brief_ ? tr("Edges, under rocks") : tr("Edges")); // a tick alone would say that they are seen
+    edges_->setText(isCovered_ && brief_ && !low_ ? tr("Edges, under rocks") : tr("Edges")); // a tick alone would say that they are seen
     filled_->setVisible(isFilled_ && (open || !brief_));
     missing_->parentWidget()->setVisible(isMissing_ && open && roomy_);
     ray_->parentWidget()->setVisible(open && roomy_);
