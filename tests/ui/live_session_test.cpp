@@ -126,6 +126,52 @@ private slots:
             QCOMPARE(scan.rangeMm[static_cast<std::size_t>(n)], scan_.rangeMm[static_cast<std::size_t>(n)]);
     }
 
+    // The session of the second sweep of a recording, which opens at its first one.
+    void theSecondSweepOfARecordingComesBackWithItsPins() {
+        const std::filesystem::path home = folder_ / "second";
+        std::filesystem::create_directories(home);
+        Scan other = scan_;
+        for (std::size_t k = 0; k < other.cells(); ++k) other.rangeMm[k] *= 0.875F;
+        auto both = scanner::telegramsOf(scan_);
+        auto later = scanner::telegramsOf(other);
+        QVERIFY(both && later);
+        both->insert(both->end(), later->begin(), later->end());
+        scanner::EmulatedScannerSettings settings;
+        settings.linesPerSecond = 100;
+        settings.atEnd = scanner::AtEnd::Stop;
+        const auto scanner =
+            scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*both)), settings);
+        QVERIFY(scanner);
+        std::size_t clicked = 0;
+        {
+            WindowFixture on(QString::fromStdString((home / "viewer.ini").string()));
+            QVERIFY(connectAndRecord(on, **scanner, home));
+            QTRY_VERIFY(!on.viewer.live.scanner().following()); // held at the end of the first sweep
+            press(on, "live-follow");
+            QTRY_VERIFY(on.viewer.engine.picture()->source.growth.sweep == 1 && lines(on) == kLines && on.settled());
+            clickCell(on, 40, 200);
+            QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+            clicked = on.viewer.targets.notebook().targets[0].cell;
+            press(on, "live-record");
+            QVERIFY(eventually([&] {
+                const auto now = saved(home / "sessions");
+                return now && now->targets.notebook.targets.size() == 1 && now->scan.identity.sha256.size() == 64;
+            }));
+            std::filesystem::copy(home / "sessions", home / "left", std::filesystem::copy_options::recursive);
+            on.viewer.live.scanner().disconnectScanner();
+        }
+        WindowFixture on(QString::fromStdString((home / "later.ini").string()));
+        QVERIFY(on.show());
+        const auto session = savedIn(home / "left");
+        QVERIFY(session);
+        on.window.sessions().openSession(QString::fromStdString(session->string()));
+        QVERIFY2(eventually([&] { return on.viewer.targets.notebook().targets.size() == 1; }), qPrintable(on.viewer.notice.text()));
+        QCOMPARE(std::size_t(on.viewer.targets.notebook().targets[0].cell), clicked);
+        const Scan& scan = *on.picture().detection->scan;
+        for (std::size_t n = 0; n < static_cast<std::size_t>(scan.beams()); ++n)
+            QVERIFY(std::abs(scan.rangeMm[n] - other.rangeMm[n]) <= 1.0F);
+    }
+
     // Another sweep at the path of the file: targets are not placed on rocks of this other sweep.
     void anotherSweepInItsPlaceIsToldApart() {
         namespace fs = std::filesystem;

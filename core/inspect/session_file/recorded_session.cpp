@@ -21,6 +21,10 @@ ScanHead scanHead(const Scan& scan, int lines) {
     return {taken, sha256Hex(std::as_bytes(std::span(scan.rangeMm.cells).first(cells)))};
 }
 
+bool isSweepOf(const SessionScan& scan, const Scan& sweep) {
+    return sweep.beams() == scan.identity.beams && scanHead(sweep, scan.head.lines) == scan.head;
+}
+
 ViewerState cutTo(ViewerState state, std::size_t cells) {
     const auto gone = [cells](std::uint32_t cell) { return cell >= cells; };
     const auto someGone = [&gone](const auto& one) { return std::ranges::any_of(one.cells, gone); };

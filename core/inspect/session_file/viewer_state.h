@@ -40,6 +40,9 @@ struct SessionScan {
     ReadingOptions reading;     ///< paths of pose and calibration are absolute; without progress
 };
 
+/// That a scan is the sweep of a recording that `scan` names.
+[[nodiscard]] bool isSweepOf(const SessionScan& scan, const Scan& sweep);
+
 /// For a file, and for a recording that was being written.
 [[nodiscard]] constexpr bool hasPath(SessionScan::Kind kind) {
     return kind == SessionScan::Kind::File || kind == SessionScan::Kind::Recording;

@@ -12,6 +12,7 @@
 #include "ui/controllers/sessions/session_in_picture.h"
 #include "ui/engine/worker_bridge/in_background.h"
 #include "ui/engine/worker_bridge/preferences.h"
+#include "ui/panels/live/timeline.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -58,6 +59,13 @@ Sessions::Sessions(Engine& engine, Files& files, Live& live, NoticeBar& notice, 
     changesOf(undo_, &QUndoStack::indexChanged)(*this, change);
     changesOf(live_.scanner(), &ScannerLink::recordingChanged, &ScannerLink::written)(*this, change);
     connect(&engine_, &Engine::streamChanged, this, &Sessions::followStream);
+    connect(&live_.timeline(), &Timeline::loaded, this, [this] {
+        if (nextSweep_) lookInNextSweep();
+    });
+    connect(&live_.timeline(), &Timeline::arrived, this, &Sessions::lookAt);
+    connect(&engine_, &Engine::pictureReady, this, [this] {
+        if (found_ && wanted_ && engine_.picture()->detection->scan == found_) giveBack();
+    });
     connect(&files_, &Files::chosen, this, [this](const QStringList& paths) { open(paths); });
     connect(&engine_, &Engine::failed, this, [this](const QString& sentence) {
         if (wanted_ && !engine_.opening()) askForPlace(sentence);
@@ -86,7 +94,8 @@ std::optional<inspect::SessionScan> Sessions::scanTaken() const {
     const Picture& picture = *engine_.picture();
     const Scan& scan = *picture.detection->scan;
     if (picture.source.growth.sweep < 0) return scan.sha256.empty() ? std::nullopt : files_.scanShown(scan);
-    const QString recording = live_.recordingOf(picture.source.stream);
+    QString recording = live_.recordingOf(picture.source.stream);
+    if (recording.isEmpty() && live_.timeline().active()) recording = files_.path(); // another sweep of it than the one it opens with
     if (recording.isEmpty() || scan.lines() == 0) return std::nullopt;
     inspect::SessionScan of = inspect::fileScan(exactBytes(recording), {}, inspect::notebookScan(scan));
     of.kind = inspect::SessionScan::Kind::Recording;
@@ -114,8 +123,7 @@ void Sessions::give(const inspect::ViewerState& state, GivenBack when) {
 bool Sessions::isShown(const inspect::SessionScan& scan) const {
     const Scan& shown = *engine_.picture()->detection->scan;
     if (scan.kind == inspect::SessionScan::Kind::Recording)
-        return shown.beams() == scan.identity.beams && inspect::scanHead(shown, scan.head.lines) == scan.head &&
-               (scan.identity.sha256.empty() || shown.sha256 == scan.identity.sha256);
+        return inspect::isSweepOf(scan, shown) && (scan.identity.sha256.empty() || shown.sha256 == scan.identity.sha256);
     return shown.sha256 == scan.identity.sha256 && shown.lines() == scan.identity.lines && shown.beams() == scan.identity.beams;
 }
 
@@ -238,6 +246,8 @@ void Sessions::open(const QStringList& paths, const ReadingOptions& options) {
 
 void Sessions::restore(inspect::ReadSession read, const QString& file) {
     wanted_ = std::move(read);
+    nextSweep_.reset();
+    found_ = nullptr;
     // An autosaved session continues in the file that the operator had given it.
     const bool byItself = QFileInfo(file).absolutePath() == QFileInfo(autosaves_.own()).absolutePath() && !file.isEmpty();
     if (byItself) wanted_->state.view.images.reset(); // a start shows the images whole
@@ -294,16 +304,23 @@ void Sessions::followStream() {
     const bool isFile = inspect::hasPath(wanted_->state.scan.kind);
     if (isFile && (place_ >= wanted_->places.size() || exactBytes(files_.path()) != wanted_->places[place_].string())) {
         wanted_.reset(); // the operator opened another scan meanwhile
+        nextSweep_.reset();
         return;
     }
-    if (!isShown(wanted_->state.scan)) {
-        if (isFile && ++place_ < wanted_->places.size()) return openNextPlace();
-        askForPlace(
-            tr("%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, "
-               "rocks, A and the camera are not.")
-                .arg(scanName(engine_.picture()->detection->scan->name)));
-        return;
-    }
+    if (isShown(wanted_->state.scan)) return giveBack();
+    if (!lookInSweeps()) refuseScan();
+}
+
+void Sessions::refuseScan() {
+    if (inspect::hasPath(wanted_->state.scan.kind) && ++place_ < wanted_->places.size()) return openNextPlace();
+    askForPlace(tr("%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, "
+                   "rocks, A and the camera are not.")
+                    .arg(scanName(engine_.picture()->detection->scan->name)));
+}
+
+void Sessions::giveBack() {
+    nextSweep_.reset();
+    found_ = nullptr;
     const inspect::ReadSession read = std::move(*std::exchange(wanted_, std::nullopt));
     give(inspect::cutTo(read.state, engine_.picture()->detection->scan->cells()), GivenBack::OnScan);
     file_ = wantedFile_;

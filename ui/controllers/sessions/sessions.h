@@ -6,11 +6,13 @@
 #include "ui/controllers/sessions/autosaves.h"
 #include "ui/controllers/sessions/parts.h"
 #include "ui/engine/worker_bridge/derived.h"
+#include "ui/panels/live/replay_player.h"
 
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -75,6 +77,12 @@ private:
     [[nodiscard]] std::optional<inspect::SessionScan> scanTaken() const;
     /// That the scan on the screen is that one.
     [[nodiscard]] bool isShown(const inspect::SessionScan& scan) const;
+    /// The wanted sweep is another one of the recording on the screen: looks at them one after the other.
+    [[nodiscard]] bool lookInSweeps();
+    void lookInNextSweep();
+    void lookAt(const ReplayedSweep& at);
+    void giveBack();
+    void refuseScan();
     void give(const inspect::ViewerState& state, GivenBack when);
     [[nodiscard]] std::optional<Job> job();
     [[nodiscard]] QString write(const Job& job); // pool's thread; empty, or why not
@@ -99,6 +107,8 @@ private:
     std::optional<inspect::ReadSession> wanted_; // waits for its scan
     QString wantedFile_;
     std::size_t place_ = 0;
+    std::optional<std::size_t> nextSweep_; // to look at; empty: the sweeps are not looked through
+    std::shared_ptr<const Scan> found_;    // the wanted sweep, on its way to the screen
     bool reading_ = false;
     std::uint64_t readings_ = 0; // number of the newest reading
     QTimer soon_;

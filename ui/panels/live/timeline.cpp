@@ -143,7 +143,7 @@ void Timeline::clear() {
 
 /// The file was opened meanwhile: its longest sweep is on the screen, complete.
 void Timeline::take(const RecordingContents& contents) {
-    if (contents.lineNs.size() < 2 || contents.sweeps.empty()) return;
+    if (contents.lineNs.size() < 2 || contents.sweeps.empty()) return emit loaded();
     contents_ = contents;
     const auto longest = std::max_element(contents_.sweeps.begin(), contents_.sweeps.end(),
                                           [](const RecordedSweep& a, const RecordedSweep& b) { return a.received < b.received; });
@@ -160,6 +160,7 @@ void Timeline::take(const RecordingContents& contents) {
     showPlace();
     show();
     emit activeChanged(true);
+    emit loaded();
 }
 
 int Timeline::sweepAt(int position) const {

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] int home() const { return home_; }
     [[nodiscard]] bool playing() const { return ticking_.isActive(); }
     [[nodiscard]] const RecordingContents& contents() const { return contents_; }
+    /// The position at which this sweep is whole.
+    [[nodiscard]] int endOf(std::size_t sweep) const;
     [[nodiscard]] QString labelShown() const;
 
     /// Goes to the end of the next (1) or previous (-1) sweep; false where the recording has none.
@@ -50,6 +52,8 @@ public slots:
 
 signals:
     void activeChanged(bool active);
+    /// The recording was read, and `contents()` has its sweeps; none: there is nothing to play.
+    void loaded();
     void playingChanged(bool playing);
     /// The recording cannot be played; the sentence gives the reason.
     void refused(const QString& sentence);
@@ -62,8 +66,6 @@ private:
     void seek();
     void take(const RecordingContents& contents);
     [[nodiscard]] int sweepAt(int position) const;
-    /// The position at which this sweep is whole.
-    [[nodiscard]] int endOf(std::size_t sweep) const;
 
     std::unique_ptr<ReplayPlayer> player_;
     RecordingContents contents_;
