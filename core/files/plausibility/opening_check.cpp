@@ -7,6 +7,7 @@
 #include "core/files/grid_recovery/unit.h"
 #include "core/files/plausibility/common_planes.h"
 #include "core/scan/angle_correction/straighten_scan.h"
+#include "core/scan/grid/assumed_mounting.h"
 
 #include <algorithm>
 #include <array>
@@ -131,7 +132,8 @@ ReadingOptions withLines(ReadingOptions options, double startDeg, double stepDeg
 /// The angle from line to line, which bends walls where it is wrong.
 OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options, const CommonPlanes& now,
                     bool mountingFits) {
-    OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : anglesWereTaken(scan) ? Source::Guessed : Source::Said};
+    const bool assumed = anglesWereTaken(scan) || (mountingAssumed(scan) && warned("the step from line to line", scan));
+    OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : assumed ? Source::Guessed : Source::Said};
     const double all = std::abs(step) * static_cast<double>(polar.lineDeg.size() - 1);
     point.taken = {"a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes",
                    with(with(flatOf(now), significantText(std::abs(step), 4)), significantText(all, 4))};

@@ -4,6 +4,7 @@
 #include "core/files/grid_recovery/regrid.h"
 #include "core/files/open_save/open_scan.h"
 #include "core/files/plausibility/common_planes.h"
+#include "core/scan/grid/assumed_mounting.h"
 #include "core/scan/grid/cartesian.h"
 #include "tests/support/shared_folder.h"
 
@@ -107,6 +108,13 @@ TEST(OpeningCheck, WhatWasFoundFromABareListIsGuessed) {
     const auto points = openingCheck(scan, {});
     for (const char* what : {"Mounting", "Line angles", "Order of the lines", "Grid"})
         EXPECT_EQ(pointOf(points, what).source, OpeningPoint::Source::Guessed) << what;
+}
+
+TEST(OpeningCheck, AStepThatWasAssumedIsNotFromTheFile) {
+    Scan scan = room(Axis::Spin, 1.0);
+    EXPECT_EQ(pointOf(openingCheck(scan, {}), "Line angles").source, OpeningPoint::Source::Said);
+    scan.warnings.push_back(std::string(kMountingAssumed) + "the step from line to line (0.18 degrees).");
+    EXPECT_EQ(pointOf(openingCheck(scan, {}), "Line angles").source, OpeningPoint::Source::Guessed);
 }
 
 TEST(OpeningCheck, ARealCorridorSaysHowItsScannerWasMounted) {
