@@ -122,7 +122,7 @@ private slots:
         QTest::mouseClick(legend.unfold(), Qt::LeftButton);
         QTRY_VERIFY(legend.classSwitch(0)->isVisible());
         QApplication::processEvents();
-        QCOMPARE(placeOf(*legend.unfold()).bottomLeft().y(), folded.bottomLeft().y());
+        QCOMPARE(placeOf(*legend.unfold()), folded);
         QCOMPARE(placeOf(*legend.edges()).center().y(), all.center().y());
         QVERIFY(placeOf(*legend.classSwitch(0)).bottom() <= all.top());
         QTest::mouseClick(legend.unfold(), Qt::LeftButton);
@@ -130,6 +130,7 @@ private slots:
         on.viewer.rocks.setShown(true);
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
         QTRY_COMPARE(legend.edges()->text(), QString("Edges, under rocks"));
+        QTRY_COMPARE(placeOf(*legend.unfold()), folded);
         on.window.cab().set(false);
         QCOMPARE(legend.edges()->text(), QString("Edges"));
         QVERIFY(placeOf(*legend.classSwitch(0)).top() >= placeOf(*legend.edges()).bottom());

@@ -109,7 +109,9 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     filled_->hide();
     grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
     addOthers(*grid);
-    foot_ = grid->rowCount();
+    foot_ = new QHBoxLayout;
+    foot_->addStretch(1);
+    grid->addLayout(foot_, grid->rowCount(), 0, 1, 3);
     placeHead();
     paintSwatches();
     hide(); // no content yet
@@ -222,13 +224,18 @@ void EdgeLegend::fitInto(int height) {
     adjustSize();
 }
 
-/// In a cab the row with the button is the lowest: it stays under the finger while the rows above it come and go.
+/// In a cab the row with the button is the lowest, and begins with it: it stays under the finger while rows and words come and go.
 void EdgeLegend::placeHead() {
+    if (brief_) {
+        int place = 0;
+        for (QWidget* each : {static_cast<QWidget*>(unfold_), static_cast<QWidget*>(edges_), static_cast<QWidget*>(total_)})
+            foot_->insertWidget(place++, each);
+        return;
+    }
     auto* grid = static_cast<QGridLayout*>(layout());
-    const int row = brief_ ? foot_ : 0;
-    grid->addWidget(edges_, row, 0);
-    grid->addWidget(total_, row, 1, Qt::AlignRight);
-    grid->addWidget(unfold_, row, 2);
+    grid->addWidget(edges_, 0, 0);
+    grid->addWidget(total_, 0, 1, Qt::AlignRight);
+    grid->addWidget(unfold_, 0, 2);
 }
 
 void EdgeLegend::setBrief(bool on) {

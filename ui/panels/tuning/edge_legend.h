@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -56,7 +57,7 @@ private:
     void showMissing(const Scan& scan);
     void emitClasses();
 
-    int foot_ = 0; // row
+    QHBoxLayout* foot_ = nullptr; // the lowest row, used in a cab
     QCheckBox* edges_ = nullptr;
     QLabel* total_ = nullptr;
     std::array<Row, kEdgeClasses> rows_;
