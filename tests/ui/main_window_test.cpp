@@ -80,7 +80,7 @@ private slots:
         const auto undo = [&] { return on.viewer.undo.undoText(); };
         const double before = on.viewer.engine.settings().classes;
         on.viewer.tuning.setParameter("classes", edges::kClassJump | edges::kClassVoidRim);
-        QVERIFY2(undo().contains("class convex off") && !undo().contains("rim"), qPrintable(undo()));
+        QVERIFY2(undo().contains("class convex fold off") && !undo().contains("rim"), qPrintable(undo()));
         on.viewer.tuning.setParameter("classes", edges::kClassJump);
         QCOMPARE(undo(), QString("class void rim off"));
         on.viewer.undo.undo();
