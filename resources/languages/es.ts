@@ -614,7 +614,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
-<message><source>▲ partial: %1/%2 lines</source><translation>▲ parcial: %1/%2 líneas</translation></message>
+<message><source>▲ partial: %1/%2</source><translation>▲ parcial: %1/%2</translation></message>
 <message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 líneas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>

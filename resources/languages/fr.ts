@@ -614,7 +614,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
-<message><source>▲ partial: %1/%2 lines</source><translation>▲ partiel : %1/%2 lignes</translation></message>
+<message><source>▲ partial: %1/%2</source><translation>▲ partiel : %1/%2</translation></message>
 <message><source>▲ partial: %1 lines</source><translation>▲ partiel : %1 lignes</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>

@@ -614,7 +614,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
-<message><source>▲ partial: %1/%2 lines</source><translation>▲ parcial: %1/%2 linhas</translation></message>
+<message><source>▲ partial: %1/%2</source><translation>▲ parcial: %1/%2</translation></message>
 <message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 linhas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>

@@ -95,12 +95,15 @@ namespace {
 QStringList askPaths(QWidget* parent, const QString& title, const Preferences& preferences, QFileDialog::FileMode mode) {
     QFileDialog dialog(parent, title, preferences.folder("scans"), Files::filters());
     dialog.setFileMode(mode);
-    QList<QUrl> places = dialog.sidebarUrls();
+    const QList<QUrl> usual = dialog.sidebarUrls();
+    QList<QUrl> places = usual;
     const QString recordings = preferences.recordingFolder();
     const QUrl place = QUrl::fromLocalFile(recordings);
     if (QFileInfo(recordings).isDir() && !places.contains(place)) places << place;
     dialog.setSidebarUrls(places);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles() : QStringList();
+    const bool chosen = dialog.exec() == QDialog::Accepted;
+    dialog.setSidebarUrls(usual); // Qt stores them for every program
+    return chosen ? dialog.selectedFiles() : QStringList();
 }
 
 } // namespace

@@ -179,7 +179,7 @@ QString Rocks::remark() const {
         const Growth& growth = engine_.picture()->source.growth;
         const int lines = picture_->labels.lines;
         if (growth.expectedLines > lines)
-            words << tr("▲ partial: %1/%2 lines").arg(lines).arg(growth.expectedLines);
+            words << tr("▲ partial: %1/%2").arg(lines).arg(growth.expectedLines);
         else if (growth.growing)
             words << tr("▲ partial: %1 lines").arg(lines);
         if (!growth.growing && ofAnotherPicture()) // of a sweep that grows the number of lines says it
