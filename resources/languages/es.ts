@@ -571,7 +571,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
 <message><source> · no time</source><translation> · sin hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
+<message><source>The connection to the scanner has ended: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
 <message><source>HELD</source><translation>RETENIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
 <message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
@@ -717,7 +717,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nombre de esta roca. Un nuevo objetivo sobre ella, número %1, lleva el nombre:</translation></message>
 <message><source>Name of a target</source><translation>Nombre de un objetivo</translation></message>
 <message><source>Name of target %1:</source><translation>Nombre del objetivo %1:</translation></message>
-<message><source>There is no target to name: pin a cell, or choose a target.</source><translation>No hay objetivo que nombrar: fije una celda o elija un objetivo.</translation></message>
+<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>No hay objetivo que nombrar: fije una celda o elija un objetivo.</translation></message>
 <message><source>Note on a target</source><translation>Nota sobre un objetivo</translation></message>
 <message><source>Note on target %1:</source><translation>Nota sobre el objetivo %1:</translation></message>
 <message><source>Name %1</source><translation>Nombrar %1</translation></message>

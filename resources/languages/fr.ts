@@ -571,7 +571,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Placed by %1</source><translation>Placé par %1</translation></message>
 <message><source> · no time</source><translation> · sans heure</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
+<message><source>The connection to the scanner has ended: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
 <message><source>HELD</source><translation>FIGÉ</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
 <message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
@@ -717,7 +717,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nom de ce bloc. Une nouvelle cible posée sur lui, numéro %1, porte le nom :</translation></message>
 <message><source>Name of a target</source><translation>Nom d'une cible</translation></message>
 <message><source>Name of target %1:</source><translation>Nom de la cible %1 :</translation></message>
-<message><source>There is no target to name: pin a cell, or choose a target.</source><translation>Il n'y a pas de cible à nommer : épinglez une cellule, ou choisissez une cible.</translation></message>
+<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>Il n'y a pas de cible à nommer : épinglez une cellule, ou choisissez une cible.</translation></message>
 <message><source>Note on a target</source><translation>Remarque sur une cible</translation></message>
 <message><source>Note on target %1:</source><translation>Remarque sur la cible %1 :</translation></message>
 <message><source>Name %1</source><translation>Nommer %1</translation></message>

@@ -571,7 +571,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
 <message><source> · no time</source><translation> · sem hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
-<message><source>The scanner is no longer connected: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
+<message><source>The connection to the scanner has ended: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
 <message><source>HELD</source><translation>RETIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
 <message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
@@ -717,7 +717,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Name of this rock. A new target on it, number %1, holds the name:</source><translation>Nome desta rocha. Um novo alvo sobre ela, número %1, leva o nome:</translation></message>
 <message><source>Name of a target</source><translation>Nome de um alvo</translation></message>
 <message><source>Name of target %1:</source><translation>Nome do alvo %1:</translation></message>
-<message><source>There is no target to name: pin a cell, or choose a target.</source><translation>Não há alvo a nomear: fixe uma célula ou escolha um alvo.</translation></message>
+<message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>Não há alvo a nomear: fixe uma célula ou escolha um alvo.</translation></message>
 <message><source>Note on a target</source><translation>Nota sobre um alvo</translation></message>
 <message><source>Note on target %1:</source><translation>Nota sobre o alvo %1:</translation></message>
 <message><source>Name %1</source><translation>Nomear %1</translation></message>

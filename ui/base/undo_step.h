@@ -52,18 +52,18 @@ inline constexpr const char* kDrops = "drops"; ///< property of a stack that dro
 inline void dropStepsOfOtherScans(QUndoStack& stack) {
     if (stack.property(kDrops).toBool()) return;
     stack.setProperty(kDrops, true);
-    const auto isOfOther = [&stack](int place) {
-        const auto* step = place < stack.count() ? dynamic_cast<const ScanStep*>(stack.command(place)) : nullptr;
-        return step != nullptr && !step->applies();
+    const auto drop = [&stack](int fromIndex, void (QUndoStack::*pass)()) {
+        const auto isOfOther = [&] {
+            const auto* step = dynamic_cast<const ScanStep*>(stack.command(stack.index() + fromIndex)); // null outside of the stack
+            return step != nullptr && !step->applies();
+        };
+        for (int before = -1; stack.count() != before && isOfOther();) {
+            before = stack.count();
+            (stack.*pass)(); // changes nothing, and the stack forgets the step
+        }
     };
-    for (int before = -1; stack.canUndo() && stack.count() != before && isOfOther(stack.index() - 1);) {
-        before = stack.count();
-        stack.undo(); // changes nothing, and the stack forgets the step
-    }
-    for (int before = -1; stack.canRedo() && stack.count() != before && isOfOther(stack.index());) {
-        before = stack.count();
-        stack.redo();
-    }
+    drop(-1, &QUndoStack::undo);
+    drop(0, &QUndoStack::redo);
     stack.setProperty(kDrops, false);
 }
 

@@ -75,7 +75,7 @@ public:
     std::optional<int> useSweep(const scanner::SweepSettings& sweep);
 
     /// Begins with what is remembered of the sweep that is growing, so that pressing Record a moment late loses nothing.
-    /// Error: a recording is being written already, or the file cannot be made.
+    /// Returns the number of lines that it begins with. Error: a recording is being written already, or the file cannot be made.
     Result<int> startRecording(const std::filesystem::path& path);
     /// Closes the recording, within seconds whatever the disk does; what was written. Error: what could not be since its start.
     Result<RecordingState> stopRecording();

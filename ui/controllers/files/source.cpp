@@ -48,7 +48,7 @@ PictureOrigin scannersOwn(const Acquisition& measured, const ScannerLink& scanne
             QObject::tr("What the scanner sends now, with the time of its newest line. %1").arg(coreSentence(scanner.health().sentence))};
     if (!scanner.connected()) // the words of the strip
         return {signOf(files::Liveness::Stopped), QObject::tr("STOPPED") + at,
-                QObject::tr("The scanner is no longer connected: the time is that of the newest line")};
+                QObject::tr("The connection to the scanner has ended: the time is that of the newest line")};
     return {StateBadge::Sign::Waiting, QObject::tr("HELD") + at,
             QObject::tr("The scanner goes on, this picture does not: the time is that of its newest line")};
 }

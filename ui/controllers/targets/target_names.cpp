@@ -94,7 +94,7 @@ void Targets::askNameOf(int number) {
 
 void Targets::editName() {
     const inspect::PinnedTarget* target = active();
-    if (target == nullptr) return notice_.showHint(tr("There is no target to name: pin a cell, or choose a target."));
+    if (target == nullptr) return notice_.showHint(tr("Nothing to name yet: pin a cell, or choose a target."));
     if (panel_.card().name()->visibleRegion().isEmpty()) return askNameOf(target->number);
     panel_.card().editName();
 }
