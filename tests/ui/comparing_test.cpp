@@ -25,6 +25,7 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QToolTip>
 
@@ -508,6 +509,30 @@ private slots:
         QVERIFY2(!on.viewer.tools.shown().contains("A is shown"), qPrintable(on.viewer.tools.shown()));
         clickAt(100, 60);
         QCOMPARE(on.viewer.measures.picked().size(), std::size_t(1));
+    }
+
+    // A file and a report are of B: while they are asked for, B is on the screen.
+    void whatIsWrittenIsOnTheScreen() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        const QString ofB = on.viewer.origin.text();
+        for (const char* name : {"Edge Drawing (DXF)…", "Report…"}) {
+            QAction* ask = action(on, name);
+            QVERIFY2(ask != nullptr && ask->isEnabled(), name);
+            on.viewer.comparing.flip(true);
+            QTRY_VERIFY2(on.viewer.origin.text() != ofB, qPrintable(ofB));
+            bool asked = false;
+            QTimer::singleShot(0, &on.window, [&] {
+                auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+                asked = dialog != nullptr && on.viewer.origin.text() == ofB;
+                if (dialog != nullptr) dialog->reject();
+            });
+            ask->trigger();
+            QVERIFY2(asked, name);
+        }
     }
 
     // The pair of the tour ends with the next scan, also with the plain demo; the legend has its own end, and folds.

@@ -217,6 +217,36 @@ private slots:
         QCOMPARE(again.size(), 1);
     }
 
+    // In a cab the second tap may come a moment later.
+    void withGlovesTheNextTapAfterStopConnectsToNothing() {
+        const auto emulated = scanner(100);
+        QVERIFY(emulated);
+        WindowFixture on;
+        QVERIFY(showsFirstLines(on, *emulated));
+        on.window.cab().set(true);
+        QTRY_VERIFY(on.window.cab().on());
+        auto* stop = on.viewer.live.panel().findChild<QPushButton*>("live-connect");
+        QSignalSpy again(&on.viewer.live.panel(), &LivePanel::connectRequested);
+        stop->click();
+        stop->click();
+        QTRY_VERIFY(!on.viewer.live.scanner().connected());
+        QVERIFY(again.isEmpty());
+        QTRY_VERIFY((stop->click(), again.size() == 1)); // a tap that comes later is meant
+        on.window.cab().set(false);
+    }
+
+    void theNoticeOfASweepGoesWithIt() {
+        const auto emulated = scanner(200);
+        QVERIFY(emulated);
+        WindowFixture on;
+        QVERIFY(on.show());
+        on.viewer.live.connectTo("127.0.0.1", emulated->port(), sweep());
+        const NoticeBar& notice = on.viewer.notice;
+        QTRY_VERIFY2(notice.isVisible() && notice.text().contains("held on the screen"), qPrintable(notice.text()));
+        press(on.window, "live-follow");
+        QVERIFY2(!notice.isVisible() || !notice.text().contains("held on the screen"), qPrintable(notice.text()));
+    }
+
     // The scanner is in the middle of a sweep when the connection is made: that part is named, is not held, and the next sweep, which is
     // complete, replaces it without a click.
     void aPartOfASweepIsNamedAndReplaced() {

@@ -297,6 +297,10 @@ private slots:
         QVERIFY2(boxLabel->text().contains(QString(", %1 edge cells").arg(edges)), qPrintable(boxLabel->text()));
         escape();
         QVERIFY(!gray.box() && !window_->viewer().views.edges().box() && !boxLabel->isVisible());
+        QVERIFY(gray.viewPort()->zoom() > 1.5 * zoom);
+        QVERIFY(chooseInMenu(gray, pixelOf(gray, 60, 80), "Show the whole images"));
+        QVERIFY(gray.viewPort()->fitted());
+        QVERIFY(!chooseInMenu(gray, pixelOf(gray, 60, 80), "Show the whole images")); // nothing is left to show
     }
 
     void edgesOverTheRangeImageHaveTheColoursOfTheirClasses() {

@@ -17,8 +17,13 @@ Shared sharedCells(const Segmentation& segmentsBefore, const RegionMap& before, 
         for (std::size_t n = 1; n < segmentsAfter.sums.size(); ++n)
             shared[{before.regionOfSegment[n], after.regionOfSegment[n]}] += segmentsAfter.sums[n].cells;
     } else {
-        for (std::size_t k = 0; k < segmentsAfter.segment.size(); ++k)
-            ++shared[{before.regionOfSegment[segmentsBefore.segment[k]], after.regionOfSegment[segmentsAfter.segment[k]]}];
+        Shared::key_type run{};
+        std::uint64_t cells = 0; // of the run: neighbours nearly always share a pair
+        for (std::size_t k = 0; k < segmentsAfter.segment.size(); ++k, ++cells) {
+            const Shared::key_type here{before.regionOfSegment[segmentsBefore.segment[k]], after.regionOfSegment[segmentsAfter.segment[k]]};
+            if (here != run) shared[std::exchange(run, here)] += std::exchange(cells, 0);
+        }
+        shared[run] += cells;
     }
     shared.erase({0, 0});
     return shared;

@@ -6,10 +6,25 @@
 
 namespace edgescan::scanner {
 
+namespace {
+
+std::uint32_t frequencyOf(const ScanTelegram& telegram) { return telegram.scanFrequency > 0 ? telegram.scanFrequency : 2500; }
+
+constexpr double kFastestHz = 100.0; // of an LMS511
+
+/// 1/100 Hz: the scanner turns as often as it sends lines. At a rate that no scanner has, or as fast as the client reads, it is a replay at
+/// the telegrams' own frequency.
+std::uint32_t sentFrequency(const ScanTelegram& first, double linesPerSecond) {
+    if (linesPerSecond <= 0.0 || linesPerSecond > kFastestHz) return frequencyOf(first);
+    return static_cast<std::uint32_t>(std::max(1LL, std::llround(100.0 * linesPerSecond)));
+}
+
+} // namespace
+
 EmulatedSweep::EmulatedSweep(std::shared_ptr<const std::vector<ScanTelegram>> telegrams, const EmulatedScannerSettings& settings)
     : contaminationWarning(settings.contaminationWarning), contaminationError(settings.contaminationError),
-      telegrams_(std::move(telegrams)), periodUs_(1e8 / (telegrams_->front().scanFrequency > 0 ? telegrams_->front().scanFrequency : 2500)),
-      atEnd_(settings.atEnd), faults_(settings.faults), random_(settings.faults.seed) {}
+      telegrams_(std::move(telegrams)), frequency_(sentFrequency(telegrams_->front(), settings.linesPerSecond)),
+      periodUs_(1e8 / frequency_), atEnd_(settings.atEnd), faults_(settings.faults), random_(settings.faults.seed) {}
 
 bool EmulatedSweep::finished() const { return atEnd_ == AtEnd::Stop && inList_ >= telegrams_->size(); }
 
@@ -30,7 +45,10 @@ std::size_t EmulatedSweep::listIndex() const {
 ScanTelegram EmulatedSweep::stamped() const {
     const ScanTelegram& first = telegrams_->front();
     ScanTelegram telegram = (*telegrams_)[listIndex()];
-    const std::uint32_t transmission = telegram.transmittedUs - telegram.sinceStartUs;
+    // A line is sent after its last beam: a scanner that turns more slowly sends it later.
+    const auto transmission = static_cast<std::uint32_t>(
+        std::llround(static_cast<double>(telegram.transmittedUs - telegram.sinceStartUs) * frequencyOf(telegram) / frequency_));
+    telegram.scanFrequency = frequency_;
     const std::uint64_t counted = counted_ * static_cast<std::uint64_t>(faults_.counterStep);
     telegram.telegramCounter = static_cast<std::uint16_t>(first.telegramCounter + counted);
     telegram.scanCounter = static_cast<std::uint16_t>(first.scanCounter + counted);

@@ -45,7 +45,8 @@ private:
     [[nodiscard]] ScanTelegram stamped() const;
 
     std::shared_ptr<const std::vector<ScanTelegram>> telegrams_;
-    double periodUs_;
+    std::uint32_t frequency_; ///< 1/100 Hz, in each telegram
+    double periodUs_;         ///< the time of a line by the device clock
     AtEnd atEnd_;
     ScannerFaults faults_;
     std::mt19937 random_;

@@ -1,4 +1,5 @@
 // The emulated scanner: telegrams from a scan, and the independent Python codec's reading of them.
+#include "core/scanner/emulator/sent_sweep.h"
 #include "tests/support/live_session.h"
 #include "tests/support/point_lists.h"
 #include "tests/support/python_peer.h"
@@ -169,6 +170,22 @@ TEST(EmulatedScanner, KeepsItsRate) {
         start = Clock::now();
         return false;
     }));
+}
+
+TEST(EmulatedScanner, ItsClockRunsAsRealTimeDoesAtAnyRate) {
+    for (const double rate : {12.5, 25.0, 100.0, 0.0, 20000.0}) { // the last two: as the scan frequency says
+        EmulatedScannerSettings settings;
+        settings.linesPerSecond = rate;
+        auto telegrams = telegramsOf(countingScan(10, 5));
+        ASSERT_TRUE(telegrams);
+        const std::uint32_t sentAfter = (*telegrams)[0].transmittedUs - (*telegrams)[0].sinceStartUs;
+        EmulatedSweep sweep(std::make_shared<const std::vector<ScanTelegram>>(*std::move(telegrams)), settings);
+        const ScanTelegram first = sweep.next()->telegram, second = sweep.next()->telegram;
+        const double hz = rate > 0.0 && rate <= 100.0 ? rate : 25.0;
+        EXPECT_EQ(second.sinceStartUs - first.sinceStartUs, std::lround(1e6 / hz)) << rate;
+        EXPECT_EQ(second.scanFrequency, std::lround(100.0 * hz)) << rate;
+        EXPECT_EQ(second.transmittedUs - second.sinceStartUs, std::lround(sentAfter * 25.0 / hz)) << rate;
+    }
 }
 
 TEST(EmulatedScanner, ContaminationCanBeSwitched) {
