@@ -31,16 +31,17 @@ Json lengthsJson(const lab::ClickedLengths& lengths) {
             {"off", lengths.off},
             {"off_share", lengths.shareOff()},
             {"off_without_warning", lengths.offSilently},
+            {"median_tolerance_m", lengths.medianToleranceM()},
             {"warned", lengths.warned},
             {"behind", lengths.behind},
             {"behind_without_warning", lengths.silent}};
 }
 
 std::string lengthsText(const lab::ClickedLengths& lengths) {
-    return fixedText(100.0 * lengths.shareOff(), 1) + " % of " + std::to_string(lengths.measured) + " off, " +
-           std::to_string(lengths.behind) + " on a surface behind, " + std::to_string(lengths.silent) + " of these without a warning; " +
-           std::to_string(lengths.warned) + " warned about, " + std::to_string(lengths.offSilently) + " off without a warning; " +
-           std::to_string(lengths.refused) + " refused";
+    return fixedText(100.0 * lengths.shareOff(), 1) + " % of " + std::to_string(lengths.measured) + " off by more than their ± (median " +
+           fixedText(lengths.medianToleranceM(), 3) + " m), " + std::to_string(lengths.behind) + " on a surface behind, " +
+           std::to_string(lengths.silent) + " of these without a warning; " + std::to_string(lengths.warned) + " warned about, " +
+           std::to_string(lengths.offSilently) + " off without a warning; " + std::to_string(lengths.refused) + " refused";
 }
 
 Json widthsJson(const lab::ThroatWidths& widths) {

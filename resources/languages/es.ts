@@ -1269,6 +1269,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m detrás de un salto donde no hay ningún borde dibujado (un deslizamiento del motor paso a paso se ve igual); medido en su lado cercano</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m detrás de un borde; medido en su lado cercano</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>un haz entre dos superficies; medido en la más cercana</translation></message>
+<message><source>one echo in front of all around it, as from dust; measured at the nearest cell behind it</source><translation>un solo eco delante de todo lo que lo rodea, como de polvo; medido en la celda más cercana detrás de él</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>allí no se midió nada; medido en la celda más cercana</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>no se midió nada a menos de %1 celdas</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ también hay una superficie más cercana a menos de %1 celdas: amplíe si era esa</translation></message>

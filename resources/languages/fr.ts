@@ -1269,6 +1269,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m derrière un saut où aucune arête n'est tracée (un glissement du moteur pas à pas a le même aspect) ; mesuré de son côté proche</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m derrière une arête ; mesuré de son côté proche</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>un faisceau entre deux surfaces ; mesuré sur la plus proche</translation></message>
+<message><source>one echo in front of all around it, as from dust; measured at the nearest cell behind it</source><translation>un seul écho devant tout ce qui l'entoure, comme de la poussière ; mesuré à la cellule la plus proche derrière lui</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>rien n'y a été mesuré ; mesuré à la cellule la plus proche</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>rien n'a été mesuré à moins de %1 cellules</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ une surface plus proche est aussi à moins de %1 cellules : zoomez si c’est elle que vous visiez</translation></message>

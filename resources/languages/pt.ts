@@ -1269,6 +1269,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 m behind a jump where no edge is drawn (a slip of the stepper looks the same); measured on its near side</source><translation>%1 m atrás de um salto onde nenhuma aresta está desenhada (um deslize do motor de passo tem o mesmo aspecto); medido no seu lado próximo</translation></message>
 <message><source>%1 m behind an edge; measured on its near side</source><translation>%1 m atrás de uma aresta; medido no seu lado próximo</translation></message>
 <message><source>a beam between two surfaces; measured on the nearer one</source><translation>um feixe entre duas superfícies; medido na mais próxima</translation></message>
+<message><source>one echo in front of all around it, as from dust; measured at the nearest cell behind it</source><translation>um só eco à frente de tudo à sua volta, como de poeira; medido na célula mais próxima atrás dele</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>nada foi medido aí; medido na célula mais próxima</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>nada foi medido a menos de %1 células</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ também há uma superfície mais próxima a menos de %1 células: amplie se era essa</translation></message>

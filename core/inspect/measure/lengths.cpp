@@ -46,7 +46,8 @@ std::optional<PickedEnd> endAt(const Scan& scan, const CartesianTables& tables, 
     const double rangeM = static_cast<double>(scan.rangeMm[k]) / 1000.0;
     const Eigen::Vector3d point = tables.point(k);
     const Eigen::Vector3d direction = (point - tables.sensor()).normalized();
-    return PickedEnd{point, placeCovariance(direction, noise.at(rangeM) / 1000.0, *resolution), resolution->smallestM(), rangeM};
+    const double sigmaM = std::hypot(noise.at(rangeM) / 1000.0, clippedBeamM(scan, tables, k, *resolution));
+    return PickedEnd{point, placeCovariance(direction, sigmaM, *resolution), resolution->smallestM(), rangeM};
 }
 
 /// The tolerance of a value with these gradients with respect to the ends.

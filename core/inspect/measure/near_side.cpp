@@ -104,6 +104,8 @@ public:
         }
         return cells;
     }
+    /// An echo in front of all that is around it.
+    [[nodiscard]] bool isDust(Place at) const { return cellsBefore(at, rangeM(at) + leastJumpM(rangeM(at))) == 0; }
     [[nodiscard]] static std::size_t index(Place at) { return static_cast<std::size_t>(at.line * kSide + at.beam); }
 
 private:
@@ -139,14 +141,24 @@ int squareAway(Place at) {
 }
 int cellsAway(Place at) { return std::max(std::abs(at.line - kRadius), std::abs(at.beam - kRadius)); }
 
-/// The measured cell nearest to the click; of several the one with the shortest range.
+/// Whether the click means `at` before `other`: nearer to it, or as near and on a surface in front. Of one surface none goes before by its
+/// noise: the shortest range of several would be too short.
+bool isMeantBefore(const Square& square, Place at, Place other) {
+    if (squareAway(at) != squareAway(other)) return squareAway(at) < squareAway(other);
+    return square.rangeM(at) < square.rangeM(other) - kStair * leastJumpM(square.rangeM(other));
+}
+
+/// The measured cell nearest to the click; dust only where nothing else was measured.
 std::optional<Place> nearestMeasured(const Square& square) {
     std::optional<Place> best;
-    const auto order = [&](Place at) { return std::tuple(squareAway(at), square.rangeM(at), Square::index(at)); };
-    for (int i = kRadius - kSnapReach; i <= kRadius + kSnapReach; ++i) {
-        for (int j = kRadius - kSnapReach; j <= kRadius + kSnapReach; ++j) {
-            if (square.rangeM({i, j}) > 0.0 && (!best || order({i, j}) < order(*best))) best = Place{i, j};
+    for (const bool dust : {false, true}) {
+        for (int i = kRadius - kSnapReach; i <= kRadius + kSnapReach; ++i) {
+            for (int j = kRadius - kSnapReach; j <= kRadius + kSnapReach; ++j) {
+                if (square.rangeM({i, j}) > 0.0 && square.isDust({i, j}) == dust && (!best || isMeantBefore(square, {i, j}, *best)))
+                    best = Place{i, j};
+            }
         }
+        if (best) break;
     }
     return best;
 }
@@ -156,12 +168,11 @@ std::optional<Place> rimInFront(const Square& square, Place at) {
     const double rangeM = square.rangeM(at);
     const auto surface = square.surfaceOf(at);
     std::optional<Place> best;
-    const auto order = [&](Place rim) { return std::tuple(squareAway(rim), square.rangeM(rim), Square::index(rim)); };
     for (const Rim& rim : square.rims()) {
-        if (cellsAway(rim.at) > kSnapReach || surface[Square::index(rim.at)] || square.isMixed(rim.at)) continue;
+        if (cellsAway(rim.at) > kSnapReach || surface[Square::index(rim.at)] || square.isMixed(rim.at) || square.isDust(rim.at)) continue;
         // In the middle between two surfaces a cell is on neither of them.
         const double limit = square.isMixed(at) ? square.rangeM(rim.at) : (square.rangeM(rim.at) + rim.behindM) / 2;
-        if (rangeM <= limit || (best && order(*best) <= order(rim.at))) continue;
+        if (rangeM <= limit || (best && !isMeantBefore(square, rim.at, *best))) continue;
         if (std::ranges::count(square.surfaceOf(rim.at), true) >= kFewestCells) best = rim.at;
     }
     return best;
@@ -197,10 +208,10 @@ std::optional<Place> rimBeforeChosen(const Square& square, Place chosen) {
 
 MeantCell meantCell(const Scan& scan, std::uint32_t k) {
     const Square square(scan, k);
-    const std::optional<Place> start = nearestMeasured(square); // the clicked cell itself if it has a range
+    const std::optional<Place> start = nearestMeasured(square); // the clicked cell itself if it has a range and is not dust
     if (!start) return {k, k, SnapReason::NoRange, 0.0};
     MeantCell meant{square.cellOf(*start), k, SnapReason::AsClicked, 0.0};
-    if (meant.moved()) meant.reason = SnapReason::NoRange;
+    if (meant.moved()) meant.reason = scan.state[k] == CellState::Valid ? SnapReason::Dust : SnapReason::NoRange;
     const std::optional<Place> rim = rimInFront(square, *start);
     if (rim && !meant.moved()) meant.reason = square.isMixed(*start) ? SnapReason::MixedPixel : SnapReason::BehindAnEdge;
     const Place chosen = soundCell(square, rim.value_or(*start));

@@ -16,6 +16,7 @@ enum class SnapReason : std::uint8_t {
     AsClicked,    ///< the cell is on the nearer surface, or no edge is near: it stays
     BehindAnEdge, ///< the clicked cell is on the surface behind an edge
     MixedPixel,   ///< the beam covered two surfaces, and the range is between them
+    Dust,         ///< the clicked cell is one echo in front of all that is around it
     NoRange,      ///< nothing was measured at the clicked cell
 };
 

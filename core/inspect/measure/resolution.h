@@ -22,4 +22,8 @@ struct Resolution {
 [[nodiscard]] std::optional<Resolution> resolutionAt(const Scan& scan, const CartesianTables& tables, std::size_t k,
                                                      const BeamWidth& beam = {});
 
+/// Standard deviation of the range of a cell at the end of its surface, m: a part of the beam misses a slanted surface, and the range is of
+/// the rest. A quarter of the beam times the slope away from the end; 0 where the surface goes on at all four sides. `resolution`: of `k`.
+[[nodiscard]] double clippedBeamM(const Scan& scan, const CartesianTables& tables, std::size_t k, const Resolution& resolution);
+
 } // namespace edgescan::inspect

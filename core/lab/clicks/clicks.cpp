@@ -113,6 +113,7 @@ public:
         const double trueM = (truePoint(a, from) - truePoint(b, to)).norm();
         const double beyondM = length.isBelow ? trueM - length.smallestM : std::abs(length.valueM - trueM);
         const auto isDoubtful = [](const Click& click, std::uint32_t cell) { return cell == click.meant.cell && click.meant.alsoNear; };
+        lengths.tolerancesM.push_back(length.toleranceM);
         const bool isWarned = measured->behindM > 0.0 || isDoubtful(a, from) || isDoubtful(b, to);
         lengths.warned += isWarned ? 1 : 0;
         lengths.offSilently += beyondM > length.toleranceM && !isWarned ? 1 : 0;
@@ -168,6 +169,7 @@ std::vector<std::uint32_t> nearSides(const sim::Simulation& simulation) {
 }
 
 ClickedLengths& ClickedLengths::operator+=(const ClickedLengths& other) {
+    tolerancesM.insert(tolerancesM.end(), other.tolerancesM.begin(), other.tolerancesM.end());
     refused += other.refused;
     measured += other.measured;
     off += other.off;

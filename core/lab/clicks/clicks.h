@@ -1,6 +1,7 @@
 // Random clicks near the edges of a simulated scan: how many measurements are off by more than their stated uncertainty.
 #pragma once
 
+#include "core/base/order_statistic.h"
 #include "core/sim/simulate.h"
 
 #include <cstdint>
@@ -17,7 +18,11 @@ struct ClickedLengths {
     std::size_t warned = 0; ///< number of all with a warning: an end is behind an edge, or another near side is within reach of a click
     std::size_t behind = 0; ///< number of these with an end on a surface behind the one that was meant
     std::size_t silent = 0; ///< number of these without a warning
+    std::vector<double> tolerancesM; ///< the ± of all that are measured, m
     [[nodiscard]] double shareOff() const { return measured == 0 ? 0.0 : static_cast<double>(off) / static_cast<double>(measured); }
+
+    /// 0 without lengths.
+    [[nodiscard]] double medianToleranceM() const { return median(tolerancesM); }
 
     ClickedLengths& operator+=(const ClickedLengths& other);
 };

@@ -126,14 +126,6 @@ void addOpening(const std::vector<TwoClicks>& tries, const EndsOf& endsOf, const
 
 } // namespace
 
-double ThroatWidths::medianSpread() const {
-    if (spreads.empty()) return 0.0;
-    std::vector<double> sorted = spreads;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::ranges::nth_element(sorted, middle);
-    return *middle;
-}
-
 ThroatWidths& ThroatWidths::operator+=(const ThroatWidths& other) {
     refused += other.refused;
     measured += other.measured;

@@ -1,6 +1,7 @@
 // Throats of a simulated scan, clicked several times: how far their widths depend on the clicks.
 #pragma once
 
+#include "core/base/order_statistic.h"
 #include "core/sim/simulate.h"
 
 #include <cstdint>
@@ -18,7 +19,7 @@ struct ThroatWidths {
 
     [[nodiscard]] double shareOff() const { return measured == 0 ? 0.0 : static_cast<double>(off) / static_cast<double>(measured); }
     /// 0 without openings.
-    [[nodiscard]] double medianSpread() const;
+    [[nodiscard]] double medianSpread() const { return median(spreads); }
     ThroatWidths& operator+=(const ThroatWidths& other);
 };
 

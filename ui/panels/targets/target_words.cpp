@@ -131,6 +131,8 @@ QString moveText(const inspect::MeantCell& click, const edges::Detection& detect
         return QObject::tr("%1 m behind an edge; measured on its near side").arg(fixed(click.nearerM, 2));
     case inspect::SnapReason::MixedPixel:
         return QObject::tr("a beam between two surfaces; measured on the nearer one");
+    case inspect::SnapReason::Dust:
+        return QObject::tr("one echo in front of all around it, as from dust; measured at the nearest cell behind it");
     case inspect::SnapReason::NoRange:
         break;
     }

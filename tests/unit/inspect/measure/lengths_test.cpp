@@ -137,6 +137,30 @@ TEST(Lengths, AnEchoOfDustUnderTheLineIsNoSurface) {
     EXPECT_GT(measureCells(large, kUsualNoise, MeasureKind::Distance, std::vector{ends[0], (ends[0] + ends[1]) / 2})->behindM, 0.5);
 }
 
+// At the end of a slanted surface a part of the beam misses it: the range has the error of the slope over a quarter of the beam.
+TEST(Lengths, TheToleranceAtARimGrowsWithTheSlopeOfItsSurface) {
+    const auto scanOf = [](double mmPerCell) {
+        return test::makeScan(40, 40, [&](int, int j) { return j < 20 ? 5000.0 + mmPerCell * (j - 19) : 20000.0; });
+    };
+    const auto toleranceAt = [](const Scan& scan, int j) {
+        const auto row = static_cast<std::uint32_t>(20 * scan.beams());
+        // Along the beam, nearly: from the cell to one far behind it.
+        return measureCells(scan, kUsualNoise, MeasureKind::Distance, std::vector{row + static_cast<std::uint32_t>(j), row + 21U})
+            ->lengths[0]
+            .toleranceM;
+    };
+    const Scan flat = scanOf(0), slanted = scanOf(60);
+    EXPECT_LT(toleranceAt(slanted, 17), 1.05 * toleranceAt(flat, 17));
+    const CartesianTables tables(slanted);
+    const std::size_t rim = 20 * 40 + 19;
+    const Resolution resolution = *resolutionAt(slanted, tables, rim);
+    const double across = 4.94 * std::sin(tables.direction(20, 19).cross(tables.direction(20, 18)).norm());
+    EXPECT_NEAR(clippedBeamM(slanted, tables, rim, resolution), 0.060 / across * resolution.beamM / 4, 1e-3);
+    EXPECT_EQ(clippedBeamM(flat, tables, rim, resolution), 0.0);
+    EXPECT_EQ(clippedBeamM(slanted, tables, rim - 3, resolution), 0.0);
+    EXPECT_GT(toleranceAt(slanted, 19), 1.3 * toleranceAt(flat, 19));
+}
+
 // The tolerance compared with many readings of points distributed as the model assumes.
 TEST(Lengths, TolerancesAreTwiceTheSpreadOfChance) {
     const Scan scan = test::boxesScan(120, 160, 9);

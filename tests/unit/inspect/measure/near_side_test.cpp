@@ -189,5 +189,40 @@ TEST(NearSide, AMixedPixelMeansTheSurfaceInFront) {
     EXPECT_EQ(meant.reason, SnapReason::MixedPixel);
 }
 
+// An echo of dust two metres in front of a wall is no surface that a click means, next to the rim of a plate and in the middle of the wall.
+TEST(NearSide, AClickOnDustMeansWhatIsBehindIt) {
+    Scan scan = test::makeScan(30, 30, [](int, int j) { return j < 15 ? 5000.0 : 8000.0; });
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(scan.rangeMm.index(i, j)); };
+    for (const std::uint32_t dust : {at(12, 16), at(20, 24), at(6, 4)}) {
+        scan.rangeMm[dust] = 2000.0F;
+        const MeantCell meant = meantCell(scan, dust);
+        EXPECT_TRUE(meant.moved());
+        EXPECT_EQ(meant.reason, SnapReason::Dust);
+        EXPECT_GE(scan.rangeMm[meant.cell], 5000.0F);
+        EXPECT_LT(meant.nearerM, 0.0);
+        for (const std::uint32_t next : {dust - 1, dust + 1}) EXPECT_GE(scan.rangeMm[meantCell(scan, next).cell], 5000.0F); // nor a rim
+    }
+    // Nothing else was measured around it.
+    Scan alone = test::makeScan(30, 30, [](int i, int j) { return i == 12 && j == 12 ? 3000.0 : 0.0; });
+    EXPECT_EQ(meantCell(alone, at(12, 12)).cell, at(12, 12));
+    EXPECT_EQ(meantCell(alone, at(12, 12)).reason, SnapReason::AsClicked);
+}
+
+// Of several cells of one surface that are as near to the click none is chosen for its short range: the ends of lengths would be too near.
+TEST(NearSide, NoiseDoesNotChooseTheCell) {
+    double sumMm = 0.0;
+    constexpr int kScans = 1000;
+    for (std::uint32_t seed = 1; seed <= kScans; ++seed) {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> noise(0.0, 8.0);
+        const Scan scan = test::makeScan(15, 15, [&](int i, int j) { return i == 7 && j == 7 ? 0.0 : 5000.0 + noise(random); });
+        const auto hole = static_cast<std::uint32_t>(scan.rangeMm.index(7, 7));
+        const MeantCell meant = meantCell(scan, hole);
+        EXPECT_EQ(meant.reason, SnapReason::NoRange);
+        sumMm += scan.rangeMm[meant.cell] - 5000.0;
+    }
+    EXPECT_NEAR(sumMm / kScans, 0.0, 1.0); // 8 mm / sqrt(1000) is 0.25 mm
+}
+
 } // namespace
 } // namespace edgescan::inspect
