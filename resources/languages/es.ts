@@ -232,7 +232,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>indique una pose y la calibración del robot, o guarde en el sistema del escáner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>La pose no tiene hora, así que no se conoce su edad.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>No se conoce el inicio del escaneo, así que tampoco la edad de la pose.</translation></message>
-<message><source>The calibration leaves out %1: 0 was taken.</source><translation>La calibración no da %1: se tomó 0.</translation></message>
+<message><source>The mounting does not give %1, so 0 is used: type them in Scan &gt; Pose and Mounting, page Mounting.</source><translation>El montaje no da %1, así que se usa 0: escríbalos en Escaneo &gt; Pose y montaje, página Montaje.</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FUERA DE TOLERANCIA: la pose es %1 s más antigua que el inicio del escaneo.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FUERA DE TOLERANCIA: la inclinación del cabezal cambió %1 grados durante el escaneo, más de </translation></message>
 <message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>FUERA DE TOLERANCIA: %1 de %2 líneas se midieron antes de la primera pose o después de la última y recibieron la más cercana.</translation></message>
@@ -452,6 +452,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
 <message><source>Held: %1. Press Follow.</source><translation>Retenido: %1. Pulse Seguir.</translation></message>
+<message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra el barrido %2, que crece ahora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>El barrido %1 es parcial: %2 de %3 líneas.</translation></message>
@@ -748,6 +749,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fijado %1</translation></message>
+<message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>El objetivo %1 está en el portapapeles, como texto.</translation></message>
 <message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>En el portapapeles, como tabla para una hoja de cálculo: %1.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
@@ -962,7 +964,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Beams</source><translation>Haces</translation></message>
 <message><source>Cells</source><translation>Celdas</translation></message>
 <message><source>with a range</source><translation>con distancia</translation></message>
-<message><source>Ranges [mm]</source><translation>Distancias [mm]</translation></message>
+<message><source>Ranges [m]</source><translation>Distancias [m]</translation></message>
 <message><source>smallest</source><translation>la menor</translation></message>
 <message><source>largest</source><translation>la mayor</translation></message>
 <message><source>Unit of the file [mm]</source><translation>Unidad del archivo [mm]</translation></message>
@@ -1018,7 +1020,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>yes</source><translation>sí</translation></message>
 <message><source>no</source><translation>no</translation></message>
 <message><source>and %1 more</source><translation>y %1 más</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Mayús+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Mayús+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; un clic pone la cruz, Esc la quita; un clic derecho pregunta por qué una celda es un borde; Mayús+arrastrar traza un recuadro.</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it also selects the rock there. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Mouse en la nube de puntos&lt;/h3&gt;Arrastrar con el izquierdo gira, con el central o Mayús+izquierdo desplaza, con el derecho o la rueda acerca y aleja, Ctrl+izquierdo inclina; doble clic o clic central fija el centro de rotación; Alt+rueda tamaño de los puntos, Ctrl+rueda plano de corte cercano, Ctrl+Mayús+rueda plano de corte lejano.&lt;h3&gt;Mouse en las imágenes&lt;/h3&gt;Arrastrar con el izquierdo o el central desplaza, la rueda acerca y aleja, arrastrar con el derecho cambia los niveles mostrados, doble clic ajusta; Mayús+arrastrar mira de cerca.&lt;h3&gt;Mouse en todas las vistas&lt;/h3&gt;Un clic fija un objetivo; mientras se muestran las rocas, también selecciona la roca que está ahí. Ctrl+clic selecciona una roca más. Un clic derecho abre el menú de la celda.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado y mouse</translation></message>
 <message><source>Scan</source><translation>Escaneo</translation></message>
@@ -1038,7 +1040,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 • changed</source><translation>%1 • cambiada</translation></message>
 <message><source>along the line</source><translation>a lo largo de la línea</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
-<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de ancho, %3 de fondo, lo cercano está abajo</translation></message>
+<message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1: %2 m de ancho, %3 m de fondo, lo cercano está abajo</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: puntos más allá</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
@@ -1387,7 +1389,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>1 warning</source><translation>1 advertencia</translation></message>
-<message><source>%1 warnings</source><translation>%1 advertencias</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Muestra las advertencias de este escaneo y las marca como vistas. Permanecen en los registros y las capturas de pantalla.</translation></message>
 <message><source>no scan open</source><translation>ningún escaneo abierto</translation></message>
@@ -1523,6 +1524,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Añadir un escaneo como capa…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Grabar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar el último minuto</translation></message>
+<message><source>S&amp;weep…</source><translation>&amp;Barrido…</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar la imagen al final del barrido</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Car&amp;peta de grabaciones…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproducir o pausar</translation></message>
@@ -1717,29 +1719,29 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
 <message><source>void rim</source><translation>borde de un vacío</translation></message>
-<message><source>Thesis (255 / span)</source><translation>Tesis (255 / extensión)</translation></message>
-<message><source>Window (near to far)</source><translation>Ventana (de cerca a lejos)</translation></message>
-<message><source>Logarithmic (near to far)</source><translation>Logarítmica (de cerca a lejos)</translation></message>
+<message><source>Thesis</source><translation>Tesis</translation></message>
+<message><source>Even</source><translation>Uniforme</translation></message>
+<message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desactivado)</translation></message>
 <message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vecinas</translation></message>
 <message><source>8 neighbours</source><translation>8 vecinas</translation></message>
 <message><source>as measured</source><translation>según lo medido</translation></message>
-<message><source>laser: each cell for itself</source><translation>láser: cada celda por sí misma</translation></message>
-<message><source>depth camera: neighbours alike</source><translation>cámara de profundidad: vecinas parecidas</translation></message>
+<message><source>laser</source><translation>láser</translation></message>
+<message><source>depth camera</source><translation>cámara 3D</translation></message>
 <message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
 <message><source>Rock outlines</source><translation>Contornos de rocas</translation></message>
 <message><source>Jumps</source><translation>Saltos</translation></message>
 <message><source>Canny (thesis)</source><translation>Canny (tesis)</translation></message>
-<message><source>Canny on log range</source><translation>Canny en distancia logarítmica</translation></message>
+<message><source>Canny on log range</source><translation>Canny, log(distancia)</translation></message>
 <message><source>Roberts</source><translation>Roberts</translation></message>
 <message><source>Sobel</source><translation>Sobel</translation></message>
 <message><source>Prewitt</source><translation>Prewitt</translation></message>
 <message><source>Kirsch</source><translation>Kirsch</translation></message>
 <message><source>Robinson</source><translation>Robinson</translation></message>
 <message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
-<message><source>Laplacian of Gaussian</source><translation>Laplaciano de gaussiana</translation></message>
+<message><source>Laplacian of Gaussian</source><translation>Laplaciano gaussiano</translation></message>
 <message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+: saltos de profundidad y pliegues de la superficie, con umbrales que siguen el ruido del escaneo.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre niveles de gris logarítmicos: un escalón cuenta en porcentaje de su distancia; los datos ausentes se enmascaran, así que un hueco no tiene borde.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La tesis al pie de la letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, los huecos son negros.</translation></message>
@@ -1893,7 +1895,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the upper threshold %1</source><translation>el umbral superior %1</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1, a su lado, es más fuerte (%2), y un borde tiene una celda de ancho</translation></message>
 <message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1, a su lado, es igual de fuerte (%2), y un borde tiene una celda de ancho</translation></message>
-<message><source>the step of %1 mm belongs to %2, which is the nearer cell</source><translation>el escalón de %1 mm pertenece a %2, que es la celda más cercana</translation></message>
+<message><source>the step of %1 m belongs to %2, which is the nearer cell</source><translation>el escalón de %1 m pertenece a %2, que es la celda más cercana</translation></message>
 <message><source>%1 is below %2</source><translation>%1 está por debajo de %2</translation></message>
 <message><source>%1 does not exceed %2</source><translation>%1 no supera %2</translation></message>
 <message><source>%1, and %2 next to it is stronger</source><translation>%1, y %2, a su lado, es más fuerte</translation></message>
@@ -1913,8 +1915,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>the surface ends here at an open void, from which nothing came back</source><translation>la superficie termina aquí en un vacío abierto, del que nada volvió</translation></message>
 <message><source> (raised: beams are interlaced)</source><translation> (aumentada: los haces están entrelazados)</translation></message>
 <message><source>relief %1</source><translation>relieve %1</translation></message>
-<message><source>Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Escalón en profundidad: %1 mm hasta %2 (%3; esta celda es la más cercana), límite %4: fuerza %5.</translation></message>
-<message><source>Step in depth: %1 mm to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Escalón en profundidad: %1 mm hasta %2 (%3; la otra celda es la más cercana), límite %4: fuerza %5.</translation></message>
+<message><source>Step in depth: %1 m to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Escalón en profundidad: %1 m hasta %2 (%3; esta celda es la más cercana), límite %4: fuerza %5.</translation></message>
+<message><source>Step in depth: %1 m to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Escalón en profundidad: %1 m hasta %2 (%3; la otra celda es la más cercana), límite %4: fuerza %5.</translation></message>
 <message><source>%1 degrees, which noise alone may look like (%2 %3)</source><translation>%1 grados, lo que el ruido por sí solo puede parecer (%2 %3)</translation></message>
 <message><source>%1 degrees = %2</source><translation>%1 grados = %2</translation></message>
 <message><source>; %1 % of it counts, for the two sides do not meet at the cell</source><translation>; cuenta un %1 %, pues los dos lados no se encuentran en la celda</translation></message>
@@ -1928,8 +1930,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Aquí no se sabe nada: junto a datos que faltan no se mide ni escalón ni pliegue.</translation></message>
 <message><source>Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.</source><translation>Píxel mixto: su distancia está entre dos superficies. Para los bordes cuenta como %1 m, la más próxima a su distancia.</translation></message>
 <message><source>Together with the other way %1.</source><translation>Junto con la otra dirección: %1.</translation></message>
-<message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Ruido de distancia usado: sigma %1 mm aquí, %2 mm a 5 m.</translation></message>
-<message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Los vecinos yerran igual, así que para los pliegues cuenta como %1 mm aquí.</translation></message>
+<message><source>Range noise used: sigma %1 m here, %2 m at 5 m.</source><translation>Ruido de distancia usado: sigma %1 m aquí, %2 m a 5 m.</translation></message>
+<message><source>Neighbours err alike, so for folds it counts as %1 m here.</source><translation>Los vecinos yerran igual, así que para los pliegues cuenta como %1 m aquí.</translation></message>
 <message><source>%1: strength %2 as %3</source><translation>%1: fuerza %2 como %3</translation></message>
 <message><source>%1: strength %2</source><translation>%1: fuerza %2</translation></message>
 <message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (a lo largo de la línea %1, a través de las líneas %2, dirección %3 grados)</translation></message>

@@ -232,7 +232,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>donnez une pose et l'étalonnage du robot, ou enregistrez dans le repère du scanner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>La pose n'a pas d'heure, son âge n'est donc pas connu.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>Le début du scan n'est pas connu, l'âge de la pose non plus.</translation></message>
-<message><source>The calibration leaves out %1: 0 was taken.</source><translation>L'étalonnage ne donne pas %1 : 0 a été pris.</translation></message>
+<message><source>The mounting does not give %1, so 0 is used: type them in Scan &gt; Pose and Mounting, page Mounting.</source><translation>Le montage ne donne pas %1 ; 0 est donc utilisé : tapez-les dans Scan &gt; Pose et montage, page Montage.</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>HORS TOLÉRANCE : la pose a %1 s de plus que le début du scan.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>HORS TOLÉRANCE : l'inclinaison de la tête a changé de %1 degrés pendant le scan, plus que </translation></message>
 <message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>HORS TOLÉRANCE : %1 lignes sur %2 ont été mesurées avant la première ou après la dernière pose et ont reçu la plus proche.</translation></message>
@@ -452,6 +452,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
 <message><source>Held: %1. Press Follow.</source><translation>Figé : %1. Appuyez sur Suivre.</translation></message>
+<message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre le balayage %2, qui croît maintenant.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>Le balayage %1 est partiel : %2 lignes sur %3.</translation></message>
@@ -748,6 +749,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
 <message><source>Pinned %1</source><translation>Épinglée %1</translation></message>
+<message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>La cible %1 est dans le presse-papiers, sous forme de texte.</translation></message>
 <message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>Dans le presse-papiers, sous forme de tableau pour un tableur : %1.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
@@ -962,7 +964,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Beams</source><translation>Faisceaux</translation></message>
 <message><source>Cells</source><translation>Cellules</translation></message>
 <message><source>with a range</source><translation>avec une distance</translation></message>
-<message><source>Ranges [mm]</source><translation>Distances [mm]</translation></message>
+<message><source>Ranges [m]</source><translation>Distances [m]</translation></message>
 <message><source>smallest</source><translation>la plus petite</translation></message>
 <message><source>largest</source><translation>la plus grande</translation></message>
 <message><source>Unit of the file [mm]</source><translation>Unité du fichier [mm]</translation></message>
@@ -1018,7 +1020,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>yes</source><translation>oui</translation></message>
 <message><source>no</source><translation>non</translation></message>
 <message><source>and %1 more</source><translation>et %1 de plus</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; un clic pose le réticule, Esc l'enlève ; un clic droit demande pourquoi une cellule est une arête ; Maj+glisser trace une boîte.</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it also selects the rock there. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Souris dans le nuage de points&lt;/h3&gt;Glisser à gauche tourne, glisser au milieu ou Maj+glisser à gauche déplace, glisser à droite ou la molette zoome, Ctrl+glisser à gauche incline ; un double-clic ou un clic du milieu fixe le centre de rotation ; Alt+molette taille des points, Ctrl+molette plan de coupe proche, Ctrl+Maj+molette plan de coupe lointain.&lt;h3&gt;Souris dans les images&lt;/h3&gt;Glisser à gauche ou au milieu déplace, la molette zoome, glisser à droite change les niveaux affichés, un double-clic ajuste ; Maj+glisser regarde de près.&lt;h3&gt;Souris dans toutes les vues&lt;/h3&gt;Un clic épingle une cible ; tant que les blocs sont affichés, il sélectionne aussi le bloc à cet endroit. Ctrl+clic sélectionne un bloc de plus. Un clic droit ouvre le menu de la cellule.</translation></message>
 <message><source>Keys</source><translation>Touches</translation></message>
 <message><source>Keys and mouse</source><translation>Clavier et souris</translation></message>
 <message><source>Scan</source><translation>Scan</translation></message>
@@ -1038,7 +1040,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 • changed</source><translation>%1 • changée</translation></message>
 <message><source>along the line</source><translation>le long de la ligne</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
-<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1 : %2 de large, %3 de profondeur, le proche est en bas</translation></message>
+<message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1 : %2 m de large, %3 m de profondeur, le proche est en bas</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation> ; ▲ ▼ : points au-delà</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
@@ -1387,7 +1389,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>1 warning</source><translation>1 avertissement</translation></message>
-<message><source>%1 warnings</source><translation>%1 avertissements</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, vu</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Montre les avertissements de ce scan et les marque comme vus. Ils restent dans les comptes rendus et les captures d'écran.</translation></message>
 <message><source>no scan open</source><translation>aucun scan ouvert</translation></message>
@@ -1523,6 +1524,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Ajouter un scan comme couche…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Enregistrer</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conserver la dernière minute</translation></message>
+<message><source>S&amp;weep…</source><translation>&amp;Balayage…</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>&amp;Figer l'image à la fin du balayage</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>&amp;Dossier des enregistrements…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Lire ou mettre en pause</translation></message>
@@ -1717,29 +1719,29 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
 <message><source>void rim</source><translation>bord d'un vide</translation></message>
-<message><source>Thesis (255 / span)</source><translation>Thèse (255 / étendue)</translation></message>
-<message><source>Window (near to far)</source><translation>Fenêtre (du proche au lointain)</translation></message>
-<message><source>Logarithmic (near to far)</source><translation>Logarithmique (du proche au lointain)</translation></message>
+<message><source>Thesis</source><translation>Thèse</translation></message>
+<message><source>Even</source><translation>Régulière</translation></message>
+<message><source>Logarithmic</source><translation>Logarithmique</translation></message>
 <message><source>1 (off)</source><translation>1 (désactivé)</translation></message>
 <message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 voisines</translation></message>
 <message><source>8 neighbours</source><translation>8 voisines</translation></message>
 <message><source>as measured</source><translation>tel que mesuré</translation></message>
-<message><source>laser: each cell for itself</source><translation>laser : chaque cellule pour elle-même</translation></message>
-<message><source>depth camera: neighbours alike</source><translation>caméra de profondeur : voisines semblables</translation></message>
+<message><source>laser</source><translation>laser</translation></message>
+<message><source>depth camera</source><translation>caméra 3D</translation></message>
 <message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
 <message><source>Rock outlines</source><translation>Contours des blocs</translation></message>
 <message><source>Jumps</source><translation>Sauts</translation></message>
 <message><source>Canny (thesis)</source><translation>Canny (thèse)</translation></message>
-<message><source>Canny on log range</source><translation>Canny sur distance logarithmique</translation></message>
+<message><source>Canny on log range</source><translation>Canny, log(distance)</translation></message>
 <message><source>Roberts</source><translation>Roberts</translation></message>
 <message><source>Sobel</source><translation>Sobel</translation></message>
 <message><source>Prewitt</source><translation>Prewitt</translation></message>
 <message><source>Kirsch</source><translation>Kirsch</translation></message>
 <message><source>Robinson</source><translation>Robinson</translation></message>
 <message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
-<message><source>Laplacian of Gaussian</source><translation>Laplacien de gaussienne</translation></message>
+<message><source>Laplacian of Gaussian</source><translation>Laplacien gaussien</translation></message>
 <message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+ : sauts en profondeur et plis de la surface, avec des seuils qui suivent le bruit du scan.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sur des niveaux de gris logarithmiques : une marche compte en pour cent de sa distance ; les données manquantes sont masquées, un trou n'a donc pas d'arête.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>
@@ -1893,7 +1895,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the upper threshold %1</source><translation>le seuil haut %1</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1 à côté est plus forte (%2), et une arête est large d'une cellule</translation></message>
 <message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1 à côté est aussi forte (%2), et une arête est large d'une cellule</translation></message>
-<message><source>the step of %1 mm belongs to %2, which is the nearer cell</source><translation>la marche de %1 mm appartient à %2, qui est la cellule la plus proche</translation></message>
+<message><source>the step of %1 m belongs to %2, which is the nearer cell</source><translation>la marche de %1 m appartient à %2, qui est la cellule la plus proche</translation></message>
 <message><source>%1 is below %2</source><translation>%1 est au-dessous de %2</translation></message>
 <message><source>%1 does not exceed %2</source><translation>%1 ne dépasse pas %2</translation></message>
 <message><source>%1, and %2 next to it is stronger</source><translation>%1, et %2 à côté est plus forte</translation></message>
@@ -1913,8 +1915,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>the surface ends here at an open void, from which nothing came back</source><translation>la surface finit ici au bord d'un vide ouvert, d'où rien n'est revenu</translation></message>
 <message><source> (raised: beams are interlaced)</source><translation> (augmentée : les faisceaux sont entrelacés)</translation></message>
 <message><source>relief %1</source><translation>relief %1</translation></message>
-<message><source>Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Marche en profondeur : %1 mm jusqu'à %2 (%3 ; cette cellule est la plus proche), limite %4 : force %5.</translation></message>
-<message><source>Step in depth: %1 mm to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Marche en profondeur : %1 mm jusqu'à %2 (%3 ; l'autre cellule est la plus proche), limite %4 : force %5.</translation></message>
+<message><source>Step in depth: %1 m to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Marche en profondeur : %1 m jusqu'à %2 (%3 ; cette cellule est la plus proche), limite %4 : force %5.</translation></message>
+<message><source>Step in depth: %1 m to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Marche en profondeur : %1 m jusqu'à %2 (%3 ; l'autre cellule est la plus proche), limite %4 : force %5.</translation></message>
 <message><source>%1 degrees, which noise alone may look like (%2 %3)</source><translation>%1 degrés, ce à quoi le bruit seul peut ressembler (%2 %3)</translation></message>
 <message><source>%1 degrees = %2</source><translation>%1 degrés = %2</translation></message>
 <message><source>; %1 % of it counts, for the two sides do not meet at the cell</source><translation> ; il en compte %1 %, car les deux côtés ne se rejoignent pas à la cellule</translation></message>
@@ -1928,8 +1930,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Rien n'est connu ici : ni marche ni pli ne se mesurent à côté de données manquantes.</translation></message>
 <message><source>Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.</source><translation>Pixel mixte : sa distance est entre deux surfaces. Pour les arêtes elle compte pour %1 m, la plus proche de sa distance.</translation></message>
 <message><source>Together with the other way %1.</source><translation>Avec l'autre direction : %1.</translation></message>
-<message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Bruit de distance retenu : sigma %1 mm ici, %2 mm à 5 m.</translation></message>
-<message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Les voisins se trompent ensemble ; pour les plis, il compte donc pour %1 mm ici.</translation></message>
+<message><source>Range noise used: sigma %1 m here, %2 m at 5 m.</source><translation>Bruit de distance retenu : sigma %1 m ici, %2 m à 5 m.</translation></message>
+<message><source>Neighbours err alike, so for folds it counts as %1 m here.</source><translation>Les voisins se trompent ensemble ; pour les plis, il compte donc pour %1 m ici.</translation></message>
 <message><source>%1: strength %2 as %3</source><translation>%1 : force %2, type « %3 »</translation></message>
 <message><source>%1: strength %2</source><translation>%1 : force %2</translation></message>
 <message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (le long de la ligne %1, en travers des lignes %2, direction %3 degrés)</translation></message>

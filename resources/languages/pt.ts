@@ -232,7 +232,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>dê uma pose e a calibração do robô, ou salve no referencial do scanner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>A pose não tem hora, portanto a sua idade não é conhecida.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>O início da varredura não é conhecido, portanto a idade da pose também não.</translation></message>
-<message><source>The calibration leaves out %1: 0 was taken.</source><translation>A calibração não dá %1: foi tomado 0.</translation></message>
+<message><source>The mounting does not give %1, so 0 is used: type them in Scan &gt; Pose and Mounting, page Mounting.</source><translation>A montagem não dá %1, por isso usa-se 0: digite-os em Varredura &gt; Pose e montagem, página Montagem.</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FORA DE TOLERÂNCIA: a pose é %1 s mais antiga que o início da varredura.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FORA DE TOLERÂNCIA: a inclinação da cabeça mudou %1 graus durante a varredura, mais de </translation></message>
 <message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>FORA DE TOLERÂNCIA: %1 de %2 linhas foram medidas antes da primeira pose ou depois da última e receberam a mais próxima.</translation></message>
@@ -452,6 +452,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
 <message><source>Held: %1. Press Follow.</source><translation>Retido: %1. Carregue em Seguir.</translation></message>
+<message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>A varredura %1 está retida na tela. Seguir mostra a varredura %2, que cresce agora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>A varredura %1 é parcial: %2 de %3 linhas.</translation></message>
@@ -748,6 +749,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
 <message><source>Pinned %1</source><translation>Fixado %1</translation></message>
+<message><source>%1 warnings</source><translation>%1 avisos</translation></message>
 <message><source>Target %1 is on the clipboard, as text.</source><translation>O alvo %1 está na área de transferência, como texto.</translation></message>
 <message><source>On the clipboard, as a table for a spreadsheet: %1.</source><translation>Na área de transferência, como tabela para uma planilha: %1.</translation></message>
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
@@ -962,7 +964,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Beams</source><translation>Feixes</translation></message>
 <message><source>Cells</source><translation>Células</translation></message>
 <message><source>with a range</source><translation>com distância</translation></message>
-<message><source>Ranges [mm]</source><translation>Distâncias [mm]</translation></message>
+<message><source>Ranges [m]</source><translation>Distâncias [m]</translation></message>
 <message><source>smallest</source><translation>a menor</translation></message>
 <message><source>largest</source><translation>a maior</translation></message>
 <message><source>Unit of the file [mm]</source><translation>Unidade do arquivo [mm]</translation></message>
@@ -1018,7 +1020,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>yes</source><translation>sim</translation></message>
 <message><source>no</source><translation>não</translation></message>
 <message><source>and %1 more</source><translation>e mais %1</translation></message>
-<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; um clique põe a cruz, Esc a tira; um clique direito pergunta por que uma célula é uma borda; Shift+arrastar traça uma caixa.</translation></message>
+<message><source>&lt;h3&gt;Mouse in the cloud&lt;/h3&gt;Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip.&lt;h3&gt;Mouse in the images&lt;/h3&gt;Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; Shift+drag looks closer.&lt;h3&gt;Mouse in all views&lt;/h3&gt;A click pins a target; while rocks are shown, it also selects the rock there. Ctrl+click selects one more rock. A right click opens the menu of the cell.</source><translation>&lt;h3&gt;Mouse na nuvem de pontos&lt;/h3&gt;Arrastar com o esquerdo gira, com o do meio ou Shift+esquerdo desloca, com o direito ou a roda aproxima e afasta, Ctrl+esquerdo inclina; clique duplo ou clique do meio define o centro de rotação; Alt+roda tamanho dos pontos, Ctrl+roda plano de corte próximo, Ctrl+Shift+roda plano de corte distante.&lt;h3&gt;Mouse nas imagens&lt;/h3&gt;Arrastar com o esquerdo ou o do meio desloca, a roda aproxima e afasta, arrastar com o direito muda os níveis mostrados, clique duplo ajusta; Shift+arrastar olha de perto.&lt;h3&gt;Mouse em todas as vistas&lt;/h3&gt;Um clique fixa um alvo; enquanto as rochas são mostradas, também seleciona a rocha que está ali. Ctrl+clique seleciona mais uma rocha. Um clique direito abre o menu da célula.</translation></message>
 <message><source>Keys</source><translation>Teclas</translation></message>
 <message><source>Keys and mouse</source><translation>Teclado e mouse</translation></message>
 <message><source>Scan</source><translation>Varredura</translation></message>
@@ -1038,7 +1040,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 • changed</source><translation>%1 • alterada</translation></message>
 <message><source>along the line</source><translation>ao longo da linha</translation></message>
 <message><source>across the lines</source><translation>através das linhas</translation></message>
-<message><source>%1: %2 wide, %3 deep, near is below</source><translation>%1: %2 de largura, %3 de profundidade, o próximo está embaixo</translation></message>
+<message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1: %2 m de largura, %3 m de profundidade, o próximo está embaixo</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: pontos além dele</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
@@ -1387,7 +1389,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>1 warning</source><translation>1 aviso</translation></message>
-<message><source>%1 warnings</source><translation>%1 avisos</translation></message>
 <message><source>%1, acknowledged</source><translation>%1, visto</translation></message>
 <message><source>Shows the warnings of this scan and acknowledges them. They remain in records and screenshots.</source><translation>Mostra os avisos desta varredura e os marca como vistos. Eles permanecem nos registros e nas capturas de tela.</translation></message>
 <message><source>no scan open</source><translation>nenhuma varredura aberta</translation></message>
@@ -1523,6 +1524,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Add a Scan as a Layer…</source><translation>&amp;Adicionar varredura como camada…</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Gravar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar o último minuto</translation></message>
+<message><source>S&amp;weep…</source><translation>V&amp;arredura…</translation></message>
 <message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar a imagem no fim da varredura</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Pasta das gra&amp;vações…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproduzir ou pausar</translation></message>
@@ -1717,29 +1719,29 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
 <message><source>void rim</source><translation>beira de um vazio</translation></message>
-<message><source>Thesis (255 / span)</source><translation>Tese (255 / extensão)</translation></message>
-<message><source>Window (near to far)</source><translation>Janela (de perto a longe)</translation></message>
-<message><source>Logarithmic (near to far)</source><translation>Logarítmica (de perto a longe)</translation></message>
+<message><source>Thesis</source><translation>Tese</translation></message>
+<message><source>Even</source><translation>Uniforme</translation></message>
+<message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desligado)</translation></message>
 <message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
 <message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vizinhas</translation></message>
 <message><source>8 neighbours</source><translation>8 vizinhas</translation></message>
 <message><source>as measured</source><translation>conforme medido</translation></message>
-<message><source>laser: each cell for itself</source><translation>laser: cada célula por si</translation></message>
-<message><source>depth camera: neighbours alike</source><translation>câmara de profundidade: vizinhas semelhantes</translation></message>
+<message><source>laser</source><translation>laser</translation></message>
+<message><source>depth camera</source><translation>câmara 3D</translation></message>
 <message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
 <message><source>Rock outlines</source><translation>Contornos de rochas</translation></message>
 <message><source>Jumps</source><translation>Saltos</translation></message>
 <message><source>Canny (thesis)</source><translation>Canny (tese)</translation></message>
-<message><source>Canny on log range</source><translation>Canny em distância logarítmica</translation></message>
+<message><source>Canny on log range</source><translation>Canny, log(distância)</translation></message>
 <message><source>Roberts</source><translation>Roberts</translation></message>
 <message><source>Sobel</source><translation>Sobel</translation></message>
 <message><source>Prewitt</source><translation>Prewitt</translation></message>
 <message><source>Kirsch</source><translation>Kirsch</translation></message>
 <message><source>Robinson</source><translation>Robinson</translation></message>
 <message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
-<message><source>Laplacian of Gaussian</source><translation>Laplaciano de gaussiana</translation></message>
+<message><source>Laplacian of Gaussian</source><translation>Laplaciano gaussiano</translation></message>
 <message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+: saltos de profundidade e dobras da superfície, com limiares que seguem o ruído da varredura.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre níveis de cinza logarítmicos: um degrau conta em porcentagem da sua distância; os dados ausentes são mascarados, assim um buraco não tem borda.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>
@@ -1893,7 +1895,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the upper threshold %1</source><translation>o limiar superior %1</translation></message>
 <message><source>%1 next to it is stronger (%2), and an edge is one cell wide</source><translation>%1, ao lado, é mais forte (%2), e uma borda tem uma célula de largura</translation></message>
 <message><source>%1 next to it is as strong (%2), and an edge is one cell wide</source><translation>%1, ao lado, é tão forte quanto ela (%2), e uma borda tem uma célula de largura</translation></message>
-<message><source>the step of %1 mm belongs to %2, which is the nearer cell</source><translation>o degrau de %1 mm pertence a %2, que é a célula mais próxima</translation></message>
+<message><source>the step of %1 m belongs to %2, which is the nearer cell</source><translation>o degrau de %1 m pertence a %2, que é a célula mais próxima</translation></message>
 <message><source>%1 is below %2</source><translation>%1 está abaixo de %2</translation></message>
 <message><source>%1 does not exceed %2</source><translation>%1 não excede %2</translation></message>
 <message><source>%1, and %2 next to it is stronger</source><translation>%1, e %2, ao lado, é mais forte</translation></message>
@@ -1913,8 +1915,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>the surface ends here at an open void, from which nothing came back</source><translation>a superfície termina aqui num vazio aberto, do qual nada voltou</translation></message>
 <message><source> (raised: beams are interlaced)</source><translation> (aumentada: os feixes estão entrelaçados)</translation></message>
 <message><source>relief %1</source><translation>relevo %1</translation></message>
-<message><source>Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Degrau em profundidade: %1 mm até %2 (%3; esta célula é a mais próxima), limite %4: força %5.</translation></message>
-<message><source>Step in depth: %1 mm to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Degrau em profundidade: %1 mm até %2 (%3; a outra célula é a mais próxima), limite %4: força %5.</translation></message>
+<message><source>Step in depth: %1 m to %2 (%3; this cell is the nearer one), limit %4: strength %5.</source><translation>Degrau em profundidade: %1 m até %2 (%3; esta célula é a mais próxima), limite %4: força %5.</translation></message>
+<message><source>Step in depth: %1 m to %2 (%3; that cell is the nearer one), limit %4: strength %5.</source><translation>Degrau em profundidade: %1 m até %2 (%3; a outra célula é a mais próxima), limite %4: força %5.</translation></message>
 <message><source>%1 degrees, which noise alone may look like (%2 %3)</source><translation>%1 graus, o que o ruído por si só pode parecer (%2 %3)</translation></message>
 <message><source>%1 degrees = %2</source><translation>%1 graus = %2</translation></message>
 <message><source>; %1 % of it counts, for the two sides do not meet at the cell</source><translation>; conta %1 %, pois os dois lados não se encontram na célula</translation></message>
@@ -1928,8 +1930,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Nothing is known here: no step and no fold is measured next to missing data.</source><translation>Nada se sabe aqui: junto a dados em falta não se mede degrau nem dobra.</translation></message>
 <message><source>Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.</source><translation>Pixel misto: a sua distância está entre duas superfícies. Para as arestas conta como %1 m, a mais próxima da sua distância.</translation></message>
 <message><source>Together with the other way %1.</source><translation>Com a outra direção: %1.</translation></message>
-<message><source>Range noise used: sigma %1 mm here, %2 mm at 5 m.</source><translation>Ruído de distância usado: sigma %1 mm aqui, %2 mm a 5 m.</translation></message>
-<message><source>Neighbours err alike, so for folds it counts as %1 mm here.</source><translation>Os vizinhos erram juntos, por isso para as dobras conta como %1 mm aqui.</translation></message>
+<message><source>Range noise used: sigma %1 m here, %2 m at 5 m.</source><translation>Ruído de distância usado: sigma %1 m aqui, %2 m a 5 m.</translation></message>
+<message><source>Neighbours err alike, so for folds it counts as %1 m here.</source><translation>Os vizinhos erram juntos, por isso para as dobras conta como %1 m aqui.</translation></message>
 <message><source>%1: strength %2 as %3</source><translation>%1: força %2 como %3</translation></message>
 <message><source>%1: strength %2</source><translation>%1: força %2</translation></message>
 <message><source> (along the line %1, across the lines %2, direction %3 degrees)</source><translation> (ao longo da linha %1, através das linhas %2, direção %3 graus)</translation></message>

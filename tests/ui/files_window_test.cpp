@@ -1,6 +1,7 @@
 // Files in the real window: opening, refusals, straightening, series, and exports that equal those of the command line.
 #include "core/files/open_save/save_scan.h"
 #include "core/sim/simulate.h"
+#include "tests/support/point_lists.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/count_text.h"
@@ -16,7 +17,9 @@
 #include "ui/panels/tuning/status_line.h"
 
 #include <QAction>
+#include <QFileDialog>
 #include <QLabel>
+#include <QListView>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
@@ -83,6 +86,31 @@ private slots:
         QCOMPARE(window.viewer().views.edges().image(), before->edges);
         QCOMPARE(window.windowTitle(),
                  QFileInfo(QString::fromStdString(before->detection->scan->path)).fileName() + " - EdgeScan"); // with its ending
+    }
+
+    // Only what EdgeScan opens: records, poses and edits next to a scan are not listed, and are not the next scan of the folder.
+    void theDialogOfOpenListsScans() {
+        const std::filesystem::path folder = folder_ / "listed";
+        std::filesystem::create_directory(folder);
+        test::writeText((folder / "a.csv").string(), "1,2\n3,4\n");
+        for (const char* name : {"a.csv.provenance.json", "a.csv.pose.json", "a.csv.rocks.json"})
+            test::writeText((folder / name).string(), "{}");
+        WindowFixture on;
+        QVERIFY(on.show());
+        on.preferences.keepFolder("scans", QString::fromStdString((folder / "a.csv").string()));
+        QStringList names;
+        const Meanwhile looked([&] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            auto* list = dialog == nullptr ? nullptr : dialog->findChild<QListView*>("listView");
+            if (list == nullptr || list->model()->rowCount(list->rootIndex()) == 0) return false;
+            for (int n = 0; n < list->model()->rowCount(list->rootIndex()); ++n)
+                names << list->model()->index(n, 0, list->rootIndex()).data().toString();
+            dialog->reject();
+            return true;
+        });
+        on.viewer.files.ask();
+        QVERIFY(looked.done());
+        QCOMPARE(names, QStringList("a.csv"));
     }
 
     void beamsThatLieElsewhereAreToldAndStraightened() {

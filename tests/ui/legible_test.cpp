@@ -7,6 +7,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/panels/rocks/rocks_panel.h"
 #include "ui/panels/targets/targets_panel.h"
+#include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/cloud_overlay.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -14,10 +15,12 @@
 #include "ui/window/theme.h"
 #include "ui/window/tool_bar.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QToolButton>
 #include <QtTest>
@@ -60,6 +63,7 @@ private slots:
                 QRegularExpression("E [0-9.]+  N [0-9.]+  RL -?[0-9.]+  x -?[0-9.]+  y -?[0-9.]+  z -?[0-9.]+ m").match(text).hasMatch(),
                 qPrintable(QString::number(width) + ": " + text));
             QVERIFY2(text.contains("EDGE") || text.contains("not an edge"), qPrintable(text));
+            QVERIFY2(!text.contains(QChar(0x2026)), qPrintable(QString::number(width) + ": " + text)); // parts are whole or absent
             QVERIFY2(probe->width() >= QFontMetrics(probe->font()).horizontalAdvance(text), qPrintable(text));
             // Complete, and without overlap.
             QList<QRect> places{QRect(probe->mapTo(&on.window, QPoint()), probe->size())};
@@ -104,6 +108,33 @@ private slots:
             QTRY_COMPARE(overlay->marks().topTaken, 0);
             on.window.cab().set(false); // the theme is that of the program
         }
+    }
+
+    // The text of each choice is whole in the panel of a small screen.
+    void noChoiceOfASettingIsCut() {
+        for (const char* code : {"fr", "es", "pt", "en"}) {
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            EdgesPanel panel;
+            edges::Settings settings;
+            settings.method = edges::Method::Canny;
+            settings.scaling = edges::Scaling::Log;
+            panel.show(settings);
+            panel.resize(268, 700);
+            panel.setVisible(true);
+            QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMs));
+            for (auto* choice : panel.findChildren<QComboBox*>()) {
+                if (!choice->isVisible() || !choice->objectName().startsWith("choice-")) continue;
+                QStyleOptionComboBox option;
+                option.initFrom(choice);
+                const QRect room = choice->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, choice);
+                for (int n = 0; n < choice->count(); ++n) {
+                    const int wide = choice->fontMetrics().horizontalAdvance(choice->itemText(n));
+                    QVERIFY2(wide <= room.width(),
+                             qPrintable(QString("%1: %2 px for %3").arg(code).arg(room.width()).arg(choice->itemText(n))));
+                }
+            }
+        }
+        QVERIFY(useLanguage("en"));
     }
 
     // Without a pose the whole text about the cell, with line and beam, is visible at 1280 px in every language: less important facts are

@@ -15,6 +15,7 @@
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/count_curve.h"
 #include "ui/panels/tuning/warning_button.h"
+#include "ui/views/cloud/cloud_overlay.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/window/cab_mode.h"
 
@@ -553,6 +554,11 @@ private slots:
         assumed.expectedLines = kLines;
         v.live.connectTo("127.0.0.1", emulated->port(), assumed);
         QVERIFY2(v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
+        // The cloud says it as long as it is so; images have no shape.
+        QTRY_VERIFY(lines(on.window) > 2);
+        const auto* overlay = v.cloud.findChild<CloudOverlay*>();
+        QTRY_VERIFY2(overlay->marks().note.contains("Scan > Sweep…"), qPrintable(overlay->marks().note));
+        QVERIFY(!v.gray.note().contains("Sweep…"));
         // A double click, and a click while the fields are open, leave them open.
         auto* fields = v.live.panel().findChild<QDialog*>("sweep-dialog");
         auto* give = v.notice.findChild<QToolButton*>("notice-action");
@@ -571,6 +577,7 @@ private slots:
         v.live.panel().askSweep(); // typed values are taken when it closes
         fields->close();
         QVERIFY2(!v.notice.isVisible() || !v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
+        QTRY_VERIFY2(!overlay->marks().note.contains("Sweep…"), qPrintable(overlay->marks().note));
     }
 
     void nothingOfALostScannerIsGreen() {
@@ -876,6 +883,12 @@ private slots:
         on.viewer.files.ask();
         QVERIFY(looked.done() && places.contains(QUrl::fromLocalFile(folder)));
         on.viewer.live.scanner().disconnectScanner();
+        // The notice opens it.
+        auto* open = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QTRY_VERIFY(open->isVisible() && open->text() == "Open");
+        QTest::mouseClick(open, Qt::LeftButton);
+        QTRY_VERIFY2(on.viewer.files.path().startsWith(folder) && on.viewer.files.path().endsWith(".mcap"),
+                     qPrintable(on.viewer.files.path()));
     }
 
     void thePictureBeforeAScannersFirstOneIsCalledOld() {

@@ -88,10 +88,15 @@ private slots:
         QVERIFY(!notice.unfolded());
     }
 
-    // Titles, their buttons and the view cube stay free, also below a note of many lines.
-    void aNoteCoversNoTitleAndNoCube() {
+    // Titles, their buttons, the images and the view cube stay free, also below a note of many lines.
+    void aNoteCoversNoTitleNoImageAndNoCube_data() {
+        QTest::addColumn<QSize>("size");
+        for (const QSize size : {QSize(1280, 800), QSize(1366, 768), QSize(1920, 1080)}) QTest::addRow("%d", size.width()) << size;
+    }
+    void aNoteCoversNoTitleNoImageAndNoCube() {
+        QFETCH(QSize, size);
         WindowFixture on;
-        on.window.resize(1280, 800);
+        on.window.resize(size);
         QVERIFY(on.showWith(bell_));
         NoticeBar& notice = on.viewer.notice;
         auto* cube = on.window.findChild<QWidget*>("view-cube");
@@ -105,6 +110,7 @@ private slots:
             notice.unfold(unfolded);
             QTRY_VERIFY(notice.isVisible());
             QTRY_VERIFY(isFree(*cube));
+            QVERIFY(isFree(on.viewer.gray) && isFree(on.viewer.edges));
             for (const Pane* pane : on.window.findChildren<Pane*>()) QVERIFY2(isFree(*pane->aloneButton()), qPrintable(pane->title()));
         }
     }

@@ -215,6 +215,7 @@ private slots:
             if (action->text().remove('&') == QStringLiteral("Properties…")) action->trigger();
         }
         QVERIFY2(text.contains("Scan lines") && text.contains("no return"), qPrintable(text));
+        QVERIFY2(text.contains(QRegularExpression("Ranges \\[m\\]\\s+smallest\\s+[0-9]+\\.[0-9]{2}\\s")), qPrintable(text)); // as in titles
         QVERIFY2(!text.contains(QRegularExpression("[{}\"]")) && !text.contains("no_return"), qPrintable(text));
     }
 

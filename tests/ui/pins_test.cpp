@@ -18,6 +18,7 @@
 #include <QWindow>
 
 #include <algorithm>
+#include <array>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -129,6 +130,27 @@ private slots:
             QVERIFY2(lightest > 150, qPrintable(QString("%1: %2").arg(n).arg(lightest)));
         }
         QVERIFY2(lines > 0, "the test can fail: all have room next to their lines");
+    }
+
+    // Of several measurements at one place the chosen one, else the newest, has its value; the others have their numbers of the list.
+    void oneOfSeveralMeasurementsAtOnePlaceHasItsValue() {
+        const auto labels = [](std::optional<std::size_t> chosen) {
+            CellMarks marks;
+            for (std::size_t n = 0; n < 5; ++n) // the last one is elsewhere
+                marks.measures.push_back(
+                    {{2 * n, 2 * n + 1}, {{0, 1}}, "0.534 m ± 0.021 m", {}, n == chosen, "M" + QString::number(n + 1)});
+            const auto placeOf = [](std::size_t cell) {
+                const double far = cell >= 8 ? 300.0 : 6.0 * static_cast<double>(cell / 2);
+                return std::optional(MarkPlace{QPointF(100.0 + 40.0 * static_cast<double>(cell % 2), 100.0 + far)});
+            };
+            QStringList words;
+            for (const auto& measure : screenMarks(marks, placeOf).measures) words << measure.label;
+            words.sort();
+            return words;
+        };
+        const QString value = QString::fromUtf8("0.534 m ± 0.021 m");
+        QCOMPARE(labels(std::nullopt), QStringList({value, value, "M1", "M2", "M3"}));
+        QCOMPARE(labels(1), QStringList({value, value, "M1", "M3", "M4"}));
     }
 
     // A length in a small image has its line only: its label would cover the image, and the cloud has it.
@@ -308,6 +330,46 @@ private slots:
         QTRY_VERIFY(cloud.atRest() && cloud.pixelOf(other) && before.contains(cloud.pixelOf(other)->toPoint()));
         QTRY_VERIFY2(!scale->geometry().contains(cloud.pixelOf(other)->toPoint()) || scale->isSeeThrough(), "the ring is covered");
         QVERIFY(scale->isVisible());
+    }
+
+    // Legends and scale move off the chosen target when the view is at rest, and stay there when it is elsewhere or gone.
+    void platesDoNotGoBackAndForth() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bare_) && on.activate());
+        CloudView& cloud = on.viewer.views.cloud();
+        QVERIFY(pin(on, someCells(*on.picture().detection->scan, 2)));
+        const auto cell = static_cast<std::uint32_t>(*on.viewer.views.pinned());
+        const auto* scale = cloud.findChild<ScalePlate*>();
+        QTRY_VERIFY(cloud.atRest() && scale->isVisible() && on.viewer.legend.isVisible());
+        const CameraPose first = cloud.camera();
+        const auto bring = [&](const QPointF& to) { // the target, by moving the picture
+            cloud.setCamera(first);
+            const QPointF way = to - *cloud.pixelOf(cell);
+            cloud.setCamera(panned(first, cloud.geometryOfCloud()->point(cell).cast<double>(), way.x(), way.y(), cloud.height()));
+        };
+        const std::array<const QWidget*, 2> plates{scale, &on.viewer.legend};
+        for (const QWidget* plate : plates) {
+            const QPointF under = plate->geometry().center();
+            bring(under);
+            QTRY_VERIFY2(cloud.atRest() && !plate->geometry().contains(under.toPoint()), qPrintable(plate->objectName()));
+            const QRect legend = on.viewer.legend.geometry(), at = scale->geometry();
+            cloud.setCamera(first);
+            QTRY_VERIFY(cloud.atRest());
+            on.viewer.views.clearPin();
+            QTRY_VERIFY(cloud.atRest());
+            QCOMPARE(on.viewer.legend.geometry(), legend);
+            QCOMPARE(scale->geometry(), at);
+            on.viewer.views.pin(cell);
+        }
+        // Another target than the chosen one moves nothing.
+        const std::uint32_t other = on.viewer.targets.notebook().targets.front().cell;
+        QVERIFY(other != cell);
+        const QRect legend = on.viewer.legend.geometry();
+        const QPointF way = QPointF(legend.center()) - *cloud.pixelOf(other);
+        cloud.setCamera(panned(first, cloud.geometryOfCloud()->point(other).cast<double>(), way.x(), way.y(), cloud.height()));
+        QTRY_VERIFY(cloud.atRest());
+        QCOMPARE(on.viewer.legend.geometry(), legend);
     }
 
     // Pins of the last time are there, but no target is chosen: the cab's side says so, and its arrows go to them.

@@ -151,8 +151,9 @@ private slots:
         on.viewer.warnings.click();
         const QString note = on.viewer.notice.text();
         QVERIFY2(
-            note.contains(QString::fromUtf8("The calibration leaves out “Lever arm of the head in the robot”, “Lever arm of TALIN in the "
-                                            "robot”, “Boresight”")),
+            note.contains(QString::fromUtf8("The mounting does not give “Lever arm of the head in the robot”, “Lever arm of TALIN in the "
+                                            "robot”, “Boresight”")) &&
+                note.contains("so 0 is used: type them in Scan > Pose and Mounting, page Mounting."),
             qPrintable(note));
         QVERIFY2(!note.contains("talin.") && !note.contains("_deg"), qPrintable(note));
     }

@@ -322,9 +322,10 @@ private slots:
         if (QTest::currentTestFailed()) return;
         const QString text = window_->viewer().explanation.card()->text();
         for (const char* words :
-             {"class jump", "Step in depth: ", " mm to line ", "limit ", "Range noise used: sigma ", "Chain: ", "Edge strength"})
+             {"class jump", "Step in depth: ", " m to line ", "limit ", "Range noise used: sigma ", "Chain: ", "Edge strength"})
             QVERIFY2(text.contains(words), qPrintable(text));
         QVERIFY2(!text.contains("ensitivity"), qPrintable(text));
+        QVERIFY2(!text.contains(" mm"), qPrintable(text)); // one unit on the card
         for (ImageView* each : {&window_->viewer().views.gray(), &window_->viewer().views.edges()}) {
             const EdgeTrail& trail = each->trail();
             QVERIFY(trail.cells.size() >= 4);

@@ -15,6 +15,7 @@ namespace {
 constexpr double kMarkRing = 8.0;          // radius, px
 constexpr double kEndDot = 3.5;            // of each measured cell
 constexpr int kTagOffset = 6;              // px from the ring
+constexpr double kOnePlace = 48.0;         // px: labels of measurements that are nearer would be a heap
 constexpr std::size_t kMostFreeRings = 40; // no tag covers a ring; among more of them it would be far from its own
 const QColor kMeasured(120, 190, 255);     // the line being measured; its dark halo separates it from the cloud
 
@@ -145,6 +146,22 @@ private:
     std::vector<Placed> placed_;
 };
 
+/// Of the measurements at one place only one has its value: the chosen one, else the newest.
+void shortenHeaps(std::vector<ScreenMarks::Measure>& shown, const std::vector<QString>& briefs) {
+    const std::vector<ScreenMarks::Measure> whole = shown;
+    for (std::size_t n = 0; n < shown.size(); ++n) {
+        const auto isBefore = [&](std::size_t other) {
+            const ScreenMarks::Measure& each = whole[other];
+            const bool first = each.active || (other > n && !whole[n].active);
+            return first && other != n && !each.label.isEmpty() && QLineF(each.labelAt, whole[n].labelAt).length() < kOnePlace;
+        };
+        if (whole[n].label.isEmpty() || briefs[n].isEmpty()) continue;
+        for (std::size_t other = 0; other < whole.size(); ++other) {
+            if (isBefore(other)) shown[n].label = briefs[n];
+        }
+    }
+}
+
 void drawTarget(QPainter& painter, const ScreenMarks::Target& target) {
     const Qt::PenStyle style = target.place.hidden ? Qt::DotLine : Qt::SolidLine;
     painter.setBrush(Qt::NoBrush);
@@ -188,6 +205,7 @@ void drawMove(QPainter& painter, const QLineF& move) {
 
 ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t)>& placeOf, bool small) {
     ScreenMarks shown;
+    std::vector<QString> briefs; // of the shown measurements
     for (const MeasureMark& measure : marks.measures) {
         ScreenMarks::Measure drawn;
         std::vector<std::optional<MarkPlace>> places;
@@ -206,8 +224,12 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         }
         drawn.active = measure.active;
         if (!small || measure.active) drawn.label = measure.label;
-        if (!drawn.ends.empty()) shown.measures.push_back(std::move(drawn));
+        if (drawn.ends.empty()) continue;
+        if (drawn.lines.empty()) drawn.label.clear(); // it would be nowhere
+        shown.measures.push_back(std::move(drawn));
+        briefs.push_back(measure.brief);
     }
+    shortenHeaps(shown.measures, briefs);
     for (const TargetMark& target : marks.targets) {
         const QString& words = small && !target.active ? target.brief : target.tag;
         const auto place = placeOf(target.cell);

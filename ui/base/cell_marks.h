@@ -32,6 +32,7 @@ struct MeasureMark {
     QString label;                                          ///< empty until all cells are picked
     std::vector<std::size_t> clicked{};                     ///< where the operator clicked; empty: at `cells`
     bool active = false;                                    ///< it is the chosen one
+    QString brief{};                                        ///< "M2": in place of `label` where several are at one place
 
     bool operator==(const MeasureMark&) const = default;
 };

@@ -133,6 +133,7 @@ void Live::connectScanner() {
         notice_.showSaved(path, {},
                           linesBefore == 0 ? QString()
                                            : tr("It begins with the sweep under way: %1 lines of it came before Record.").arg(linesBefore));
+        notice_.offer(tr("Open"), [this, path] { files_.open({path}); });
     });
 }
 
@@ -204,6 +205,9 @@ void Live::showHealth() {
     const QString note = // a cab says it in its head
         held && !panel_.brief() ? tr("Held: %1. Press Follow.").arg(scanName(shown->detection->scan->name, 60)) : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
+    const scanner::SweepSettings sweep = panel_.sweep();
+    const bool assumed = scanner_.connected() && shown && own && !panel_.bridge() && (sweep.axisAssumed || sweep.stepAssumed);
+    views_.setShapeNote(assumed ? tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…") : QString());
 }
 
 /// What is on the screen, and what the button does.

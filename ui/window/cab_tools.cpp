@@ -315,9 +315,7 @@ void CabMode::step(int by) {
                                         : 0;
     const int next = ((now + by) % all + all) % all;
     if (next >= pins) return targets.chooseMeasure(static_cast<std::size_t>(next - pins));
-    const std::uint32_t cell = notebook.targets[static_cast<std::size_t>(next)].cell;
-    window_.viewer().views.pin(cell);
-    window_.viewer().rocks.select({cell});
+    window_.viewer().views.pin(notebook.targets[static_cast<std::size_t>(next)].cell);
 }
 
 TargetNumbers CabMode::numbers() const {

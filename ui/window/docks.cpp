@@ -59,6 +59,12 @@ Docks::Docks(QMainWindow& window, DockRail& rail, Viewer& viewer)
         want(kTable, on);
         want(kRocks, on);
     });
+    connect(&viewer.rocks, &Rocks::selectionChanged, this, [this, &viewer] {
+        if (viewer.rocks.selected().empty() || viewer.views.pinned()) return;
+        QDockWidget &targets = *named(kTargets).widget, &rocks = *named(kRocks).widget;
+        const bool inFront = !targets.isHidden() && !targets.visibleRegion().isEmpty();
+        if (inFront && window_.tabifiedDockWidgets(&targets).contains(&rocks)) rocks.raise(); // the card of the rock, in place of no target
+    });
     connect(&viewer.layers, &Layers::shownChanged, this, [this](bool on) { want(kLayers, on); });
     connect(&viewer.targets, &Targets::pinned, this, [this] {
         want(kTargets, true);

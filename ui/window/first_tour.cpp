@@ -15,7 +15,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr const char* kTourEnded = "tour-ended";
+constexpr const char* kOffered = "tour-ended"; // of the settings
 
 Tour* tourOf(MainWindow& window) { return window.findChild<Tour*>("tour"); }
 
@@ -45,7 +45,6 @@ void addTour(MainWindow& window, QBoxLayout& column) {
     auto* tour = new Tour;
     column.addWidget(tour);
     QObject::connect(&window.cab(), &CabMode::changed, tour, [tour](bool cab) { tour->setVisible(tour->running() && !cab); });
-    QObject::connect(tour, &Tour::ended, &window, [&window] { window.viewer().preferences.keep(kTourEnded, true); });
     // Whichever way the scan was opened, the first step is done.
     QObject::connect(&window.viewer().engine, &Engine::pictureReady, tour, [tour] {
         if (tour->running() && tour->step() == 0) tour->showStep(1);
@@ -66,8 +65,11 @@ bool endTour(MainWindow& window) {
     return true;
 }
 
-void offerTour(MainWindow& window, const Preferences& preferences) {
-    if (!preferences.dataFolder().isEmpty() && !preferences.flag(kTourEnded, false)) startTour(window);
+/// Once: a window that was closed during the tour has skipped it.
+void offerTour(MainWindow& window, Preferences& preferences) {
+    if (preferences.dataFolder().isEmpty() || preferences.flag(kOffered, false) || window.cab().on()) return;
+    preferences.keep(kOffered, true);
+    startTour(window);
 }
 
 } // namespace edgescan::ui

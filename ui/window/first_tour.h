@@ -16,6 +16,6 @@ void startTour(MainWindow& window);
 bool endTour(MainWindow& window);
 
 /// On the first start: if settings are stored and the tour was not ended before.
-void offerTour(MainWindow& window, const Preferences& preferences);
+void offerTour(MainWindow& window, Preferences& preferences);
 
 } // namespace edgescan::ui

@@ -10,7 +10,6 @@
 #include <QLayout>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace edgescan::ui {
@@ -38,10 +37,10 @@ bool hasPointer(const CloudView& cloud) {
         plates, [&](ViewPlate* plate) { return plate->isVisible() && cloud.layout()->indexOf(plate) >= 0 && plate->underMouse(); });
 }
 
-/// True if the plates of the layout are at the right.
+/// True if the lowest plate of the layout is at the right: another one may have come above it.
 bool isAtRight(const CloudView& cloud) {
     const QLayout& over = *cloud.layout();
-    for (int n = 0; n < over.count(); ++n) {
+    for (int n = over.count() - 1; n >= 0; --n) {
         const auto* plate = qobject_cast<ViewPlate*>(over.itemAt(n)->widget());
         if (plate != nullptr) return (over.itemAt(n)->alignment() & Qt::AlignRight) != 0;
     }
@@ -85,24 +84,19 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
         const auto neitherIsFree = [&] { return !label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true); };
         if (neitherIsFree()) fitLegends(cloud.height() - label.bottom());
         if (neitherIsFree()) fitLegends(0);
-        // The label counts first, then the number of rings; the left side if both are equal.
-        const std::vector<QRect> rings = ringsIn(cloud);
-        const auto covers = [&](bool atRight) {
-            const auto under = std::ranges::count_if(rings, [&](const QRect& ring) { return isCovered(cloud, ring, atRight); });
-            return std::pair(!label.isEmpty() && isCovered(cloud, label, atRight), under);
-        };
-        const bool right = covers(true) < covers(false);
+        // They stay at their side until they cover the chosen place, and the other side does not. While the cloud turns, and under the
+        // pointer, they never move.
+        const bool inTheWay = !label.isEmpty() && isCovered(cloud, label, wasRight) && !isCovered(cloud, label, !wasRight);
+        const bool right = inTheWay && cloud.atRest() && !hasPointer(cloud) ? !wasRight : wasRight;
         QLayout* over = cloud.layout();
-        const bool stays = hasPointer(cloud); // no button moves away from under the pointer
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
         for (int n = 0; n < over->count(); ++n) {
             QWidget* plate = over->itemAt(n)->widget();
-            if (!stays && qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side)
-                over->setAlignment(plate, side);
+            if (qobject_cast<ViewPlate*>(plate) != nullptr && over->itemAt(n)->alignment() != side) over->setAlignment(plate, side);
         }
-        if (isAtRight(cloud) != wasRight) fitLegends(roomAt(!wasRight));
+        if (right != wasRight) fitLegends(roomAt(right));
         over->activate(); // the scale avoids the legends where they are now
-        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label, rings);
+        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label, ringsIn(cloud));
     };
     QObject::connect(&views, &LinkedViews::pinChanged, &cloud, look);
     QObject::connect(&cloud, &CloudView::frameDrawn, &cloud, look);

@@ -233,6 +233,7 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
             kLine,
             linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
             linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
+            linked(command("S&weep…", "", [&live] { live.panel().askSweep(); }), connected),
             habit(toggle("&Hold Picture at End of Sweep", "", "live/hold", true, [&live](bool on) { live.scanner().setHoldAtEnd(on); })),
             command("Recordings &Folder…", "", [&live] { live.askRecordingFolder(); }),
             kLine,

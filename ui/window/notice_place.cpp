@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kTextMargin = 8;   // px
 constexpr int kLeastWidth = 220; // px of a note
+constexpr int kLeastUnderNote = 480; // px of a cloud that has a line of a note with its buttons
 
 class NoticePlace : public QObject {
 public:
@@ -39,8 +40,8 @@ public:
     }
 
 private:
-    /// Below the titles of the panes, and next to the view cube and the picture in the corner: title, buttons, cube and picture stay free.
-    /// As high as its text needs at this width, and no higher than the views.
+    /// Over the cloud, which can be turned: images stay free, unless the cloud is too narrow for a note. Below the titles of the panes, and
+    /// next to the view cube and the picture in the corner. As high as its text needs at this width, and no higher than the views.
     void place() {
         int top = 0;
         const bool isCovered = cloud_ != nullptr && cloud_->isHidden(); // by the start page, which is below the notice
@@ -48,7 +49,9 @@ private:
             const QPoint at = pane->mapTo(&views_, QPoint(0, 0));
             if (!isCovered && pane->isVisible() && at.y() == 0) top = std::max(top, pane->content()->mapTo(&views_, QPoint(0, 0)).y());
         }
-        QRect place = rectAt(0, views_.width(), top);
+        const int left = cloud_ == nullptr ? 0 : cloud_->mapTo(&views_, QPoint(0, 0)).x();
+        const bool overCloud = cloud_ != nullptr && cloud_->isVisible() && cloud_->width() >= kLeastUnderNote;
+        QRect place = overCloud ? rectAt(left, left + cloud_->width(), top) : rectAt(0, views_.width(), top);
         for (QWidget* each : views_.findChildren<QWidget*>()) {
             if (qobject_cast<ViewCube*>(each) != nullptr || qobject_cast<CornerPicture*>(each) != nullptr) place = nextTo(*each, place);
         }

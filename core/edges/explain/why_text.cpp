@@ -15,6 +15,11 @@ std::string number(double value) { return fixedText(value, std::abs(value) < 10 
 
 std::string whole(double value) { return fixedText(value, value < 10 ? 1 : 0); }
 
+/// Lengths are in metres, with the digits of the status line; noise below 10 mm has one digit more.
+std::string metres(double mm) { return fixedText(mm / 1000.0, 3); }
+
+std::string noiseMetres(double mm) { return fixedText(mm / 1000.0, mm < 10.0 ? 4 : 3); }
+
 /// The texts of one cell, in the words of the command line or of the window.
 class WhyWords {
 public:
@@ -131,7 +136,7 @@ std::string WhyWords::reasonOfNone(const std::string& strength) const {
                    : say("%1 next to it is as strong (%2), and an edge is one cell wide", {place(other), inUnit(other.strength)});
     }
     if (const DepthStepAtCell* step = stepOfNeighbour())
-        return say("the step of %1 mm belongs to %2, which is the nearer cell", {whole(step->stepMm), place(step->line, step->beam)});
+        return say("the step of %1 m belongs to %2, which is the nearer cell", {metres(step->stepMm), place(step->line, step->beam)});
     if (why_.level == StrengthLevel::Below) {
         const std::string text = why_.strength < why_.lower ? say("%1 is below %2", {strength, lowerThreshold()})
                                                             : say("%1 does not exceed %2", {strength, lowerThreshold()});
@@ -173,19 +178,18 @@ std::string WhyWords::reason() const {
 std::string WhyWords::stepText(const DepthStepAtCell& step) const {
     double sumMm = 0; // of the parts as they are printed
     const auto part = [&sumMm](double mm) {
-        const double printed = std::round(10.0 * mm) / 10.0;
-        sumMm += printed;
-        return fixedText(printed, 1);
+        sumMm += std::round(mm);
+        return metres(std::round(mm));
     };
     const std::string parts = label("jump") + " " + part(step.smallestMm) + " + " + label("growth") + " " + part(step.growthMm) + " + " +
                               label("grazing") + " " + part(step.grazingMm) +
                               (why_.depth->grazingRaised ? say(" (raised: beams are interlaced)") : "") + " + " +
                               say("relief %1", {part(step.reliefMm)});
-    const std::string limit = fixedText(sumMm, 1) + " mm = " + parts;
-    const std::initializer_list<std::string> values{whole(step.stepMm), place(step.line, step.beam), alongName(step.along), limit,
+    const std::string limit = metres(sumMm) + " m = " + parts;
+    const std::initializer_list<std::string> values{metres(step.stepMm), place(step.line, step.beam), alongName(step.along), limit,
                                                     number(step.strength)};
-    return step.cellIsNearer ? say("Step in depth: %1 mm to %2 (%3; this cell is the nearer one), limit %4: strength %5.", values)
-                             : say("Step in depth: %1 mm to %2 (%3; that cell is the nearer one), limit %4: strength %5.", values);
+    return step.cellIsNearer ? say("Step in depth: %1 m to %2 (%3; this cell is the nearer one), limit %4: strength %5.", values)
+                             : say("Step in depth: %1 m to %2 (%3; that cell is the nearer one), limit %4: strength %5.", values);
 }
 
 std::string WhyWords::foldText(const FoldAtCell& fold) const {
@@ -217,7 +221,7 @@ std::string WhyWords::supportText() const {
     if (depth.support == Support::Void) text += "\n" + say("Nothing is known here: no step and no fold is measured next to missing data.");
     if (depth.snappedMm)
         text += "\n" + say("Mixed pixel: its range is between two surfaces. For edges it counts as %1 m, the one nearer to its range.",
-                           {number(*depth.snappedMm / 1000)});
+                           {metres(*depth.snappedMm)});
     return text;
 }
 
@@ -233,9 +237,9 @@ std::string WhyWords::depthText() const {
         text += " " + say("Together with the other way %1.", {number(together)});
     if (why_.rough && !depth.folds.empty()) text += "\n" + roughText();
     if (depth.support == Support::Void) return text;
-    text += "\n" + say("Range noise used: sigma %1 mm here, %2 mm at 5 m.", {number(depth.noiseMm), number(depth.noiseAt5mMm)});
+    text += "\n" + say("Range noise used: sigma %1 m here, %2 m at 5 m.", {noiseMetres(depth.noiseMm), noiseMetres(depth.noiseAt5mMm)});
     if (depth.foldNoiseMm != depth.noiseMm)
-        text += " " + say("Neighbours err alike, so for folds it counts as %1 mm here.", {number(depth.foldNoiseMm)});
+        text += " " + say("Neighbours err alike, so for folds it counts as %1 m here.", {noiseMetres(depth.foldNoiseMm)});
     return text;
 }
 
@@ -282,7 +286,7 @@ std::string WhyWords::numbers() const {
     const Probe& probe = why_.probe;
     const std::string at = place(probe.line, probe.beam);
     std::string text =
-        probe.state == CellState::Valid ? say("%1: range %2 m", {at, number(probe.rangeMm / 1000)}) : at + ": " + stateName(probe.state);
+        probe.state == CellState::Valid ? say("%1: range %2 m", {at, metres(probe.rangeMm)}) : at + ": " + stateName(probe.state);
     if (!isDepth()) text += say(", gray %1", {std::to_string(probe.gray)});
     if (why_.smoothed) text += say(", smoothed %1", {std::to_string(static_cast<int>(*why_.smoothed))});
     if (probe.edge && probe.kind != DepthEdge::None) text += say(", class %1", {kindName(probe.kind)});

@@ -21,15 +21,13 @@ const std::vector<Choice> kClasses{{kClassJump, "jump", "jump"},
                                    {kClassSilhouette, "silhouette", "outline before a void"},
                                    {kClassVoidRim, "rim", "void rim"}};
 const std::vector<Choice> kOffOn{{0, "off", "off"}, {1, "on", "on"}};
-const std::vector<Choice> kScalings{
-    {0, "thesis", "Thesis (255 / span)"}, {1, "window", "Window (near to far)"}, {2, "log", "Logarithmic (near to far)"}};
+const std::vector<Choice> kScalings{{0, "thesis", "Thesis"}, {1, "window", "Even"}, {2, "log", "Logarithmic"}};
 const std::vector<Choice> kKernels{{1, "1", "1 (off)"}, {3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}, {9, "9", "9"}, {11, "11", "11"}};
 const std::vector<Choice> kApertures{{3, "3", "3"}, {5, "5", "5"}, {7, "7", "7"}};
 const std::vector<Choice> kNorms{{0, "l1", "L1  |gx| + |gy|"}, {1, "l2", "L2  sqrt(gx² + gy²)"}};
 const std::vector<Choice> kLogMasks{{0, "four", "4 neighbours"}, {1, "eight", "8 neighbours"}, {2, "5x5", "5 x 5"}};
 
-const std::vector<Choice> kNoiseKinds{
-    {0, "measured", "as measured"}, {1, "laser", "laser: each cell for itself"}, {2, "camera", "depth camera: neighbours alike"}};
+const std::vector<Choice> kNoiseKinds{{0, "measured", "as measured"}, {1, "laser", "laser"}, {2, "camera", "depth camera"}};
 
 constexpr bool kAdvanced = true;
 constexpr bool kSeveral = true;

@@ -59,7 +59,7 @@ std::string frameText(const Scan& scan) {
 std::string placeText(const Scan& scan) {
     if (!scan.placement) return "not known: no pose";
     const Eigen::Vector3d at = scan.placement->originEnhM + PlacedPoints(scan).local(0, 0, Eigen::Vector3d::Zero());
-    return "E " + fixedText(at.x(), 2) + ", N " + fixedText(at.y(), 2) + ", RL " + fixedText(at.z(), 2) + " m (scanner)";
+    return "E " + fixedText(at.x(), 3) + ", N " + fixedText(at.y(), 3) + ", RL " + fixedText(at.z(), 3) + " m (scanner)";
 }
 
 // The file's own times; where it has none, those of the pose.
@@ -86,7 +86,7 @@ std::string uncertaintyText(const edges::Detection& detection) {
     constexpr double kNearM = 5, kFarM = 10;
     const RangeNoise noise = inspect::noiseOf(detection);
     const auto twice = [&](double atM) {
-        return fixedText(shownTolerance(inspect::kReportedSigmas * noise.at(atM), 0), 0) + " mm at " + fixedText(atM, 0) + " m";
+        return fixedText(shownTolerance(inspect::kReportedSigmas * noise.at(atM) / 1000.0, 3), 3) + " m at " + fixedText(atM, 0) + " m";
     };
     return "ranges ± " + twice(kNearM) + ", ± " + twice(kFarM) + " (two standard deviations)" +
            (detection.scan->placement ? "; the pose does not say its own" : "");

@@ -123,7 +123,9 @@ void judgeMounting(Placement& placement, const Calibration& calibration, const P
         if (key == kConvergenceKey && std::ranges::none_of(poses.talin, &TalinReading::trueNorth)) continue;
         names += (names.empty() ? "" : ", ") + key;
     }
-    if (!names.empty()) warn(placement, false, "The calibration leaves out " + names + ": 0 was taken.");
+    if (!names.empty())
+        warn(placement, false,
+             "The mounting does not give " + names + ", so 0 is used: type them in Scan > Pose and Mounting, page Mounting.");
 }
 
 /// Warns about lines measured before the first or after the last reading: their pose is a guess.

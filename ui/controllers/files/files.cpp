@@ -14,7 +14,9 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFileSystemModel>
 #include <QMenu>
+#include <QSortFilterProxyModel>
 #include <QUrl>
 
 #include <algorithm>
@@ -23,6 +25,22 @@
 
 namespace edgescan::ui {
 namespace {
+
+/// A file next to a scan that is not a scan: a record, a pose, edits of rocks.
+bool isSidecar(const std::string& name) {
+    return name.ends_with(".provenance.json") || name.ends_with(".rocks.json") || files::isPoseSidecar(name);
+}
+
+/// For a dialog: without the sidecars.
+class WithoutSidecars : public QSortFilterProxyModel {
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
+        return !isSidecar(exactBytes(sourceModel()->index(row, 0, parent).data(QFileSystemModel::FileNameRole).toString()));
+    }
+};
 
 /// The scans in its folder, by name, including the file itself; other files of a scan (records, settings) are skipped.
 QStringList scansInFolder(const QString& path) {
@@ -41,7 +59,7 @@ QStringList scansInFolder(const QString& path) {
         if (name.starts_with('.') || !entry->is_regular_file(gone) || ::access(entry->path().c_str(), R_OK) != 0) continue;
         if (!QDir::match(patterns, exactText(name))) continue;
         // A raw grid is a description and a file of numbers: the opened one of both counts.
-        const bool part = entry->path().extension() == ".u16" || name.ends_with(".provenance.json") || files::isPoseSidecar(name);
+        const bool part = entry->path().extension() == ".u16" || isSidecar(name);
         if (!part || entry->path().filename() == own.filename()) names << exactText(name);
     }
     names.sort();
@@ -95,6 +113,7 @@ namespace {
 QStringList askPaths(QWidget* parent, const QString& title, const Preferences& preferences, QFileDialog::FileMode mode) {
     QFileDialog dialog(parent, title, preferences.folder("scans"), Files::filters());
     dialog.setFileMode(mode);
+    dialog.setProxyModel(new WithoutSidecars(&dialog));
     const QList<QUrl> usual = dialog.sidebarUrls();
     QList<QUrl> places = usual;
     const QString recordings = preferences.recordingFolder();

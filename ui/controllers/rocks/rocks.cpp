@@ -44,7 +44,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&table_, &RockTable::chosen, this, [this](const std::vector<std::uint32_t>& labels) {
         std::vector<std::size_t> cells;
         for (const std::uint32_t label : labels) cells.push_back(picture_->rock(label)->cell);
-        select(std::move(cells));
+        selectInsteadOfPin(std::move(cells));
         if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline());
     });
     connect(&table_, &RockTable::jumpRequested, this, &Rocks::lookAt);
@@ -166,8 +166,9 @@ void Rocks::takePreset(const rocks::Preset& preset) {
 void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
     // An answer about another scan, or after rocks were switched off, is dropped.
     if (!on_ || !engine_.picture() || (finder_.behind() && picture->detection->scan != engine_.picture()->detection->scan)) return;
-    picture_ = picture;
+    const bool first = std::exchange(picture_, picture) == nullptr;
     show();
+    if (first && selected_.empty()) selectPinned();
     judgeEdit();
     emit rocksShown();
     if (std::exchange(largestWanted_, false)) lookAtLargest();
@@ -214,10 +215,15 @@ void Rocks::showFaces() {
     views_.put(std::move(overlay));
 }
 
-/// The outline of the pinned cell's rock ends with the pin.
+/// The rock of the chosen target is selected with it, until another target or another rock is chosen.
 void Rocks::followPin(std::optional<std::size_t> cell) {
     const auto was = std::exchange(pinned_, cell);
-    if (was && selected_ == std::vector{*was}) select({});
+    if (cell || (was && selected_ == std::vector{*was})) selectPinned();
+}
+
+void Rocks::selectPinned() {
+    const bool onRock = picture_ && pinned_ && picture_->labelAt(*pinned_) != 0;
+    if (onRock || !selected_.empty()) select(onRock ? std::vector{*pinned_} : std::vector<std::size_t>());
 }
 
 void Rocks::setNames(const RockNames& names) { table_.setNames(names); }
@@ -226,6 +232,12 @@ void Rocks::select(std::vector<std::size_t> cells) {
     if (cells.empty()) useTool(RockTool::None);
     selected_ = std::move(cells);
     showSelection();
+}
+
+/// One thing is chosen: a target on another rock is not the chosen one any more.
+void Rocks::selectInsteadOfPin(std::vector<std::size_t> cells) {
+    if (pinned_ && cells.size() == 1 && picture_->labelAt(*pinned_) != picture_->labelAt(cells.front())) views_.pin(std::nullopt);
+    select(std::move(cells));
 }
 
 void Rocks::showSelection() {
@@ -263,7 +275,7 @@ void Rocks::point(std::optional<std::size_t> cell, const QObject* from) {
 void Rocks::click(const inspect::MeantCell& click) {
     if (!picture_ || views_.tool() != Tool::Pin) return;
     if (tool_ == RockTool::Split) return splitAt(click.clicked);
-    if (!severalWanted()) return tool_ == RockTool::None ? select({}) : void(); // it pinned, which is all that it means
+    if (!severalWanted()) return tool_ == RockTool::None ? selectPinned() : void(); // also if this target was the chosen one
     const std::size_t cell = rockCellAt(click).value_or(click.clicked);
     std::vector<std::size_t> cells = selected_;
     const auto sameRock = [&](std::size_t other) {
@@ -304,7 +316,7 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
     QMenu* rock = menu.addMenu(tr("&Rock %1").arg(label));
     rock->setObjectName(kRockMenu);
     const auto isOther = [&](std::size_t other) { return picture_->labelAt(other) != label; };
-    rock->addAction(tr("Se&lect"), this, [this, cell] { select({cell}); });
+    rock->addAction(tr("Se&lect"), this, [this, cell] { selectInsteadOfPin({cell}); });
     rock->addAction(tr("&Merge with Selected Rocks"), this,
                     [this, cell] {
                         std::vector<std::size_t> cells = selected_;
@@ -326,6 +338,7 @@ void Rocks::lookAt(std::uint32_t label) {
     ViewPort& images = *views_.gray().viewPort();
     if (!images.fitted()) images.centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5)); // else all of it is in sight
     views_.cloud().flyTo(static_cast<qint64>(cell));
+    if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline()); // a large one
 }
 
 void Rocks::lookAtLargest() {

@@ -135,6 +135,8 @@ private:
     void point(std::optional<std::size_t> cell, const QObject* from);
     void addToMenu(QMenu& menu, const inspect::MeantCell& click);
     void followPin(std::optional<std::size_t> cell);
+    void selectPinned();
+    void selectInsteadOfPin(std::vector<std::size_t> cells);
     void click(const inspect::MeantCell& click);
     void splitAt(std::size_t cell);
     void push(const QString& name, rocks::Edit edit);

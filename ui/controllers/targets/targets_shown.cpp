@@ -19,6 +19,9 @@
 namespace edgescan::ui {
 namespace {
 
+/// "M2": next to the others at one place, and in the list.
+QString briefOf(std::size_t measure) { return "M" + QString::number(measure + 1); }
+
 /// The click that an end of a measurement comes from, if it is where such a click is measured.
 std::optional<inspect::MeantCell> clickAtEnd(const Scan& scan, const inspect::StoredMeasure& measure, std::size_t n) {
     const std::uint32_t clicked = n < measure.clicked.size() ? measure.clicked[n] : measure.cells[n];
@@ -117,7 +120,8 @@ CellMarks Targets::marks() const {
                                   inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
                                   (warned ? "▲ " : "") + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
                                   {measure.clicked.begin(), measure.clicked.end()},
-                                  n == chosen_});
+                                  n == chosen_,
+                                  briefOf(n)});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
     marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
@@ -172,9 +176,9 @@ void Targets::show() {
     lines.clear();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const MeasureWords words = wordsOf(measure);
-        QString line = words.kind + "  " + words.value;
-        if (!words.warnings.isEmpty()) line += "\n" + words.warnings.front();
-        if (words.warnings.size() > 1) line += QString(" · +%1 ▲").arg(words.warnings.size() - 1);
+        QString line = briefOf(lines.size()) + "  " + words.value + "\n" + words.kind; // the value is never shortened
+        if (words.warnings.size() == 1) line += " · " + words.warnings.front();
+        if (words.warnings.size() > 1) line += " · ▲ " + tr("%1 warnings").arg(words.warnings.size());
         lines.push_back({line, (words.warnings + words.remarks).join('\n'), lines.size() == chosen_});
     }
     panel_.showMeasures(lines);

@@ -317,7 +317,11 @@ void LinkedViews::setAsked(const QString& words) {
 void LinkedViews::showNote() {
     const QString both = asked_.isEmpty() || note_.isEmpty() ? asked_ + note_ : asked_ + " · " + note_;
     for (ImageView* view : images_) view->setNote(both);
-    cloud_.setNote(both);
+    cloud_.setNote(both.isEmpty() || shapeNote_.isEmpty() ? both + shapeNote_ : both + "\n" + shapeNote_);
+}
+
+void LinkedViews::setShapeNote(const QString& note) {
+    if (std::exchange(shapeNote_, note) != note) showNote();
 }
 
 void LinkedViews::setStale(const QString& why) {

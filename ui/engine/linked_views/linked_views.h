@@ -94,6 +94,8 @@ public:
     void setNote(const QString& note);
     /// What a tool waits for, before the note; empty: no tool.
     void setAsked(const QString& words);
+    /// In the cloud below the note; images have no shape.
+    void setShapeNote(const QString& note);
     void setStale(const QString& why);
     /// The caption of a scene is shown once: in the cloud, or in `image` while only that one is on the screen (null: the cloud).
     void setCaptionIn(const ImageView* image);
@@ -183,7 +185,7 @@ private:
     std::optional<std::size_t> pinned_;
     Tool tool_ = Tool::Pin;
     bool pinsOnClick_ = true;
-    QString note_, asked_;
+    QString note_, asked_, shapeNote_;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved it
     bool fitted_ = false;     // to the whole sweep
     bool windowKept_ = false;

@@ -48,7 +48,7 @@ constexpr std::pair<const char*, const char*> kNames[] = {
     {"out_of_window", QT_TRANSLATE_NOOP("QObject", "out of window")},
     {"masked", QT_TRANSLATE_NOOP("QObject", "masked")},
     {"lost", QT_TRANSLATE_NOOP("QObject", "lost")},
-    {"range_mm", QT_TRANSLATE_NOOP("QObject", "Ranges [mm]")},
+    {"range_mm", QT_TRANSLATE_NOOP("QObject", "Ranges [m]")},
     {"min", QT_TRANSLATE_NOOP("QObject", "smallest")},
     {"max", QT_TRANSLATE_NOOP("QObject", "largest")},
     {"unit_mm", QT_TRANSLATE_NOOP("QObject", "Unit of the file [mm]")},
@@ -155,7 +155,11 @@ void addRows(QString& rows, const Json& facts, int depth) {
 /// Html: a table of names and values.
 QString scanProperties(const Scan& scan) {
     QString rows;
-    addRows(rows, exports::infoReport(scan), 0);
+    Json facts = exports::infoReport(scan);
+    for (Json& range : facts["range_mm"]) { // with the unit and the digits of titles and reports
+        if (range.is_number()) range = exactBytes(QString::number(range.get<double>() / 1000.0, 'f', 2));
+    }
+    addRows(rows, facts, 0);
     return "<table>" + rows + "</table>";
 }
 
@@ -189,7 +193,9 @@ void showShortcuts(QWidget* parent, const QList<QAction*>& actions) {
         "<h3>Mouse in the cloud</h3>Left drag turns, middle drag or Shift+left drag pans, right drag or wheel zooms, Ctrl+left drag rolls; "
         "double-click or middle click sets the centre of rotation; Alt+wheel point size, Ctrl+wheel near clip, Ctrl+Shift+wheel far clip."
         "<h3>Mouse in the images</h3>Left or middle drag pans, wheel zooms, right drag changes the display levels, double-click fits; "
-        "a click sets the crosshair, Esc takes it away; a right click asks why a cell is an edge; Shift+drag draws a box.");
+        "Shift+drag looks closer."
+        "<h3>Mouse in all views</h3>A click pins a target; while rocks are shown, it also selects the rock there. Ctrl+click selects one "
+        "more rock. A right click opens the menu of the cell.");
     auto* browser = new QTextBrowser;
     browser->setHtml("<h3>" + words("Keys") + "</h3><table>" + rows + "</table>" + mouse);
     showSheet(parent, words("Keys and mouse"), browser, {560, 700});

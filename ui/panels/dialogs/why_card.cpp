@@ -65,7 +65,8 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     const bool all = std::ranges::all_of(profile_.points, isShown);
     const double wide = std::max(1e-3, rightM - leftM), deep = farM - nearM;
     const QString way = profile_.along == edges::Along::Beams ? tr("along the line") : tr("across the lines");
-    QString below = tr("%1: %2 wide, %3 deep, near is below").arg(way, shortLength(wide), shortLength(deep));
+    const auto metres = [](double length) { return QString::number(length, 'f', 3); };
+    QString below = tr("%1: %2 m wide, %3 m deep, near is below").arg(way, metres(wide), metres(deep));
     if (!all) below += tr("; ▲ ▼: points beyond it");
     const QRect wrapped =
         fontMetrics().boundingRect(QRect(0, 0, width() - 2 * kRim, height()), Qt::TextWordWrap, below); // two lines in some languages

@@ -39,10 +39,12 @@ void fitHeight(QListWidget& list, Height height) {
     if (list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
 
-/// A line of a target: its first row of text ends in "…" where it has no room, so that a name or a note makes no line higher.
+/// One row of text of each line is shortened where it has no room, so that it makes no line higher: the first of a target (name and note),
+/// the last of a measurement (kind and warning).
 class TargetRows : public QStyledItemDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    enum class Shortened { First, Last };
+    TargetRows(QObject* parent, Shortened row) : QStyledItemDelegate(parent), row_(row) {}
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
@@ -50,11 +52,15 @@ protected:
         const auto* list = qobject_cast<const QListWidget*>(option->widget);
         if (list == nullptr) return;
         const int margin = list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, list) + 1;
-        const int first = static_cast<int>(option->text.indexOf(QChar::LineSeparator)); // Qt writes \n so
-        const QString words = option->text.left(first);
-        const QString room = option->fontMetrics.elidedText(words, Qt::ElideRight, list->viewport()->width() - 2 * margin - 2);
-        option->text = first < 0 ? room : room + option->text.mid(first);
+        const int room = list->viewport()->width() - 2 * margin - 2;
+        QStringList rows = option->text.split(QChar::LineSeparator); // Qt writes \n so
+        if (row_ == Shortened::First) rows.front() = option->fontMetrics.elidedText(rows.front(), Qt::ElideRight, room);
+        if (row_ == Shortened::Last && rows.size() > 1) rows.back() = option->fontMetrics.elidedText(rows.back(), Qt::ElideRight, room);
+        option->text = rows.join(QChar::LineSeparator);
     }
+
+private:
+    Shortened row_;
 };
 
 } // namespace
@@ -74,7 +80,8 @@ TargetsPanel::TargetsPanel(QWidget* parent)
         list->viewport()->installEventFilter(this);
     }
     targets_->installEventFilter(this);
-    targets_->setItemDelegate(new TargetRows(targets_));
+    targets_->setItemDelegate(new TargetRows(targets_, TargetRows::Shortened::First));
+    measures_->setItemDelegate(new TargetRows(measures_, TargetRows::Shortened::Last));
     copyAll_->setToolTip(tr("The positions of all targets as a table with units, for a spreadsheet"));
     letGoOfAll_->setToolTip(tr("All but those that are locked"));
     removeMeasure_->setToolTip(tr("The selected measurement"));

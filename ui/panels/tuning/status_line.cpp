@@ -189,9 +189,19 @@ void StatusLine::fit() {
         factLabels_[n].label->setText(text);
         factLabels_[n].label->setVisible(!text.isEmpty());
     }
-    const int room = two ? whole : whole - width();
-    probe_->setText(
-        letters.elidedText(probeMore_.isEmpty() ? probeMain_ : probeMain_ + "  " + probeMore_, Qt::ElideRight, std::max(room, 0)));
+    probe_->setText(probeIn(std::max(0, two ? whole : whole - width())));
+}
+
+/// Parts that do not fit are left out from the end: gray, angles, line and beam. No number is cut.
+QString StatusLine::probeIn(int room) const {
+    const QFontMetrics letters(probe_->font());
+    QStringList more = probeMore_.split("  ", Qt::SkipEmptyParts);
+    const auto text = [&] { return (QStringList(probeMain_) + more).join("  "); };
+    while (!more.isEmpty() && letters.horizontalAdvance(text()) > room) {
+        more.removeLast();
+        if (more.size() == 1) more.clear(); // line and beam go together
+    }
+    return letters.elidedText(text(), Qt::ElideRight, room);
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {

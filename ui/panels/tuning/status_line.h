@@ -79,6 +79,7 @@ private:
     [[nodiscard]] const FactLabel& factLabel(Fact fact) const { return factLabels_[static_cast<std::size_t>(fact)]; }
     void showFact(Fact fact, const QString& words, const QString& brief, bool always);
     void fit();
+    [[nodiscard]] QString probeIn(int room) const;
     void paintWork();
 
     QWidget* strip_;

@@ -46,7 +46,6 @@ QRect CloudOverlay::covered(const OverlayMarks& marks) const {
     return area.toAlignedRect().intersected(rect());
 }
 
-/// Legends, scale and cube: what else is over the view.
 std::vector<QRectF> CloudOverlay::platesOver() const {
     std::vector<QRectF> plates;
     for (const QWidget* other : parentWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {

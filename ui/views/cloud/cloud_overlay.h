@@ -48,6 +48,8 @@ public:
     [[nodiscard]] const std::vector<QRectF>& tags() const { return tags_; }
     /// At the rim of the view or of a plate there, towards the chosen point outside of it.
     [[nodiscard]] std::optional<QLineF> arrow() const;
+    /// Legends, scale and cube: what else is over the view now.
+    [[nodiscard]] std::vector<QRectF> platesOver() const;
     /// Note and caption, where they were drawn last.
     [[nodiscard]] const std::array<QRect, 2>& labels() const { return labels_; }
 
@@ -56,8 +58,6 @@ protected:
 
 private:
     [[nodiscard]] QRect covered(const OverlayMarks& marks) const;
-
-    [[nodiscard]] std::vector<QRectF> platesOver() const;
 
     OverlayMarks marks_;
     std::vector<QRectF> plates_, tags_;

@@ -167,8 +167,12 @@ public slots:
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// Looks from the scanner's side at these cells and some of their surroundings. A few cells at the rim may be outside the view.
     void lookAtCells(const CellIndices& cells);
-    /// The part of the view in which cells are shown when it goes to them: legends do not cover it.
+    /// The part of the view in which cells are shown when it goes to them: no plate, text or notice covers it.
     [[nodiscard]] QRect freeArea() const;
+    /// True if the pixel is in the view and nothing is over it.
+    [[nodiscard]] bool isFree(QPointF pixel) const;
+    /// Keeps direction and distance; the point becomes the focus, in the middle of the free area.
+    void centreOn(const Eigen::Vector3d& point);
     void zoomToCells(const edgescan::ui::CloudView::CellIndices& cells);
     void flyTo(qint64 cell); ///< looks at the point from nearby; it becomes the centre of rotation
     void setParallel(bool on);
@@ -240,6 +244,14 @@ private:
     void fitPane();
     void updateOverlay();
     void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up);
+    /// What has to fit the whole view so that `box` fits the free area, and its aspect.
+    struct FreeBox {
+        Box3f box;
+        double aspect = 1.0;
+    };
+    [[nodiscard]] FreeBox intoFreeArea(const Box3f& box) const;
+    /// The focus is in the middle of the free area.
+    [[nodiscard]] CameraPose besidePlates(const CameraPose& pose) const;
     void drag(QPointF at);
     void selectTo(QPointF at);
     void showParts();

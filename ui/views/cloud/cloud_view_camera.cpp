@@ -106,8 +106,10 @@ void CloudView::zoomToCells(const CellIndices& cells) {
     }
     if (box.isEmpty()) return;
     box.extend(box.center() + Eigen::Vector3f::Constant(0.05F)); // a single point would have a box without size
-    pose_ = lookingAt(box, pose_.forward(), pose_.up, pose_, aspect());
+    const FreeBox fits = intoFreeArea(box);
+    pose_ = lookingAt(fits.box, pose_.forward(), pose_.up, pose_, fits.aspect);
     centre_ = pose_.focus;
+    pose_ = besidePlates(pose_);
     applyCamera();
 }
 
@@ -118,10 +120,7 @@ void CloudView::flyTo(qint64 cell) {
     const Vector3d forward = pose_.forward();
     pose_.position = point - forward * std::max(0.1, nearby);
     pose_.focus = point;
-    centre_ = point;
-    const double aside = freeArea().center().x() - rect().center().x(); // no plate covers it
-    if (aside != 0.0) pose_ = panned(pose_, centre_, aside, 0.0, height());
-    applyCamera();
+    centreOn(point);
 }
 
 void CloudView::setParallel(bool on) {

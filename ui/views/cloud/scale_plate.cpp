@@ -47,13 +47,26 @@ bool ScalePlate::coloured() const { return colours_.points && cloud_->pointColou
 void ScalePlate::place() {
     const auto& cloud = cloud_->geometryOfCloud();
     const bool some = cloud && cloud->validCount > 0 && cloud_->width() >= kLeastView.width() && cloud_->height() >= kLeastView.height();
+    const auto covers = [this](const std::vector<QRect>& places) {
+        return std::ranges::any_of(places, [this](const QRect& each) { return each.intersects(geometry()); });
+    };
+    const bool stays =
+        some && isVisible() && size() == sizeHint() && std::exchange(view_, cloud_->size()) == cloud_->size() && !covers(taken());
     resize(sizeHint());
-    auto at = some ? freePlace(rings_) : std::nullopt;
-    const bool covers = some && !at;
-    if (covers) at = freePlace({});
+    auto at = !some ? std::nullopt : stays ? std::optional(pos()) : freePlace(rings_);
+    if (some && !at) at = freePlace({});
     if (at) move(*at);
-    if (std::exchange(seeThrough_, covers && at) != seeThrough_) update();
+    if (std::exchange(seeThrough_, at && covers(rings_)) != seeThrough_) update();
     setVisible(at.has_value());
+}
+
+std::vector<QRect> ScalePlate::taken() const {
+    std::vector<QRect> places;
+    for (const ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (other != this && other->isVisible()) places.push_back(other->geometry());
+    }
+    if (!keptFree_.isEmpty() && cloud_->atRest()) places.push_back(keptFree_);
+    return places;
 }
 
 void ScalePlate::keepOff(const QRect& pinned, std::vector<QRect> rings) {
@@ -62,17 +75,15 @@ void ScalePlate::keepOff(const QRect& pinned, std::vector<QRect> rings) {
     this->place(); // also without another place to keep free: a legend may have moved
 }
 
-/// In the corner opposite to the legends, else above the targets or the legends; empty: every place would cover something.
+/// In the corner opposite to the legends, else above the targets or the legends; empty: each place would cover something.
 std::optional<QPoint> ScalePlate::freePlace(const std::vector<QRect>& rings) const {
-    std::vector<QRect> taken = rings;
+    std::vector<QRect> taken = this->taken();
+    taken.insert(taken.end(), rings.begin(), rings.end());
     bool legendsAtRight = false;
     for (ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
-        if (other == this || !other->isVisible()) continue;
-        taken.push_back(other->geometry());
-        const bool isLegend = cloud_->layout() != nullptr && cloud_->layout()->indexOf(other) >= 0;
+        const bool isLegend = other->isVisible() && cloud_->layout() != nullptr && cloud_->layout()->indexOf(other) >= 0;
         legendsAtRight = legendsAtRight || (isLegend && other->geometry().center().x() > cloud_->width() / 2);
     }
-    if (!keptFree_.isEmpty()) taken.push_back(keptFree_);
     const int left = kFromRim, right = cloud_->width() - kFromRim - width(), bottom = cloud_->height() - kFromRim - height();
     for (const int x : {legendsAtRight ? left : right, legendsAtRight ? right : left}) {
         std::vector<int> heights{bottom};

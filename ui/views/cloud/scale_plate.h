@@ -27,8 +27,8 @@ class ScalePlate : public ViewPlate {
 public:
     explicit ScalePlate(CloudView* cloud);
 
-    /// Parts of the view that it must not cover: the pinned target with its label, or null, and the rings of the other targets. Where these
-    /// leave no place, it covers rings and is see-through.
+    /// Parts of the view that it must not cover: the pinned target with its label, or null, and the rings of the other targets. It stays
+    /// where it is until a plate or, while the view is at rest, the pinned target is there. Over a ring it is see-through.
     void keepOff(const QRect& pinned, std::vector<QRect> rings);
     [[nodiscard]] bool isSeeThrough() const { return seeThrough_; }
     /// The colours of the cloud on the screen; ColourBy::Nothing: no colour scale.
@@ -60,7 +60,10 @@ private:
     };
     void follow();
     void place();
+    /// Places of the other plates and of the pinned target.
+    [[nodiscard]] std::vector<QRect> taken() const;
     [[nodiscard]] std::optional<QPoint> freePlace(const std::vector<QRect>& rings) const;
+    QSize view_; // in which it found its place
     QRect keptFree_;
     std::vector<QRect> rings_;
     bool seeThrough_ = false;          // it covers a ring
