@@ -103,7 +103,7 @@ constexpr ExportKind kKinds[]{
     {ExportContent::Section, "section", "section", Needs::Rocks, Holds::Shapes, Counts::Rocks, "section", kSectionFiles,
      "--section", "Where a plane cuts the surfaces, in true scale, with edges and rocks: .dxf, .csv or .png", section},
     {ExportContent::Targets, "targets", "targets", Needs::Targets, Holds::Shapes, Counts::Targets, "targets", kTargetFiles, nullptr,
-     nullptr, targets},
+     nullptr, targets, {"&Targets…", "", "Targets (%1)", "targets", false}},
 };
 // clang-format on
 

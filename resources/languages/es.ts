@@ -531,8 +531,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Todavía no hay nada que exportar: primero abra un escaneo.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 puntos</translation></message>
 <message><source>Export</source><translation>Exportar</translation></message>
-<message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
 <message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
 <message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
 <message><source>All supported (%1)</source><translation>Todos los formatos admitidos (%1)</translation></message>
 <message><source>All files (*)</source><translation>Todos los archivos (*)</translation></message>
@@ -889,6 +889,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>What</source><translation>Contenido</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>It draws edge lines: choose the edge points above.</source><translation>Dibuja líneas de bordes: elija arriba los puntos de borde.</translation></message>
+<message><source>Targets are written as a table or a drawing.</source><translation>Los objetivos se escriben como tabla o dibujo.</translation></message>
 <message><source>The file holds x, y and z in metres from the scanner.</source><translation>El archivo contiene x, y y z en metros desde el escáner.</translation></message>
 <message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>El archivo contiene metros desde E %1, N %2, RL %3: un programa que no los suma muestra números pequeños.</translation></message>
 <message><source>The file holds Easting, Northing and RL in metres.</source><translation>El archivo contiene las coordenadas este y norte y el RL en metros.</translation></message>
@@ -905,6 +906,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 píxeles</translation></message>
 <message><source>Lines through %1 edge points will be saved.</source><translation>Se guardarán líneas que pasan por %1 puntos de borde.</translation></message>
 <message><source>%1 points will be saved.</source><translation>Se guardarán %1 puntos.</translation></message>
+<message><source>%1 will be saved.</source><translation>Se guardará: %1.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
 <message><source>doubtful</source><translation>dudoso</translation></message>
 <message><source>detected</source><translation>deducido</translation></message>
@@ -1425,6 +1427,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Inicial</translation></message>
+<message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
@@ -1460,7 +1463,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
-<message><source>&amp;Targets…</source><translation>&amp;Objetivos…</translation></message>
 <message><source>There are no targets yet: pin a cell first.</source><translation>Aún no hay objetivos: fije primero una celda.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Dibujo de bordes (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Celdas &amp;seleccionadas…</translation></message>
@@ -1823,6 +1825,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Gray image, %1</source><translation>Imagen en grises, %1</translation></message>
 <message><source>&amp;Range Image…</source><translation>Imagen de &amp;distancias…</translation></message>
 <message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distancias en milímetros como imagen de 16 bits, %1</translation></message>
+<message><source>&amp;Targets…</source><translation>&amp;Objetivos…</translation></message>
+<message><source>Targets (%1)</source><translation>Objetivos (%1)</translation></message>
 <message><source>Report with settings and edits</source><translation>Informe con ajustes y ediciones</translation></message>
 <message><source>Table, one row per rock</source><translation>Tabla, una fila por roca</translation></message>
 <message><source>Labels as a 16-bit picture</source><translation>Etiquetas como imagen de 16 bits</translation></message>

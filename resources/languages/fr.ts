@@ -531,8 +531,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Il n'y a encore rien à exporter : ouvrez d'abord un scan.</translation></message>
 <message><source>Export %1 points</source><translation>Exporter %1 points</translation></message>
 <message><source>Export</source><translation>Exporter</translation></message>
-<message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
 <message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
 <message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
 <message><source>All supported (%1)</source><translation>Tous les formats pris en charge (%1)</translation></message>
 <message><source>All files (*)</source><translation>Tous les fichiers (*)</translation></message>
@@ -889,6 +889,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>What</source><translation>Contenu</translation></message>
 <message><source>Format</source><translation>Format</translation></message>
 <message><source>It draws edge lines: choose the edge points above.</source><translation>Il dessine des lignes d'arêtes : choisissez les points d'arête ci-dessus.</translation></message>
+<message><source>Targets are written as a table or a drawing.</source><translation>Les cibles s'écrivent comme tableau ou dessin.</translation></message>
 <message><source>The file holds x, y and z in metres from the scanner.</source><translation>Le fichier contient x, y et z en mètres depuis le scanner.</translation></message>
 <message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>Le fichier contient des mètres depuis E %1, N %2, RL %3 : un programme qui ne les ajoute pas affiche de petits nombres.</translation></message>
 <message><source>The file holds Easting, Northing and RL in metres.</source><translation>Le fichier contient les coordonnées est et nord et le RL en mètres.</translation></message>
@@ -905,6 +906,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>Lines through %1 edge points will be saved.</source><translation>Des lignes passant par %1 points d'arête seront enregistrées.</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 points seront enregistrés.</translation></message>
+<message><source>%1 will be saved.</source><translation>À enregistrer : %1.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
 <message><source>doubtful</source><translation>douteux</translation></message>
 <message><source>detected</source><translation>déduit</translation></message>
@@ -1425,6 +1427,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
+<message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
 <message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
@@ -1460,7 +1463,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
-<message><source>&amp;Targets…</source><translation>&amp;Cibles…</translation></message>
 <message><source>There are no targets yet: pin a cell first.</source><translation>Il n'y a pas encore de cible : épinglez d'abord une cellule.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Dessin des arêtes (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Cellules &amp;sélectionnées…</translation></message>
@@ -1823,6 +1825,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Gray image, %1</source><translation>Image en niveaux de gris, %1</translation></message>
 <message><source>&amp;Range Image…</source><translation>Image de &amp;distances…</translation></message>
 <message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distances en millimètres en image de 16 bits, %1</translation></message>
+<message><source>&amp;Targets…</source><translation>&amp;Cibles…</translation></message>
+<message><source>Targets (%1)</source><translation>Cibles (%1)</translation></message>
 <message><source>Report with settings and edits</source><translation>Rapport avec réglages et modifications</translation></message>
 <message><source>Table, one row per rock</source><translation>Tableau, une ligne par bloc</translation></message>
 <message><source>Labels as a 16-bit picture</source><translation>Étiquettes en image de 16 bits</translation></message>

@@ -531,8 +531,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>There is nothing to export yet: open a scan first.</source><translation>Ainda não há nada para exportar: primeiro abra uma varredura.</translation></message>
 <message><source>Export %1 points</source><translation>Exportar %1 pontos</translation></message>
 <message><source>Export</source><translation>Exportar</translation></message>
-<message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
 <message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
+<message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
 <message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
 <message><source>All supported (%1)</source><translation>Todos os formatos aceitos (%1)</translation></message>
 <message><source>All files (*)</source><translation>Todos os arquivos (*)</translation></message>
@@ -889,6 +889,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>What</source><translation>Conteúdo</translation></message>
 <message><source>Format</source><translation>Formato</translation></message>
 <message><source>It draws edge lines: choose the edge points above.</source><translation>Desenha linhas de bordas: escolha acima os pontos de borda.</translation></message>
+<message><source>Targets are written as a table or a drawing.</source><translation>Os alvos são escritos como tabela ou desenho.</translation></message>
 <message><source>The file holds x, y and z in metres from the scanner.</source><translation>O arquivo contém x, y e z em metros a partir do scanner.</translation></message>
 <message><source>The file holds metres from E %1, N %2, RL %3: a program that does not add these shows small numbers.</source><translation>O arquivo contém metros a partir de E %1, N %2, RL %3: um programa que não os soma mostra números pequenos.</translation></message>
 <message><source>The file holds Easting, Northing and RL in metres.</source><translation>O arquivo contém as coordenadas leste e norte e o RL em metros.</translation></message>
@@ -905,6 +906,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 × %2 pixels</source><translation>%1 × %2 pixels</translation></message>
 <message><source>Lines through %1 edge points will be saved.</source><translation>Serão salvas linhas que passam por %1 pontos de borda.</translation></message>
 <message><source>%1 points will be saved.</source><translation>%1 pontos serão salvos.</translation></message>
+<message><source>%1 will be saved.</source><translation>A guardar: %1.</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
 <message><source>doubtful</source><translation>duvidoso</translation></message>
 <message><source>detected</source><translation>deduzido</translation></message>
@@ -1425,6 +1427,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Padrão</translation></message>
+<message><source>Remove: %1</source><translation>Remover: %1</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
@@ -1460,7 +1463,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
-<message><source>&amp;Targets…</source><translation>&amp;Alvos…</translation></message>
 <message><source>There are no targets yet: pin a cell first.</source><translation>Ainda não há alvos: fixe primeiro uma célula.</translation></message>
 <message><source>Edge &amp;Drawing (DXF)…</source><translation>&amp;Desenho das bordas (DXF)…</translation></message>
 <message><source>&amp;Selected Cells…</source><translation>Células &amp;selecionadas…</translation></message>
@@ -1823,6 +1825,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Gray image, %1</source><translation>Imagem em tons de cinza, %1</translation></message>
 <message><source>&amp;Range Image…</source><translation>Imagem de &amp;distâncias…</translation></message>
 <message><source>Ranges in millimetres as a picture of 16 bits, %1</source><translation>Distâncias em milímetros como imagem de 16 bits, %1</translation></message>
+<message><source>&amp;Targets…</source><translation>&amp;Alvos…</translation></message>
+<message><source>Targets (%1)</source><translation>Alvos (%1)</translation></message>
 <message><source>Report with settings and edits</source><translation>Relatório com ajustes e edições</translation></message>
 <message><source>Table, one row per rock</source><translation>Tabela, uma linha por rocha</translation></message>
 <message><source>Labels as a 16-bit picture</source><translation>Rótulos como imagem de 16 bits</translation></message>

@@ -59,6 +59,12 @@ class CabHandsTest : public QObject {
         if (found == nullptr) qFatal("the keypad has no key %s", qPrintable(key));
         QTest::mouseClick(found, Qt::LeftButton);
     }
+    /// A finger reaches only what is in sight.
+    static void bringIntoView(QWidget& widget) {
+        for (QWidget* up = &widget; up != nullptr; up = up->parentWidget()) {
+            if (auto* area = qobject_cast<QScrollArea*>(up)) area->ensureWidgetVisible(&widget);
+        }
+    }
     static QRect onScreen(const QWidget& widget) { return {widget.mapToGlobal(QPoint()), widget.size()}; }
 
 private slots:
@@ -102,6 +108,7 @@ private slots:
                 }
                 methods << side->stepper("method")->value();
                 const edges::Method before = on.viewer.engine.settings().method;
+                bringIntoView(*side->stepper("method"));
                 QTest::mouseClick(side->stepper("method")->more(), Qt::LeftButton);
                 QVERIFY(on.settled());
                 more = on.viewer.engine.settings().method != before;
@@ -157,6 +164,30 @@ private slots:
         on.window.cab().set(false);
     }
 
+    // A dialog as high as the screen stays on it, and the keys are where its field is not.
+    void noDialogLeavesTheScreenForTheKeys() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        const Keypad& pad = on.window.cab().keypad();
+        const QRect room = on.window.screen()->availableGeometry();
+        for (const int at : {20, room.height() / 2, room.height() - 120}) {
+            QDialog dialog(&on.window);
+            dialog.setFixedSize(400, room.height() - 40);
+            auto* name = new QLineEdit(&dialog);
+            name->setGeometry(20, at, 200, 40);
+            dialog.show();
+            dialog.activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(&dialog));
+            dialog.move(300, 20);
+            QTest::mouseClick(name, Qt::LeftButton);
+            name->setFocus();
+            QTRY_VERIFY(pad.isVisible());
+            QTRY_VERIFY2(room.contains(dialog.frameGeometry()), qPrintable(QString::number(at)));
+            QVERIFY2(!pad.place().intersects(onScreen(*name)) && room.contains(pad.place()), qPrintable(QString::number(at)));
+        }
+    }
+
     void escapeClosesTheKeys() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_) && on.activate());
@@ -185,8 +216,8 @@ private slots:
         QVERIFY(menu != nullptr);
         QCOMPARE(menu->actions().size(), 3); // the first closes it
         const QString words = menu->actions()[1]->text();
-        QVERIFY2(words.startsWith("Target 1 · ") && words.contains(" m") && words.contains("x "), qPrintable(words));
-        QVERIFY2(menu->actions()[2]->text().startsWith("Distance"), qPrintable(menu->actions()[2]->text()));
+        QVERIFY2(words.startsWith("Remove: Target 1 · ") && words.contains(" m") && words.contains("x "), qPrintable(words));
+        QVERIFY2(menu->actions()[2]->text().startsWith("Remove: Distance"), qPrintable(menu->actions()[2]->text()));
         choose(menu, 2);
         QTRY_VERIFY(on.viewer.targets.notebook().measures.empty());
         QVERIFY(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("Removed: Distance"));

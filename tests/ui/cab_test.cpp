@@ -38,6 +38,7 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QToolButton>
 
@@ -312,6 +313,36 @@ private slots:
             const QWidget* rows = side->findChild<QLabel*>("cab-distance")->parentWidget();
             const QWidget* room = rows->parentWidget();
             QVERIFY2(rows->height() <= room->height(), qPrintable(QString("%1 px in %2").arg(rows->height()).arg(room->height())));
+        }
+    }
+
+    // A measurement with many remarks is whole where the stepper leaves it no room, and a bar says that there is more where nothing helps.
+    void noRemarkOfAMeasurementIsCut() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        auto* side = on.window.findChild<NumbersSide*>();
+        TargetNumbers few{"Measured", "1 of 2", "1.454 m", "± 0.142", {}, {}, "at 6.02, 5.53 m"}, many = few;
+        many.distanceName = "Throat Width";
+        many.warned =
+            QString::fromUtf8("▲ a tap is 13.18 m behind this throat: tap the rock at each side\n▲ one end is 0.49 m farther away "
+                              "than the other\n▲ farther along, the throat narrows to 1.104 m");
+        many.sizeRemark =
+            "narrowest way near the two taps\ntaps 2 cells away find 1.312 to 1.481 m\nat 6.02, 5.53 m\nits ends are up to 28 "
+            "cells from the taps";
+        const QWidget* rows = side->findChild<QLabel*>("cab-distance")->parentWidget();
+        const auto* area = qobject_cast<QScrollArea*>(rows->parentWidget()->parentWidget());
+        const auto whole = [&] { return rows->height() <= rows->parentWidget()->height(); };
+        for (const QSize size : {QSize(1024, 743), QSize(1280, 775), QSize(853, 455)}) {
+            resizeTo(on.window, size);
+            side->showNumbers(few);
+            const bool low = size.height() < 500;
+            QTRY_VERIFY(whole() && side->mainStepper()->isVisible() == !low);
+            side->showNumbers(many);
+            if (low)
+                QTRY_VERIFY(!whole() && area->verticalScrollBar()->isVisible() && area->verticalScrollBar()->width() <= 10);
+            else
+                QTRY_VERIFY2(whole(), qPrintable(QString("%1 px in %2").arg(rows->height()).arg(rows->parentWidget()->height())));
         }
     }
 

@@ -1,4 +1,5 @@
 // What a finger does over the views in cab mode: it zooms, folds legends, scrolls, and takes steps back whose names it reads.
+#include "core/edges/settings/parameters.h"
 #include "tests/support/folders.h"
 #include "tests/ui/sized_window.h"
 #include "ui/base/elided_label.h"
@@ -15,6 +16,11 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QScroller>
+#include <QSignalSpy>
+#include <QTimer>
 #include <QToolButton>
 
 using namespace edgescan;
@@ -110,6 +116,101 @@ private slots:
         QCOMPARE(undo->accessibleName(), QString("Undo"));
     }
 
+    // What was undone needs nothing: its notice leaves, but not from under the pointer. Others stay.
+    void theNoticeOfAnUndoLeaves() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        NoticeBar& notice = on.viewer.notice;
+        auto* leaves = notice.findChild<QTimer*>("notice-leaves");
+        const auto undo = [&] {
+            on.viewer.views.pin(100 * 240 + 120);
+            press(on.window, "cab-undo");
+            QVERIFY(notice.isVisible() && leaves->isActive());
+            QVERIFY2(leaves->interval() >= 5000 && leaves->interval() <= 10000, qPrintable(QString::number(leaves->interval())));
+            leaves->start(20); // faster, for the test
+        };
+        undo();
+        QTRY_VERIFY(!notice.isVisible() && !leaves->isActive());
+        leaves->setInterval(8000);
+        undo();
+        notice.findChild<QToolButton*>("notice-action")->setFocus();
+        QSignalSpy passed(leaves, &QTimer::timeout);
+        QTRY_VERIFY(passed.count() >= 3);
+        QVERIFY(notice.isVisible());
+        notice.showHint("Something to read.");
+        QVERIFY(!leaves->isActive() && notice.isVisible());
+    }
+
+    // While Why waits for a tap, its button is on, as those of the other tools.
+    void theButtonOfWhyIsOnWhileItWaits() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        const QToolButton &why = *tool(on.window, "cab-why"), &pin = *tool(on.window, "cab-pin");
+        QVERIFY(!why.isChecked() && pin.isChecked());
+        press(on.window, "cab-why");
+        QVERIFY(why.isChecked() && !pin.isChecked());
+        press(on.window, "cab-why");
+        QVERIFY(!why.isChecked() && pin.isChecked());
+        press(on.window, "cab-why");
+        press(on.window, "cab-pin");
+        QVERIFY(!why.isChecked() && pin.isChecked());
+    }
+
+    // Where a low screen has no stepper next to the numbers, that of Tune has the words.
+    void theFirstNumberOfTuneNamesMoreAndFewerEdges() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {853, 480});
+        press(on.window, "cab-tune");
+        const NumbersSide& side = on.window.cab().frame().side();
+        const QString first = edges::sweptParameter(on.viewer.engine.settings().method).key;
+        for (const auto& [name, words] : {std::pair("meaning-of-less", "More edges"), std::pair("meaning-of-more", "Fewer edges")}) {
+            const auto* label = side.stepper(first)->findChild<QLabel*>(name);
+            QVERIFY(label != nullptr && label->isVisible());
+            QCOMPARE(label->text(), QString(words));
+            QVERIFY(side.stepper("method")->findChild<QLabel*>(name) == nullptr);
+        }
+    }
+
+    // A swipe scrolls Tune; a tap still presses, and a button that is held repeats.
+    void aSwipeScrollsTune() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {853, 480});
+        press(on.window, "cab-tune");
+        Stepper& method = *on.window.cab().frame().side().stepper("method");
+        QWidget* up = &method;
+        while (qobject_cast<QScrollArea*>(up) == nullptr) up = up->parentWidget();
+        auto& area = *qobject_cast<QScrollArea*>(up);
+        QTRY_VERIFY(area.verticalScrollBar()->maximum() > 0);
+        const auto swipe = [&](QWidget& from) {
+            const QPoint at = from.rect().center();
+            QTest::mousePress(&from, Qt::LeftButton, Qt::NoModifier, at);
+            for (int n = 1; n <= 12; ++n) {
+                const QPoint here = at - QPoint(0, 8 * n);
+                QMouseEvent move(QEvent::MouseMove, here, from.mapToGlobal(here), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+                QApplication::sendEvent(&from, &move);
+                QTest::qWait(10); // the speed of a finger
+            }
+            QTest::mouseRelease(&from, Qt::LeftButton, Qt::NoModifier, at - QPoint(0, 96));
+        };
+        const edges::Settings before = on.viewer.engine.settings();
+        swipe(*area.widget());
+        QTRY_VERIFY(area.verticalScrollBar()->value() > 20);
+        area.verticalScrollBar()->setValue(0);
+        swipe(*method.more()); // it begins on a button, which is not pressed
+        QTRY_VERIFY(area.verticalScrollBar()->value() > 20);
+        QVERIFY(on.viewer.engine.settings() == before);
+        QTRY_COMPARE(QScroller::scroller(area.viewport())->state(), QScroller::Inactive);
+        area.ensureWidgetVisible(method.more());
+        QTest::mouseClick(method.more(), Qt::LeftButton);
+        QVERIFY(!(on.viewer.engine.settings() == before));
+    }
+
     // The row with its button stays where it is; over rocks it does not claim that edges are seen.
     void theLegendOfEdgesFoldsInPlace() {
         WindowFixture on;
@@ -149,6 +250,9 @@ private slots:
         const auto* summary = legend.findChild<QLabel*>("change-summary");
         QTRY_VERIFY(fold->isVisible() && legend.next()->isVisible() && summary->isVisible());
         QVERIFY2(summary->text().startsWith("Changes: "), qPrintable(summary->text()));
+        for (const ChangeRow row : {ChangeRow::Nearer, ChangeRow::Farther}) // what the colours mean
+            QVERIFY2(summary->text().contains(changeColour(row).name()), qPrintable(summary->text()));
+        QVERIFY2(summary->text().contains("nearer") && summary->text().contains("farther"), qPrintable(summary->text()));
         QVERIFY(!legend.row(ChangeRow::Nearer)->isVisible() && !legend.previous()->isVisible());
         QVERIFY2(legend.height() <= fold->height() + 24, qPrintable(QString::number(legend.height())));
         QVERIFY(placeOf(on.viewer.views.cloud()).contains(placeOf(legend)));
@@ -156,6 +260,25 @@ private slots:
         QTest::mouseClick(fold, Qt::LeftButton);
         QTRY_VERIFY(legend.row(ChangeRow::Nearer)->isVisible() && !summary->isVisible());
         QCOMPARE(placeOf(*fold).bottom(), bottom);
+        // It stays open while it is computed for other settings.
+        edges::Settings other = on.viewer.engine.settings();
+        other.sensitivity *= 1.5;
+        QVERIFY(on.use(other));
+        QVERIFY2(eventually([&] { return on.viewer.comparing.comparison() != nullptr && !legend.counted(ChangeRow::Nearer).isEmpty(); }),
+                 "again");
+        QVERIFY(!fold->isChecked() && legend.row(ChangeRow::Nearer)->isVisible());
+        // End stays under the finger that goes over the regions.
+        const auto* end = legend.findChild<QToolButton*>("change-end");
+        for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+            resizeTo(on.window, size);
+            QTRY_VERIFY(on.viewer.views.cloud().atRest());
+            legend.showRegion({});
+            QApplication::processEvents();
+            const QRect before = placeOf(*end);
+            QTest::mouseClick(legend.next(), Qt::LeftButton);
+            QTRY_VERIFY(!legend.regionText().isEmpty() && on.viewer.views.cloud().atRest());
+            QCOMPARE(placeOf(*end), before);
+        }
     }
 
     // The line of a saved file has the end of its path. Close stays where it is, whether or not More is there.

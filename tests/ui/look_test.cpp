@@ -341,7 +341,7 @@ private slots:
         QPainter painter(&picture);
         ScreenMarks marks;
         marks.targets = {{{QPointF(100, 50)}, "1", true}, {{QPointF(-60, 50)}, "2", false}, {{QPointF(90, 160)}, "3", false}};
-        const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+        const auto tags = drawScreenMarks(painter, picture.rect(), marks);
         QCOMPARE(static_cast<int>(tags.size()), 1);
         QVERIFY(tags.front().left() > 100);
     }

@@ -4,6 +4,7 @@
 #include "tests/support/placements.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_overlay.h"
@@ -53,7 +54,7 @@ private slots:
                 line.setAngle(degrees);
                 ScreenMarks marks;
                 marks.measures = {{{line}, {line.p1(), line.p2()}, "1.402 m ± 0.039 m", line.center()}};
-                const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+                const auto tags = drawScreenMarks(painter, picture.rect(), marks);
                 QCOMPARE(static_cast<int>(tags.size()), 1);
                 for (double along = 0.0; along <= 1.0; along += 0.01)
                     QVERIFY2(!tags.front().contains(line.pointAt(along)), qPrintable(QString("%1 px, %2°").arg(length).arg(degrees)));
@@ -71,7 +72,7 @@ private slots:
         ScreenMarks marks;
         const std::vector<QPointF> places{{200, 100}, {225, 90}, {240, 105}, {60, 200}, {160, 35}};
         for (const QPointF& at : places) marks.targets.push_back({{at}, "4 · 19.11 m", false});
-        const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks, {plate}, {text});
+        const auto tags = drawScreenMarks(painter, picture.rect(), marks, {plate}, {text});
         QCOMPARE(tags.size(), places.size() - 1);
         for (const QRectF& tag : tags) {
             QVERIFY(!tag.intersects(plate) && !tag.intersects(text));
@@ -88,7 +89,7 @@ private slots:
         std::vector<QPointF> places;
         for (int n = 0; n < 16; ++n) places.emplace_back(112 + 14 * (n % 4), 72 + 14 * (n / 4));
         for (const QPointF& at : places) marks.targets.push_back({{at}, "12 · 4.91 m", false});
-        std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+        auto tags = drawScreenMarks(painter, picture.rect(), marks);
         std::ranges::reverse(tags);
         QCOMPARE(tags.size(), places.size());
         int lines = 0;
@@ -115,7 +116,7 @@ private slots:
             const QLineF line(20, 90 + 6 * n, 310, 110 + 6 * n);
             marks.measures.push_back({{line}, {line.p1(), line.p2()}, QString::fromUtf8("▲ 1.387 m ± 0.391 m"), line.center()});
         }
-        const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+        const auto tags = drawScreenMarks(painter, picture.rect(), marks);
         QCOMPARE(tags.size(), marks.measures.size());
         int lines = 0;
         for (std::size_t n = 0; n < tags.size(); ++n) {
@@ -185,7 +186,7 @@ private slots:
         for (int n = 0; n < 5; ++n) marks.targets.push_back({{QPointF(30.0 + 4 * n, 25)}, QString("%1 · 19.11 m").arg(n + 1), n == 4});
         marks.measures = {{{}, {}, "1.402 m", QPointF(60, 20)}};
         marks.measures[0].lines = {QLineF(50, 20, 70, 20)};
-        const std::vector<QRectF> tags = drawScreenMarks(painter, picture.rect(), marks);
+        const auto tags = drawScreenMarks(painter, picture.rect(), marks);
         QCOMPARE(tags.size(), std::size_t{6});
         bool covered = false;
         for (std::size_t n = 1; n < tags.size(); ++n) covered = covered || tags[n].intersects(tags[0]);
@@ -311,6 +312,75 @@ private slots:
             }
         }
         QVERIFY2(nearest > 0, "the test can fail: tags come near the plates");
+    }
+
+    // In the views, on the desk and in a cab: nothing new is pinned at the surface behind a label.
+    void aClickOnALabelChoosesWhatItNames() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bare_) && on.activate());
+        LinkedViews& views = on.viewer.views;
+        const auto cells = someCells(*on.picture().detection->scan, 3);
+        QVERIFY(pin(on, cells));
+        on.viewer.targets.keepMeasure(
+            {inspect::MeasureKind::Distance, {static_cast<std::uint32_t>(cells[1]), static_cast<std::uint32_t>(cells[2])}, {}});
+        QTRY_VERIFY(on.viewer.targets.settled());
+        auto* overlay = views.cloud().findChild<CloudOverlay*>();
+        const auto click = [&](bool inCloud, const MarkName& mark, Qt::KeyboardModifiers keys = Qt::NoModifier) {
+            std::optional<QPoint> at;
+            int same = 0;
+            const auto drawn = [&] { // and rests: it avoids the prompt of a tool
+                const auto before = std::exchange(at, std::nullopt);
+                for (const MarkTag& tag : inCloud ? overlay->tags() : views.gray().tags()) {
+                    if (tag.of == mark) at = tag.center().toPoint();
+                }
+                same = at.has_value() && at == before && views.cloud().atRest() ? same + 1 : 0;
+                return same > 5;
+            };
+            if (!eventually(drawn)) qFatal("the tag is not drawn");
+            QWidget& view = inCloud ? static_cast<QWidget&>(views.cloud()) : views.gray();
+            QTest::mouseClick(&view, Qt::LeftButton, keys, *at);
+        };
+        const auto& notebook = on.viewer.targets.notebook();
+        for (const bool cab : {false, true}) {
+            on.window.cab().set(cab);
+            for (const bool inCloud : {true, false}) {
+                if (cab && !inCloud) QTest::mouseClick(&on.window.cab().corner(), Qt::LeftButton);
+                for (const std::size_t cell : cells) {
+                    click(inCloud, {false, cell});
+                    QVERIFY2(on.viewer.targets.active() != nullptr, qPrintable(QString("%1 %2 %3").arg(cab).arg(inCloud).arg(cell)));
+                    QCOMPARE(static_cast<std::size_t>(on.viewer.targets.active()->cell), cell);
+                }
+                const bool labelled = inCloud || views.gray().tags().size() > cells.size(); // a small image has no lengths
+                if (labelled) click(inCloud, {true, 0});
+                QCOMPARE(on.viewer.targets.chosenMeasure().has_value(), labelled);
+                QCOMPARE(notebook.targets.size(), cells.size());
+                // A tool takes the target's own cell.
+                on.viewer.measures.start(inspect::MeasureKind::Distance);
+                click(inCloud, {false, cells[0]});
+                const std::vector<std::size_t> ends = views.marks().measures.back().cells;
+                QVERIFY2(
+                    ends == std::vector<std::size_t>{cells[0]},
+                    qPrintable(QString("%1 %2: %3 of %4, not %5").arg(cab).arg(inCloud).arg(ends.front()).arg(ends.size()).arg(cells[0])));
+                on.viewer.measures.stop();
+            }
+        }
+        on.window.cab().set(false);
+        click(false, {false, cells[0]}, Qt::ShiftModifier); // the cell itself
+        QCOMPARE(notebook.targets.size(), cells.size() + 1);
+    }
+
+    // The label counts more than what is near it; a finger need not hit a ring.
+    void aMarkIsHitWhereItIsDrawn() {
+        ScreenMarks marks;
+        marks.targets = {{{QPointF(50, 50)}, "1", false, 7}, {{QPointF(90, 50)}, "2", true, 8}};
+        marks.measures = {{{QLineF(50, 90, 150, 90)}, {QPointF(50, 90), QPointF(150, 90)}, "1 m", QPointF(100, 90), false, 3}};
+        const std::vector<MarkTag> tags{{QRectF(60, 30, 40, 15), {false, 7}}, {QRectF(100, 70, 40, 15), {true, 3}}};
+        const auto at = [&](double x, double y, bool finger = false) { return markAt(marks, tags, QPointF(x, y), finger); };
+        QVERIFY(at(65, 35) == MarkName({false, 7}) && at(110, 75) == MarkName({true, 3}));
+        QVERIFY(at(50, 43) == MarkName({false, 7}) && at(90, 57) == MarkName({false, 8}) && at(151, 91) == MarkName({true, 3}));
+        QVERIFY(!at(35, 50) && at(35, 50, true) == MarkName({false, 7}));
+        QVERIFY(!at(100, 90) && !at(300, 300, true)); // the line, and what is far from all
     }
 
     // Another target than the one on the card is moved under the scale, which moves off it; among too many it is see-through.

@@ -8,6 +8,7 @@
 #include "ui/base/save_question.h"
 #include "ui/controllers/sessions/sessions.h"
 #include "ui/panels/dialogs/export_dialog.h"
+#include "ui/window/cab_mode.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -16,6 +17,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSignalSpy>
 #include <QTimer>
 #include <QToolButton>
@@ -169,6 +171,42 @@ private slots:
             QCOMPARE(on.window.sessions().path(), file);
         }
         QVERIFY(QDir(QString::fromStdString(folder_.path().string())).entryList({"*.edgescan"}).isEmpty());
+    }
+
+    // The button of a cab asks like the menu, and targets are one of the choices, as a table or as a drawing.
+    void theCabExportsTargetsToo() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QStringList formats;
+        bool offered = true;
+        const auto ask = [&](const QString& name) {
+            const Meanwhile chosen([&] {
+                auto* dialog = shownDialog<ExportDialog>();
+                if (dialog == nullptr) return false;
+                auto* targets = dialog->findChild<QRadioButton*>("targets");
+                offered = targets->isEnabled();
+                targets->click();
+                formats = dialog->filters();
+                offered ? dialog->accept() : dialog->reject();
+                return true;
+            });
+            if (name.isEmpty()) return QTest::mouseClick(tool(on.window, "cab-export"), Qt::LeftButton);
+            const Hand hand(name, {});
+            QTest::mouseClick(tool(on.window, "cab-export"), Qt::LeftButton);
+        };
+        ask({});
+        QVERIFY(!offered);
+        on.viewer.views.pin(10 * 80 + 20);
+        on.viewer.views.pin(30 * 80 + 40);
+        QSignalSpy saved(&on.viewer.engine, &Engine::saved);
+        ask(path("pins"));
+        QVERIFY(offered);
+        QCOMPARE(formats.size(), 2);
+        QVERIFY2(formats.join('|').contains("*.csv") && formats.join('|').contains("*.dxf"), qPrintable(formats.join('|')));
+        QTRY_COMPARE(saved.count(), 1);
+        QVERIFY2(on.viewer.notice.text().contains("2 targets"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(QFile::exists(path("pins.csv")) || QFile::exists(path("pins.dxf")));
     }
 
     // The provenance record of the file would be lost as well.

@@ -995,7 +995,10 @@ private slots:
         for (const QString name : {"targets.csv", "targets.dxf"}) {
             const QString path = QString::fromStdString((folder_ / name.toStdString()).string());
             QSignalSpy saved(&on.viewer.engine, &Engine::saved);
-            on.viewer.targets.exportTo(path);
+            exports::ExportOptions options;
+            options.frame = CoordinateFrame::Mine;
+            options.targets = std::make_shared<const std::vector<inspect::PinnedTarget>>(targets(on));
+            on.viewer.engine.save(exports::ExportContent::Targets, path, options);
             QVERIFY(eventually([&] { return saved.count() == 1 && !on.viewer.engine.working(); }));
             const QString said = on.viewer.notice.text();
             QVERIFY2(said.contains("2 targets") && said.contains("Mine grid: E "), qPrintable(said));

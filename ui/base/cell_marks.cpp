@@ -12,9 +12,11 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kMarkRing = 8.0;          // radius, px
-constexpr double kEndDot = 3.5;            // of each measured cell
-constexpr int kTagOffset = 6;              // px from the ring
+constexpr double kMarkRing = 8.0;   // radius, px
+constexpr double kEndDot = 3.5;     // of each measured cell
+constexpr int kTagOffset = 6;       // px from the ring
+constexpr double kMouseReach = 2.0; // px around what is drawn
+constexpr double kFingerReach = 10.0;
 constexpr double kOnePlace = 48.0;         // px: labels of measurements that are nearer would be a heap
 constexpr std::size_t kMostFreeRings = 40; // no tag covers a ring; among more of them it would be far from its own
 const QColor kMeasured(120, 190, 255);     // the line being measured; its dark halo separates it from the cloud
@@ -23,6 +25,10 @@ QFont boldFont(const QPainter& painter) {
     QFont bold = painter.font();
     bold.setBold(true);
     return bold;
+}
+
+QPointF nearestOn(const QRectF& box, const QPointF& at) {
+    return {std::clamp(at.x(), box.left(), box.right()), std::clamp(at.y(), box.top(), box.bottom())};
 }
 
 /// Places tags so that they cover neither each other nor a plate: as near to their mark as can be. A line joins a tag that is away from it.
@@ -37,17 +43,18 @@ public:
     ~Tags() { painter_.restore(); }
 
     /// `aside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`. The tag does not cover the `line`.
-    void place(const QPointF& at, double aside, double above, const QString& text, bool active, const QLineF& line = {}) {
+    void place(const MarkName& of, const QPointF& at, double aside, double above, const QString& text, bool active,
+               const QLineF& line = {}) {
         if (text.isEmpty()) return;
         const std::size_t others = taken_.size();
         takeLine(at, line, painter_.fontMetrics().horizontalAdvance(text));
         const QRectF box = freePlace(at, aside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
         taken_.resize(others);
         taken_.push_back(box);
-        placed_.push_back({box, text, active, at, std::hypot(aside, above) + kStillNext});
+        placed_.push_back({{box, of}, text, active, at, std::hypot(aside, above) + kStillNext});
     }
     /// The tag that was placed first is over the others, where they have no room next to each other. Returns their places, as placed.
-    std::vector<QRectF> draw() {
+    std::vector<MarkTag> draw() {
         for (const Placed& tag : placed_) {
             const QPointF end = nearestOn(tag.box, tag.at);
             const double away = QLineF(tag.at, end).length();
@@ -63,22 +70,19 @@ public:
             painter_.drawRoundedRect(tag->box, 3, 3);
             painter_.drawText(tag->box, Qt::AlignCenter, tag->text);
         }
-        std::vector<QRectF> boxes;
+        std::vector<MarkTag> boxes;
         for (const Placed& tag : placed_) boxes.push_back(tag.box);
         return boxes;
     }
 
 private:
     struct Placed {
-        QRectF box;
+        MarkTag box;
         QString text;
         bool active;
         QPointF at;
         double nextTo; // px from the mark: a tag that is farther away has a line to it
     };
-    static QPointF nearestOn(const QRectF& box, const QPointF& at) {
-        return {std::clamp(at.x(), box.left(), box.right()), std::clamp(at.y(), box.top(), box.bottom())};
-    }
     /// Takes the part of a line that a tag of this width at `at` could cover, as small squares.
     void takeLine(const QPointF& at, const QLineF& line, double width) {
         constexpr double kStep = 10.0; // px
@@ -208,6 +212,7 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
     std::vector<QString> briefs; // of the shown measurements
     for (const MeasureMark& measure : marks.measures) {
         ScreenMarks::Measure drawn;
+        drawn.index = static_cast<std::size_t>(&measure - marks.measures.data());
         std::vector<std::optional<MarkPlace>> places;
         for (const std::size_t cell : measure.cells) {
             places.push_back(placeOf(cell));
@@ -234,7 +239,7 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         const QString& words = small && !target.active ? target.brief : target.tag;
         const auto place = placeOf(target.cell);
         if (!place) continue;
-        shown.targets.push_back({*place, words, target.active});
+        shown.targets.push_back({*place, words, target.active, target.cell});
         const auto click = target.clicked ? placeOf(*target.clicked) : std::nullopt;
         if (click) shown.moves.emplace_back(click->at, place->at);
     }
@@ -244,14 +249,14 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
     return shown;
 }
 
-std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& plates,
-                                    const std::vector<QRectF>& texts) {
+std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& plates,
+                                     const std::vector<QRectF>& texts) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     for (const QLineF& move : marks.moves) drawMove(painter, move);
     for (const ScreenMarks::Measure& measure : marks.measures) drawMeasure(painter, measure);
     for (const ScreenMarks::Target& target : marks.targets) drawTarget(painter, target);
-    std::vector<QRectF> drawn;
+    std::vector<MarkTag> drawn;
     const QRectF inView = QRectF(place).adjusted(-kMarkRing, -kMarkRing, kMarkRing, kMarkRing);
     const auto seen = [&](const QPointF& at) {
         return inView.contains(at) && std::ranges::none_of(plates, [&](const QRectF& plate) { return plate.contains(at); });
@@ -268,16 +273,35 @@ std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const
         Tags tags(painter, place, taken);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
             if (seen(target->place.at)) // a tag without its mark would name another place
-                tags.place(target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
+                tags.place({false, target->cell}, target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
         }
         for (const ScreenMarks::Measure& measure : marks.measures) {
             if (!measure.lines.empty() && seen(measure.labelAt))
-                tags.place(measure.labelAt, kTagOffset, kTagOffset, measure.label, measure.active, measure.lines.front());
+                tags.place({true, measure.index}, measure.labelAt, kTagOffset, kTagOffset, measure.label, measure.active,
+                           measure.lines.front());
         }
         drawn = tags.draw();
     }
     painter.restore();
     return drawn;
+}
+
+std::optional<MarkName> markAt(const ScreenMarks& marks, const std::vector<MarkTag>& tags, QPointF at, bool byFinger) {
+    std::optional<MarkName> nearest;
+    double least = byFinger ? kFingerReach : kMouseReach;
+    const auto take = [&](const MarkName& mark, double away) {
+        if (nearest ? away >= least : away > least) return; // of equal ones the upper one
+        nearest = mark;
+        least = away;
+    };
+    const auto fromRing = [&](const QPointF& middle, double radius) { return std::max(0.0, QLineF(middle, at).length() - radius); };
+    for (const MarkTag& tag : tags) take(tag.of, QLineF(nearestOn(tag, at), at).length());
+    for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target)
+        take({false, target->cell}, fromRing(target->place.at, kMarkRing));
+    for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) {
+        for (const QPointF& end : measure->ends) take({true, measure->index}, fromRing(end, measure->active ? kMarkRing : kEndDot));
+    }
+    return nearest;
 }
 
 } // namespace edgescan::ui

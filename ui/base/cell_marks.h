@@ -44,6 +44,14 @@ struct CellMarks {
     bool operator==(const CellMarks&) const = default;
 };
 
+/// One of the marks.
+struct MarkName {
+    bool isMeasure = false;
+    std::size_t which = 0; ///< the cell of a target, or the index of a measurement
+
+    bool operator==(const MarkName&) const = default;
+};
+
 /// Where a cell is on the screen of a view.
 struct MarkPlace {
     QPointF at;
@@ -58,6 +66,7 @@ struct ScreenMarks {
         MarkPlace place;
         QString tag;
         bool active = false;
+        std::size_t cell = 0;
         bool operator==(const Target&) const = default;
     };
     struct Measure {
@@ -66,6 +75,7 @@ struct ScreenMarks {
         QString label;
         QPointF labelAt;
         bool active = false;
+        std::size_t index = 0; ///< in CellMarks::measures
         bool operator==(const Measure&) const = default;
     };
     std::vector<Target> targets;
@@ -76,6 +86,11 @@ struct ScreenMarks {
     [[nodiscard]] bool empty() const { return targets.empty() && measures.empty(); }
 };
 
+/// The place of a tag in a view.
+struct MarkTag : QRectF {
+    MarkName of;
+};
+
 /// `placeOf` returns an empty value for a cell out of view. A line is drawn only if both its ends are in view. `small`: the view has little
 /// space for text, so lengths are without their labels.
 [[nodiscard]] ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t cell)>& placeOf,
@@ -84,8 +99,11 @@ struct ScreenMarks {
 /// White rings with black outline, centre dot and tag; lines with their labels, the chosen one thicker, with a white rim and with rings at
 /// its ends; a thin line from a tag that is away from its mark. Tags
 /// stay inside `place`, do not overlap, and keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under
-/// a plate has none. Returns the places of the tags.
-std::vector<QRectF> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks, const std::vector<QRectF>& plates = {},
-                                    const std::vector<QRectF>& texts = {});
+/// a plate has none. Returns the tags, the upper ones first.
+std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks,
+                                     const std::vector<QRectF>& plates = {}, const std::vector<QRectF>& texts = {});
+
+/// The mark whose tag, ring or end is at this place or, for a finger, near it; `tags` as they were drawn.
+[[nodiscard]] std::optional<MarkName> markAt(const ScreenMarks& marks, const std::vector<MarkTag>& tags, QPointF at, bool byFinger);
 
 } // namespace edgescan::ui

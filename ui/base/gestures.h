@@ -37,6 +37,11 @@ struct Press {
     }
 };
 
+/// Left, without a key that gives the click another meaning: it chooses the target or the measurement whose mark is there.
+[[nodiscard]] inline bool choosesMarks(const QMouseEvent& event) {
+    return event.button() == Qt::LeftButton && !(event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier));
+}
+
 /// Notches of the wheel, positive away from the operator. With Alt pressed, X11 and Qt report a horizontal wheel movement.
 [[nodiscard]] inline double notches(const QWheelEvent& event) {
     const QPoint angle = event.angleDelta();

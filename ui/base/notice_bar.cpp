@@ -7,11 +7,11 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 
+#include <QApplication>
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QHideEvent>
 #include <QLabel>
 #include <QToolButton>
@@ -27,6 +27,7 @@ namespace {
 constexpr std::size_t kMostEarlier = 9;
 constexpr int kLeastText = 200;      // px
 constexpr double kWholeFrom = 100.0; // kB, of a file's size
+constexpr int kUndoneMs = 8000;
 
 } // namespace
 
@@ -49,7 +50,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     text_->setTextFormat(Qt::PlainText);
     auto* copy = copy_ = new QToolButton;
     copy->setText(tr("Copy"));
-    connect(copy, &QToolButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text_->text()); });
+    connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text_->text()); });
     auto* close = new QToolButton;
     close->setText(tr("Close"));
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
@@ -72,6 +73,10 @@ NoticeBar::NoticeBar(QWidget* parent)
     line->addWidget(copy);
     line->addWidget(close);
     hide();
+    leaves_.setParent(this);
+    leaves_.setObjectName("notice-leaves");
+    leaves_.setInterval(kUndoneMs);
+    connect(&leaves_, &QTimer::timeout, this, &NoticeBar::leave);
     followColours(*this, [this](const Theme&) { paintKind(); });
 }
 
@@ -131,6 +136,7 @@ void NoticeBar::keepShown() {
 void NoticeBar::put(const Note& note) {
     kind_ = note.kind;
     passes_ = false;
+    leaves_.stop();
     sign_->setText(kind_ == Kind::Error ? "✕ " + tr("Error") : kind_ == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
     paintKind();
     text_->setText(note.text);
@@ -162,6 +168,7 @@ void NoticeBar::hideEvent(QHideEvent* event) {
     if (!event->spontaneous() && isHidden()) {
         earlier_.clear();
         more_->hide();
+        leaves_.stop();
     }
     QFrame::hideEvent(event);
 }
@@ -202,6 +209,14 @@ void NoticeBar::showUndone(QUndoStack& stack) {
     showNotice(Kind::Done, tr("Undone: %1.").arg(stack.redoText()));
     offer(tr("Redo"), [&stack] { stack.redo(); });
     passes_ = true;
+    leaves_.start();
+}
+
+void NoticeBar::leave() {
+    const QWidget* const focus = QApplication::focusWidget();
+    if (underMouse() || (focus != nullptr && isAncestorOf(focus))) return; // until the next time
+    leaves_.stop();
+    endPassing();
 }
 
 void NoticeBar::unfold(bool on) {

@@ -7,6 +7,7 @@
 
 #include <QFrame>
 #include <QStringList>
+#include <QTimer>
 
 #include <deque>
 #include <functional>
@@ -43,7 +44,8 @@ public:
     void offerUndo(QUndoStack& stack);
     /// Names what the newest step of the stack removed, with a button that brings it back, and `more` sentences.
     void showRemoved(QUndoStack& stack, const QString& what, const QString& more = {});
-    /// Names the step that was undone last, with a button that does it again.
+    /// Names the step that was undone last, with a button that does it again. It leaves by itself, unless the pointer or the focus is on
+    /// it.
     void showUndone(QUndoStack& stack);
     [[nodiscard]] QString text() const;
     /// Hides the Copy button; for windows with large buttons.
@@ -72,6 +74,7 @@ private:
     void keepShown();
     void showEarlier();
     void offerMore();
+    void leave();
 
     Kind kind_ = Kind::Done;
     bool passes_ = false;      // with the next step
@@ -85,6 +88,7 @@ private:
     QToolButton* copy_ = nullptr;
     std::function<void()> onAction_;
     QString brief_; // of the shown note
+    QTimer leaves_; // runs while the shown note is one that leaves by itself
 };
 
 } // namespace edgescan::ui

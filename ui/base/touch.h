@@ -29,6 +29,7 @@ public:
     bool read(QEvent* event);
     /// For gloves the left button counts as a finger too: many screens report touches as a mouse.
     void setMouseIsFinger(bool on) { mouseIsFinger_ = on; }
+    [[nodiscard]] bool mouseIsFinger() const { return mouseIsFinger_; }
 
 private:
     struct Finger {

@@ -14,6 +14,7 @@
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
+#include "ui/panels/cab/swipes.h"
 #include "ui/panels/cab/zoom_buttons.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/panels/live/live_panel.h"
@@ -51,7 +52,8 @@ constexpr int kCancelAfterMs = 300;
 CabMode::CabMode(MainWindow& window, QWidget* middle)
     : QObject(&window), window_(window), badge_(new StateBadge), frame_(new CabFrame(middle, badge_)),
       corner_(new CornerPicture(&window.viewer().views.cloud())), back_(new CornerPicture(&window.viewer().views.gray())),
-      zoom_(new ZoomButtons), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)) {
+      zoom_(new ZoomButtons), menu_(new QMenu(&window)), keypad_(new Keypad(&window)), gloveMenus_(new GloveMenus(&window)),
+      swipes_(new Swipes(&window)) {
     badge_->setTwoLines();
     badge_->setObjectName("cab-origin");
     corner_->setObjectName("cab-corner");
@@ -126,7 +128,7 @@ void CabMode::fillMenu() {
 
 void CabMode::connectSide() {
     NumbersSide& side = frame_->side();
-    side.mainStepper()->setMeaning(tr("More edges"), tr("Fewer edges"));
+    side.setMeaning(tr("More edges"), tr("Fewer edges"));
     connect(&side, &NumbersSide::stepped, &window_.viewer().panel,
             [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
@@ -201,6 +203,7 @@ void CabMode::set(bool on) {
     frame_->setCab(on);
     keypad_->setOn(on);
     gloveMenus_->setOn(on);
+    swipes_->setOn(on);
     window_.viewer().viewCube.setForGloves(on);
     for (ImageView* view : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) view->setForGloves(on);
     window_.viewer().views.cloud().setForGloves(on);

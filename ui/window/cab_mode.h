@@ -25,6 +25,7 @@ class ZoomButtons;
 class MainWindow;
 struct PictureMark;
 class StateBadge;
+class Swipes;
 struct TargetNumbers;
 
 /// GUI thread only. The window must outlive it.
@@ -82,6 +83,7 @@ private:
     QMenu* menu_;
     Keypad* keypad_;
     GloveMenus* gloveMenus_;
+    Swipes* swipes_;
     QToolButton* remove_ = nullptr;
     std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;

@@ -109,7 +109,13 @@ void CabMode::addTools() {
         if (QMenu* menu = menuWith(window_, "compare-keep")) openNextTo(*menu, *compare);
     });
     QToolButton* why = column.add("cab-why", "why", tr("Why"));
-    connect(why, &QToolButton::clicked, &window_.viewer().explanation, &Explanation::explainMarked);
+    why->setCheckable(true);
+    const auto followWhy = [this, why] { why->setChecked(window_.viewer().views.tool() == Tool::Why); }; // it waits for a tap
+    connect(why, &QToolButton::clicked, this, [this, followWhy] {
+        window_.viewer().explanation.explainMarked();
+        followWhy();
+    });
+    connect(&views, &LinkedViews::toolChanged, why, followWhy);
     QToolButton* scanner = column.add("cab-scanner", "view-from-scanner", tr("Scanner"));
     connect(scanner, &QToolButton::clicked, &views.cloud(), &CloudView::viewFromScanner);
     QToolButton* fit = column.add("cab-fit", "fit", tr("Fit"));
@@ -176,7 +182,7 @@ void CabMode::fillRemoval(QMenu& menu) const {
     Targets& targets = window_.viewer().targets;
     const auto& pins = targets.notebook().targets;
     const auto add = [&](const inspect::PinnedTarget& target) {
-        menu.addAction(tr("Target %1").arg(targets.inWords(target)).replace('&', "&&"), &targets,
+        menu.addAction(tr("Remove: %1").arg(tr("Target %1").arg(targets.inWords(target))).replace('&', "&&"), &targets,
                        [&targets, number = target.number] { targets.remove(number); });
     };
     if (targets.active() != nullptr)
@@ -188,7 +194,8 @@ void CabMode::fillRemoval(QMenu& menu) const {
     for (std::size_t n = measures.size(); n-- > 0;) order.push_back(n);
     if (const auto chosen = targets.chosenMeasure()) std::ranges::stable_partition(order, [&](std::size_t n) { return n == *chosen; });
     if (order.size() > kMostRemovals) order.resize(kMostRemovals);
-    for (const std::size_t n : order) menu.addAction(measures[n], &targets, [&targets, n] { targets.removeMeasure(n); });
+    for (const std::size_t n : order)
+        menu.addAction(tr("Remove: %1").arg(measures[n].simplified()), &targets, [&targets, n] { targets.removeMeasure(n); });
 }
 
 void CabMode::addMeasures(QMenu& menu) {

@@ -265,6 +265,7 @@ void MainWindow::layOutTools() {
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.tools.showSelected(viewer_.selection.words()); });
     connect(&viewer_.selection, &Selection::exportRequested, this, [this] { viewer_.exports.askSelected(); });
     connect(&viewer_.selection, &Selection::changed, this, [this] { viewer_.exports.setSelection(viewer_.selection.cells()); });
+    viewer_.exports.setTargets([this] { return viewer_.targets.notebook().targets; });
     connect(&viewer_.targets, &Targets::explanationRequested, &viewer_.explanation,
             [this](std::size_t cell) { viewer_.explanation.explain(inspect::exactly(cell), Explanation::Subject::Pin); });
     connect(&viewer_.targets, &Targets::measureRequested, &viewer_.measures, &Measures::startAt);

@@ -33,8 +33,8 @@ namespace edgescan::ui {
 namespace {
 
 /// Disabled while there are no targets; its tip says so.
-Command targetsExport(Viewer& v) {
-    return linked(command("&Targets…", "", [&v] { v.targets.askExport(); }), [&v](QAction& action) {
+Command targetsExport(Viewer& v, Command asks) {
+    return linked(std::move(asks), [&v](QAction& action) {
         const auto follow = [&v, &action] {
             const bool some = !v.targets.notebook().targets.empty();
             action.setEnabled(some);
@@ -50,12 +50,12 @@ Command fileMenu(Viewer& v, const WindowCommands& commands) {
     std::vector<Command> exports;
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         if (kind.window.menu == nullptr) continue;
-        exports.push_back(command(kind.window.menu, kind.window.keys, [&v, content = kind.content] { v.exports.ask(content); }));
+        Command asks = command(kind.window.menu, kind.window.keys, [&v, content = kind.content] { v.exports.ask(content); });
+        exports.push_back(kind.content == exports::ExportContent::Targets ? targetsExport(v, std::move(asks)) : std::move(asks));
         if (kind.content == exports::ExportContent::EdgeCloud)
             exports.push_back(command("Edge &Drawing (DXF)…", "", [&v, content = kind.content] { v.exports.ask(content, ".dxf"); }));
     }
     exports.push_back(command("&Selected Cells…", "", [&v] { v.exports.askSelected(); }));
-    exports.push_back(targetsExport(v));
     Command recent = submenu("Open &Recent", {});
     recent.fill = [&v](QMenu& menu) { v.files.fillRecent(menu); };
     Command menu =

@@ -5,6 +5,7 @@
 #include "core/edges/settings/command_text.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
+#include "core/inspect/measure/notebook.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/count_text.h"
 #include "ui/base/notice_bar.h"
@@ -41,7 +42,7 @@ QString exportName(const edges::Detection& detection, exports::ExportContent con
         parts << edges::traitsOf(settings.method).key
               << QString(swept.label).toLower().replace(' ', '-') + exactText(edges::formatValue(swept, swept.get(settings)));
     parts << QDate::currentDate().toString(Qt::ISODate);
-    return parts.join('_') + (exports::isCloud(content) ? frameTail(frame) : "");
+    return parts.join('_') + (exports::exportKind(content).holds == exports::ExportKind::Holds::Picture ? "" : frameTail(frame));
 }
 
 } // namespace
@@ -78,6 +79,8 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QStr
     emit asked();
     const std::shared_ptr<const edges::Detection> detection = engine_.picture()->detection;
     ExportDialog dialog(detection, wanted, {selection_, selectedOnly}, notice_.window());
+    const auto targets = std::make_shared<const TargetList>(targets_ ? targets_() : TargetList());
+    dialog.offerTargets(targets->size());
     std::vector<ExportDialog::Format> formats;
     for (const files::Format& each : files::formats()) {
         if (each.write == nullptr) continue;
@@ -85,20 +88,18 @@ void Exports::askOf(exports::ExportContent wanted, bool selectedOnly, const QStr
     }
     dialog.offerFormats(formats, extension.isEmpty() ? preferences_.text("export/extension", ".pcd") : extension);
     if (dialog.exec() != QDialog::Accepted) return;
-    const bool cloud = exports::isCloud(dialog.content());
     SaveQuestion question;
-    question.title = cloud ? tr("Export %1 points").arg(countText(dialog.count())) : tr("Export");
+    question.title = exports::isCloud(dialog.content()) ? tr("Export %1 points").arg(countText(dialog.count())) : tr("Export");
     question.extension = dialog.extension();
-    QString name = exportName(*detection, dialog.content(), cloud ? dialog.options().frame : CoordinateFrame::Scanner);
-    if (dialog.options().selection) name += "_selected";
+    exports::ExportOptions options = dialog.options();
+    if (dialog.content() == exports::ExportContent::Targets) options.targets = targets;
+    QString name = exportName(*detection, dialog.content(), options.frame);
+    if (options.selection) name += "_selected";
     question.place = QDir(preferences_.folder("exports")).filePath(name + question.extension);
-    if (!cloud)
-        question.filters << tr("PNG picture (*.png)");
-    else
-        question.filters = dialog.filters();
+    question.filters = dialog.filters();
     question.files = withItsRecord;
     const QString path = askWhereToSave(notice_.window(), question);
-    if (!path.isEmpty()) engine_.save(dialog.content(), path, dialog.options());
+    if (!path.isEmpty()) engine_.save(dialog.content(), path, options);
 }
 
 void Exports::reportSaved(exports::ExportContent what, const QString& path, qint64 count, const QString& coordinates) {

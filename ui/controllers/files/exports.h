@@ -30,6 +30,9 @@ public:
     void askSelected();
     /// Cells, ascending, that an export may be cut down to; none: nothing is selected.
     void setSelection(const std::vector<std::uint32_t>& cells);
+    /// The targets of the picture, for when they are exported.
+    using TargetList = std::vector<inspect::PinnedTarget>;
+    void setTargets(std::function<TargetList()> targets) { targets_ = std::move(targets); }
     /// Asks where to.
     void askScreenshot(const QImage& image);
     /// What a picture of the window carries when it is saved at `path`.
@@ -52,6 +55,7 @@ private:
     NoticeBar& notice_;
     Preferences& preferences_;
     std::shared_ptr<const std::vector<std::uint32_t>> selection_; // null: none
+    std::function<TargetList()> targets_;
     Carry carry_;
 };
 

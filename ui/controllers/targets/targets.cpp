@@ -23,7 +23,7 @@ namespace edgescan::ui {
 
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Preferences& preferences,
                  QUndoStack& undo)
-    : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), preferences_(preferences), undo_(undo),
+    : engine_(engine), views_(views), rocks_(rocks), panel_(panel), notice_(notice), undo_(undo),
       store_(preferences.dataFolder().isEmpty() ? QString() : preferences.dataFolder() + "/targets"),
       worked_(
           Urgency::Now, [this](const Question& question) { return workOut(question); },
@@ -34,6 +34,7 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
           Older::Delivered) { // while a sweep grows
     connect(&views_, &LinkedViews::pinChanged, this, &Targets::followPin);
     connect(&views_, &LinkedViews::cellMenuOpens, this, &Targets::addToMenu);
+    connect(&views_, &LinkedViews::measureClicked, this, [this](std::size_t place) { chooseMeasure(place); });
     connect(&rocks_, &Rocks::rocksShown, this, &Targets::show);
     connect(&rocks_, &Rocks::shownChanged, this, &Targets::show);
     connect(&rocks_, &Rocks::selectionChanged, this, [this] {

@@ -91,9 +91,6 @@ public:
     /// Asks for it.
     void askNameOf(int number);
     void askNote(int number);
-    /// Asks for a path: a table (.csv) or a drawing (.dxf).
-    void askExport();
-    void exportTo(const QString& path);
     void lock(int number, bool on);
     void keepMeasure(const inspect::StoredMeasure& measure);
     void removeMeasure(std::size_t place);
@@ -167,7 +164,6 @@ private:
     Rocks& rocks_;
     TargetsPanel& panel_;
     NoticeBar& notice_;
-    Preferences& preferences_;
     QUndoStack& undo_;
     TargetStore store_;
     QString key_;         // of the scan of the notebook

@@ -135,6 +135,8 @@ signals:
     void pinChanged(std::optional<std::size_t> cell);
     /// A click on a cell in any view, with any tool; Pin has pinned it.
     void clicked(const edgescan::inspect::MeantCell& click);
+    /// A click that chooses a measurement: its index in marks().
+    void measureClicked(std::size_t index);
     /// End of a selecting drag over an image: corners in cells (x = beam, y = line) ...
     void imageOutlined(const QPolygonF& corners, Qt::KeyboardModifiers modifiers);
     /// ... and over the cloud: corners in pixels of its view.
@@ -156,6 +158,7 @@ private:
     [[nodiscard]] bool refusesClicks(QWidget& view) const;
     void openMenuAt(const QPoint& position, std::optional<std::size_t> cell);
     void clickAt(std::size_t cell);
+    void clickMark(const MarkName& mark, std::optional<std::size_t> behind);
     void lookAtBox(const QRect& cells);
     std::vector<std::uint32_t> showBox();
     void showMarks();

@@ -25,6 +25,9 @@ void LinkedViews::linkImages() {
             if (refusesClicks(*view)) return;
             if (const auto cell = cellAt(line, beam)) clickAt(*cell);
         });
+        connect(view, &ImageView::markClicked, this, [this, view](const MarkName& mark, int line, int beam) {
+            if (!refusesClicks(*view)) clickMark(mark, line < 0 ? std::nullopt : cellAt(line, beam));
+        });
         connect(view, &ImageView::outlined, this, [this, view](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
             if (!refusesClicks(*view)) emit imageOutlined(corners, modifiers);
         });
@@ -40,6 +43,9 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::hoverLeft, this, [this] { hover(std::nullopt, &cloud_); });
     connect(&cloud_, &CloudView::clicked, this, [this](qint64 cell) {
         if (!refusesClicks(cloud_)) clickAt(static_cast<std::size_t>(cell));
+    });
+    connect(&cloud_, &CloudView::markClicked, this, [this](const MarkName& mark, qint64 behind) {
+        if (!refusesClicks(cloud_)) clickMark(mark, behind < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(behind)));
     });
     connect(&cloud_, &CloudView::missed, this,
             [this] { QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden."), &cloud_); });
@@ -87,6 +93,14 @@ void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::
 /// Shift takes the clicked cell itself, whatever is near.
 void LinkedViews::clickAt(std::size_t cell) {
     click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell));
+}
+
+/// A target is its cell, for every tool. A measurement is chosen; a tool takes what is behind it.
+void LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> behind) {
+    if (!mark.isMeasure) return click(inspect::exactly(mark.which));
+    const bool whole = mark.which < marks_.measures.size() && !marks_.measures[mark.which].label.isEmpty();
+    if (whole && tool_ == Tool::Pin && pinsOnClick_) return emit measureClicked(mark.which);
+    if (behind) clickAt(*behind);
 }
 
 /// Ctrl selects several rocks and pins no cell.

@@ -161,25 +161,33 @@ void Keypad::openFor(QWidget& field) {
     keys_->show();
 }
 
-/// At the bottom of the screen; at its top if the field of the main window is there. A dialog moves above the keys. If it is too high for
-/// that, its field stays in sight, and as much as possible of what is below it.
+/// At the bottom of the screen, or at its top if the field is there. A dialog moves above the keys. If it is too high for that, it stays on
+/// the screen, and the keys are where its field is not.
 void Keypad::dock() {
     const QWidget& window = *field_->window();
-    const QRect room = field_->screen()->availableGeometry(), edit(field_->mapToGlobal(QPoint()), field_->size());
+    const QRect room = field_->screen()->availableGeometry();
+    const auto edit = [this] { return QRect(field_->mapToGlobal(QPoint()), field_->size()); };
     QRect place(QPoint(), keys_->size());
     place.moveCenter(room.center());
     place.moveBottom(room.bottom());
     auto* dialog = qobject_cast<QDialog*>(field_->window());
-    if (dialog == nullptr && place.intersects(edit)) place.moveTop(room.top());
+    if (dialog != nullptr && window.frameGeometry().bottom() >= place.top()) {
+        // As high as the room above the keys, if it can be.
+        const int around = window.frameGeometry().height() - window.height();
+        dialog->resize(window.width(), std::clamp(place.top() - room.top() - around,
+                                                  std::min(window.minimumSizeHint().height(), window.height()), window.height()));
+        const int height = window.frameGeometry().height();
+        int top = std::max(room.top(), place.top() - height);
+        if (top + height > place.top()) { // as far from the upper or the lower end of the screen as its field needs
+            const QRect field = edit().translated(0, top - window.frameGeometry().top());
+            const int lowest = std::max(room.top(), room.bottom() + 1 - height);
+            if (field.bottom() >= place.top())
+                top = std::clamp(top + room.top() + place.height() + kKeyGap - field.top(), room.top(), lowest);
+        }
+        dialog->move(window.frameGeometry().left(), top);
+    }
+    if (place.intersects(edit())) place.moveTop(room.top());
     keys_->move(place.topLeft());
-    if (dialog == nullptr || window.frameGeometry().bottom() < place.top()) return;
-    // As high as the room above the keys, if it can be.
-    const int around = window.frameGeometry().height() - window.height();
-    dialog->resize(window.width(), std::clamp(place.top() - room.top() - around,
-                                              std::min(window.minimumSizeHint().height(), window.height()), window.height()));
-    const QRect frame = window.frameGeometry();
-    const int fieldAt = edit.top() - frame.top() - kKeyGap;
-    dialog->move(frame.left(), std::max(place.top() - frame.height(), room.top() - std::max(0, fieldAt)));
 }
 
 void Keypad::close() {

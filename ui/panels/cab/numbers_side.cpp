@@ -11,7 +11,7 @@
 #include <QLabel>
 #include <QRegularExpression>
 #include <QScrollArea>
-#include <QScroller>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -26,6 +26,12 @@ constexpr int kNumberPx = 42, kLowNumberPx = 32, kCoordinatePx = 25, kTextPx = 1
 constexpr int kLeastScrolled = 90;
 constexpr int kLowestPx = 480; // a lower side has no stepper next to the numbers: Tune has it
 constexpr int kLowPx = 720;    // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
+
+// A sign that there is more, which takes no room from the numbers: a swipe scrolls them.
+const char* const kThinBar = "QScrollBar:vertical { width: 8px; background: transparent; } "
+                             "QScrollBar::handle:vertical { background: #8a9098; border-radius: 4px; min-height: 24px; } "
+                             "QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0; } "
+                             "QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical { background: transparent; }";
 
 } // namespace
 
@@ -107,8 +113,7 @@ FittedLabel* fitted(const char* name, int px) {
     return made;
 }
 
-// A finger scrolls it.
-QScrollArea* scrolledByFinger(QWidget* content, Qt::ScrollBarPolicy bar, QScroller::ScrollerGestureType gesture) {
+QScrollArea* scrolledColumn(QWidget* content, Qt::ScrollBarPolicy bar) {
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -116,7 +121,6 @@ QScrollArea* scrolledByFinger(QWidget* content, Qt::ScrollBarPolicy bar, QScroll
     scroll->setVerticalScrollBarPolicy(bar);
     scroll->setMinimumHeight(kLeastScrolled); // the large arrows of its bar would ask for more than a screen of 480 has
     scroll->setWidget(content);
-    QScroller::grabGesture(scroll->viewport(), gesture);
     return scroll;
 }
 
@@ -151,10 +155,12 @@ NumbersSide::NumbersSide(QWidget* parent)
     auto* column = new QVBoxLayout(numbers);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(head);
-    column->addWidget(scrolledByFinger(makeNumbers(), Qt::ScrollBarAlwaysOff, QScroller::LeftMouseButtonGesture), 1);
+    scroll_ = scrolledColumn(makeNumbers(), Qt::ScrollBarAsNeeded);
+    scroll_->verticalScrollBar()->setStyleSheet(kThinBar);
+    column->addWidget(scroll_, 1);
     column->addWidget(main_);
     pages_->addWidget(numbers);
-    pages_->addWidget(scrolledByFinger(makeSettings(), Qt::ScrollBarAsNeeded, QScroller::TouchGesture));
+    pages_->addWidget(scrolledColumn(makeSettings(), Qt::ScrollBarAsNeeded));
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(12, 8, 8, 8);
     all->setSpacing(8);
@@ -254,7 +260,6 @@ void NumbersSide::fitHeight() {
     const bool low = height() < kLowPx;
     // The part of it that is in the window: with the stepper it would not become lower than the stepper needs.
     const int seen = std::min(height(), window()->height() - mapTo(window(), QPoint()).y());
-    main_->setVisible(stepped_ && seen >= kLowestPx);
     for (FittedLabel* each : {distance_, size_}) each->setMost(seen >= kLowestPx ? kNumberPx : kLowNumberPx);
     for (const auto& [name, value] : coordinateLabels_) static_cast<FittedLabel*>(value)->setMost(low ? kTextPx : kCoordinatePx);
     for (const auto& [name, value] : rowLabels_) {
@@ -264,6 +269,18 @@ void NumbersSide::fitHeight() {
             each->setFont(letters);
         }
     }
+    const bool held = main_->less()->isDown() || main_->more()->isDown();
+    main_->setVisible(stepped_ && seen >= kLowestPx && (held || factsFitAbove(main_->sizeHint().height())));
+}
+
+/// The facts of what is chosen are seen whole; Tune has the stepper too.
+bool NumbersSide::factsFitAbove(int stepperHigh) const {
+    if (tuning() || !isVisible()) return true; // not laid out
+    QLayout& page = *pages_->widget(0)->layout();
+    page.activate();
+    const int above = scroll_->y(), room = pages_->height() - above - page.spacing() - stepperHigh;
+    const QLayout& facts = *facts_->layout();
+    return facts.heightForWidth(scroll_->width()) <= room;
 }
 
 void NumbersSide::resizeEvent(QResizeEvent* event) {
@@ -321,7 +338,15 @@ void NumbersSide::showSettings(const std::vector<SteppedSetting>& settings) {
             steppers_.emplace_back(each.key, shown);
         }
         shown->showValue(each.value);
+        const bool first = each.key == mainKey_;
+        shown->setMeaning(first ? ofLess_ : QString(), first ? ofMore_ : QString());
     }
+}
+
+void NumbersSide::setMeaning(const QString& ofLess, const QString& ofMore) {
+    ofLess_ = ofLess;
+    ofMore_ = ofMore;
+    main_->setMeaning(ofLess, ofMore);
 }
 
 Stepper* NumbersSide::stepper(const QString& key) const {
@@ -329,7 +354,10 @@ Stepper* NumbersSide::stepper(const QString& key) const {
     return found == steppers_.end() ? nullptr : found->second;
 }
 
-void NumbersSide::setTuning(bool on) { pages_->setCurrentIndex(on ? 1 : 0); }
+void NumbersSide::setTuning(bool on) {
+    pages_->setCurrentIndex(on ? 1 : 0);
+    fitHeight();
+}
 bool NumbersSide::tuning() const { return pages_->currentIndex() == 1; }
 QString NumbersSide::distanceShown() const { return distance_->text(); }
 QString NumbersSide::sizeShown() const { return size_->text(); }

@@ -10,6 +10,7 @@
 class QGridLayout;
 class QHBoxLayout;
 class QLabel;
+class QScrollArea;
 class QStackedWidget;
 class QToolButton;
 class QVBoxLayout;
@@ -47,6 +48,8 @@ public:
     void showNumbers(const TargetNumbers& numbers);
     /// The first setting is also shown below the numbers.
     void showSettings(const std::vector<SteppedSetting>& settings);
+    /// What the buttons of the first setting do, here and among the settings.
+    void setMeaning(const QString& ofLess, const QString& ofMore);
     /// Shows the settings instead of the numbers.
     void setTuning(bool on);
     [[nodiscard]] bool tuning() const;
@@ -79,7 +82,10 @@ private:
                   bool large);
     void connectStepper(Stepper& stepper);
 
+    [[nodiscard]] bool factsFitAbove(int stepperHigh) const;
+
     QStackedWidget* pages_;
+    QScrollArea* scroll_ = nullptr; // of the numbers
     QToolButton* previous_;
     QToolButton* next_;
     QLabel* title_;
@@ -97,7 +103,7 @@ private:
     std::vector<std::pair<QLabel*, QLabel*>> coordinateLabels_, rowLabels_;
     bool stepped_ = false; // the main stepper has a setting
     Stepper* main_;
-    QString mainKey_;
+    QString mainKey_, ofLess_, ofMore_;
     QHBoxLayout* settingsHead_ = nullptr;
     QVBoxLayout* settings_ = nullptr;
     std::vector<std::pair<QString, Stepper*>> steppers_;

@@ -58,8 +58,15 @@ Stepper::Stepper(const QString& name, QWidget* parent)
 void Stepper::setMeaning(const QString& ofLess, const QString& ofMore) {
     auto* grid = static_cast<QGridLayout*>(layout());
     for (const auto& [words, column] : {std::pair(ofLess, 0), std::pair(ofMore, 1)}) {
+        const QString name = column == 0 ? "meaning-of-less" : "meaning-of-more";
+        if (auto* before = findChild<QLabel*>(name)) {
+            before->setText(words);
+            before->setHidden(words.isEmpty());
+            continue;
+        }
+        if (words.isEmpty()) continue;
         auto* label = new QLabel(words);
-        label->setObjectName(column == 0 ? "meaning-of-less" : "meaning-of-more");
+        label->setObjectName(name);
         label->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
         label->setWordWrap(true);
         QFont letters = label->font();

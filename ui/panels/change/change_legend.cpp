@@ -196,11 +196,12 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     foot->addLayout(switchOfTwo());
     foot->addLayout(buttons);
     for (QToolButton* button : {fold_, previous_, next_, end_}) {
-        if (button == end_) buttons->addStretch(1);
         button->setFocusPolicy(Qt::TabFocus);
         buttons->addWidget(button);
         if (button == fold_) buttons->addWidget(summary_);
     }
+    buttons->addStretch(1); // none of them moves when the plate gets wider
+    summary_->setTextFormat(Qt::RichText);
     connect(fold_, &QToolButton::toggled, this, [this] {
         showRows();
         fit();
@@ -277,11 +278,11 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
                                   .arg(countText(distances->histogram.beyond))
                                   .arg(shortLength(distances->histogram.stepM * static_cast<double>(distances->histogram.counts.size()))));
     regions_ = comparison == nullptr ? 0 : comparison->change.regions.size();
-    const bool begins = !std::exchange(compared_, comparison != nullptr) && compared_;
+    compared_ = comparison != nullptr;
     ofTwoScans_ = comparison != nullptr && comparison->isOfTwoScans();
     warned_ = comparison != nullptr && comparison->change.earlier.how.outOfSpec;
     showRegion(QString());
-    if (begins) foldIfLow();
+    if (compared_ && !std::exchange(begun_, true)) foldIfLow();
     showFlipped(flipped_);
     show();
     fit();
@@ -296,7 +297,7 @@ void ChangeLegend::setWords(QLabel& label, const QString& words) {
 void ChangeLegend::fit() {
     if (parentWidget() == nullptr) return;
     const int room = parentWidget()->width() - kAround - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    for (const auto& [label, words] : words_) label->setText(broken(words, label->fontMetrics(), room));
+    for (const auto& [label, words] : words_) label->setText(label == region_ ? QString() : broken(words, label->fontMetrics(), room));
     int counts = 0;
     for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
     for (int n = 0; n < kChangeRows; ++n) {
@@ -308,10 +309,14 @@ void ChangeLegend::fit() {
     for (const QWidget* each : std::initializer_list<const QWidget*>{fold_, summary_, previous_, next_, end_})
         buttons += each->isVisibleTo(this) ? each->sizeHint().width() + kBetweenButtons : 0;
     if (buttons > room) next_->setText(tr("Next"));
+    // The text of a region does not make the plate wider: its buttons stay under the pointer.
+    const int wide = std::max(region_->parentWidget()->sizeHint().width(), std::min(buttons, room));
+    region_->setText(broken(words_.at(region_), region_->fontMetrics(), wide));
     fitContent();
 }
 
 bool ChangeLegend::event(QEvent* event) {
+    if (event->type() == QEvent::HideToParent) begun_ = false;
     if (event->type() == QEvent::ParentChange && parentWidget() != nullptr) {
         parentWidget()->installEventFilter(this);
         fit();
@@ -336,7 +341,7 @@ void ChangeLegend::showRows() {
     previous_->setVisible(rowsShown_ && regions_ > 0 && !isOneLine());
     title_->setVisible(!isOneLine());
     summary_->setVisible(isOneLine());
-    summary_->setText(tr("Changes: %1").arg(countText(regions_)));
+    summary_->setText(summaryText());
     region_->setVisible(!words_.at(region_).isEmpty() && !isOneLine());
     for (const Row& row : rows_) {
         const QString count = row.count->text();
@@ -356,6 +361,17 @@ void ChangeLegend::showRows() {
     histogram_->setVisible(open && hasDistances_);
     distances_->setVisible(open && hasDistances_);
     overRocks_->setVisible(open && overRocksOn_);
+}
+
+/// With what the two colours mean.
+QString ChangeLegend::summaryText() const {
+    const auto meaning = [](ChangeRow row, const QString& words) {
+        return QString("<span style='color:%1'>■</span> %2").arg(changeColour(row).name(), words);
+    };
+    const QString more = ofTwoScans_ ? tr("nearer") : nameOf(ChangeRow::Gained),
+                  less = ofTwoScans_ ? tr("farther") : nameOf(ChangeRow::Lost);
+    return tr("Changes: %1").arg(countText(regions_)) + "<br>" + meaning(ChangeRow::Gained, more) + "&nbsp; " +
+           meaning(ChangeRow::Lost, less);
 }
 
 bool ChangeLegend::isOneLine() const { return brief_ && compared_ && rowsShown_ && regions_ > 0 && !flipped_ && fold_->isChecked(); }

@@ -70,6 +70,7 @@ private:
     void emitRows();
 
     [[nodiscard]] bool isOneLine() const;
+    [[nodiscard]] QString summaryText() const;
     void foldIfLow();
 
     QLabel *title_, *unit_, *how_, *overRocks_, *region_;
@@ -86,6 +87,7 @@ private:
     bool flipped_ = false;
     bool rowsShown_ = true;
     bool brief_ = false;
+    bool begun_ = false;                                          // since the legend came, a comparison was shown
     std::size_t regions_ = 0;                                     // that changed
     bool compared_ = false, ofTwoScans_ = false, warned_ = false; // of the comparison
 };

@@ -118,12 +118,14 @@ void ExportDialog::fit() {
 QGroupBox* ExportDialog::contentBox() {
     auto* box = new QGroupBox(tr("What"));
     auto* column = new QVBoxLayout(box);
-    for (const exports::ExportKind& kind : exports::exportKinds()) {
-        if (kind.window.title == nullptr) continue;
-        auto* button = new QRadioButton;
-        button->setObjectName(kind.key);
-        contents_->addButton(button, static_cast<int>(kind.content));
-        column->addWidget(button);
+    for (const bool pictures : {false, true}) { // what is asked for less comes last
+        for (const exports::ExportKind& kind : exports::exportKinds()) {
+            if (kind.window.title == nullptr || (kind.holds == exports::ExportKind::Holds::Picture) != pictures) continue;
+            auto* button = new QRadioButton;
+            button->setObjectName(kind.key);
+            contents_->addButton(button, static_cast<int>(kind.content));
+            column->addWidget(button);
+        }
     }
     return box;
 }
@@ -149,10 +151,13 @@ void ExportDialog::offerFormats(const std::vector<Format>& formats, const QStrin
 }
 
 bool ExportDialog::canHold(const Format& format) const {
-    return !format.drawsEdges || exports::exportKind(content()).counts == exports::ExportKind::Counts::EdgePoints;
+    const exports::ExportKind& kind = exports::exportKind(content());
+    if (exports::isCloud(kind.content)) return !format.drawsEdges || kind.counts == exports::ExportKind::Counts::EdgePoints;
+    return std::ranges::any_of(kind.files, [&](const exports::ExportFile& file) { return format.extension == file.extension; });
 }
 
 QStringList ExportDialog::filters() const {
+    if (isPicture()) return {picture_->text()};
     QStringList filters;
     for (const Format& format : formats_) {
         if (canHold(format)) filters << format.filter;
@@ -167,16 +172,28 @@ void ExportDialog::followFormat() {
         const Format& format = formats_[static_cast<std::size_t>(n)];
         const bool can = canHold(format);
         format_->setItemData(n, can ? QVariant() : QVariant(0), Qt::UserRole - 1); // flags of the item: 0 = off
-        format_->setItemData(n, can ? QVariant() : tr("It draws edge lines: choose the edge points above."), Qt::ToolTipRole);
+        format_->setItemData(n,
+                             can                 ? QVariant()
+                             : format.drawsEdges ? tr("It draws edge lines: choose the edge points above.")
+                                                 : tr("Targets are written as a table or a drawing."),
+                             Qt::ToolTipRole);
         if (can && (shown < 0 || format.extension == wantedFormat_)) shown = n;
     }
     if (shown >= 0) format_->setCurrentIndex(shown);
 }
 
-QString ExportDialog::extension() const { return exports::isCloud(content()) ? format_->currentData().toString() : QStringLiteral(".png"); }
+void ExportDialog::offerTargets(std::size_t count) {
+    targets_ = count;
+    contents_->button(static_cast<int>(exports::ExportContent::Targets))->setEnabled(count > 0);
+    follow();
+}
+
+bool ExportDialog::isPicture() const { return exports::exportKind(content()).holds == exports::ExportKind::Holds::Picture; }
+
+QString ExportDialog::extension() const { return isPicture() ? QStringLiteral(".png") : format_->currentData().toString(); }
 
 QString ExportDialog::numbersText() const {
-    if (!exports::isCloud(content())) return {};
+    if (isPicture()) return {};
     const Scan& scan = *detection_->scan;
     Eigen::AlignedBox3d box;
     if (scan.placement) box.extend(scan.placement->originEnhM);
@@ -266,6 +283,7 @@ QGroupBox* ExportDialog::writingBox() {
 
 std::size_t ExportDialog::countOf(exports::ExportContent content, bool withAttached, bool onlySelected) const {
     const Scan& scan = *detection_->scan;
+    if (content == exports::ExportContent::Targets) return targets_;
     if (!exports::isCloud(content)) return scan.cells();
     const bool edges = exports::exportKind(content).counts == exports::ExportKind::Counts::EdgePoints;
     const auto wanted = [&](std::size_t k) {
@@ -316,8 +334,8 @@ void ExportDialog::showCounts() {
     for (const exports::ExportKind& kind : exports::exportKinds()) {
         QAbstractButton* button = contents_->button(static_cast<int>(kind.content));
         if (button == nullptr) continue;
-        const QString counted =
-            exports::isCloud(kind.content) ? countText(countOf(kind.content, attached_->isChecked(), onlySelected)) : size;
+        const bool picture = kind.holds == exports::ExportKind::Holds::Picture;
+        const QString counted = picture ? size : countText(countOf(kind.content, attached_->isChecked(), onlySelected));
         button->setText(QObject::tr(kind.window.title).arg(counted));
     }
 }
@@ -339,11 +357,11 @@ std::size_t ExportDialog::count() const { return countOf(content(), options().in
 void ExportDialog::follow() {
     if (contents_->checkedId() < 0) return;
     const bool cloud = exports::isCloud(content());
-    coordinatesGroup_->setEnabled(cloud);
+    coordinatesGroup_->setEnabled(!isPicture());
     writingGroup_->setEnabled(cloud);
     more_->setEnabled(cloud);
-    format_->setVisible(cloud && format_->count() > 0);
-    picture_->setVisible(!cloud);
+    format_->setVisible(!isPicture() && format_->count() > 0);
+    picture_->setVisible(isPicture());
     attached_->setEnabled(cloud);
     onlySelected_->setEnabled(cloud);
     followFormat();
@@ -359,9 +377,11 @@ void ExportDialog::follow() {
     const auto chosen = std::ranges::find(formats_, extension(), &Format::extension);
     const bool lines = cloud && chosen != formats_.end() && chosen->drawsEdges;
     const QString many = countText(count());
-    count_->setText(lines   ? tr("Lines through %1 edge points will be saved.").arg(many)
-                    : cloud ? tr("%1 points will be saved.").arg(many)
-                            : tr("%1 cells will be saved.").arg(many));
+    const bool ofTargets = content() == exports::ExportContent::Targets;
+    count_->setText(lines       ? tr("Lines through %1 edge points will be saved.").arg(many)
+                    : cloud     ? tr("%1 points will be saved.").arg(many)
+                    : ofTargets ? tr("%1 will be saved.").arg(targetCount(targets_))
+                                : tr("%1 cells will be saved.").arg(many));
 }
 
 } // namespace edgescan::ui

@@ -41,6 +41,8 @@ public:
         bool drawsEdges = false; ///< not for all points
     };
     void offerFormats(const std::vector<Format>& formats, const QString& wanted);
+    /// The number of targets that can be exported; at first there are none.
+    void offerTargets(std::size_t count);
     /// Those of the formats that the chosen content can have.
     [[nodiscard]] QStringList filters() const;
     /// ".pcd"; of a picture ".png".
@@ -48,7 +50,7 @@ public:
 
     [[nodiscard]] exports::ExportContent content() const;
     [[nodiscard]] exports::ExportOptions options() const;
-    /// Number of points, or of cells of a picture, that would be saved.
+    /// Number of points, of targets, or of cells of a picture, that would be saved.
     [[nodiscard]] std::size_t count() const;
     /// What the coordinates in the file count from, as a sentence; empty for a picture.
     [[nodiscard]] QString numbersText() const;
@@ -66,6 +68,7 @@ private:
     void follow();
     void showCounts();
     void followFormat();
+    [[nodiscard]] bool isPicture() const;
     [[nodiscard]] bool canHold(const Format& format) const;
     [[nodiscard]] bool isWanted(std::size_t choice) const;
 
@@ -79,6 +82,7 @@ private:
     mutable std::optional<std::vector<std::uint32_t>> filledCells_; // computed at first use
     std::vector<QCheckBox*> choices_;                               // in the order of kWritingChoices
     ExportSelection selected_;
+    std::size_t targets_ = 0;
     std::vector<Format> formats_; // in the order of the list
     QString wantedFormat_;        // extension of the format that was chosen last
     QComboBox* format_;

@@ -30,6 +30,7 @@ void CloudOverlay::setMarks(const OverlayMarks& marks) {
     if (marks == marks_) return;
     const QRect before = covered(marks_);
     marks_ = marks;
+    if (marks_.marks.empty()) tags_.clear();
     setVisible(!marks_.empty());
     update(before.united(covered(marks_)));
 }

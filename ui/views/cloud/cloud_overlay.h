@@ -45,7 +45,7 @@ public:
     void setMarks(const OverlayMarks& marks);
     [[nodiscard]] const OverlayMarks& marks() const { return marks_; }
     /// The tags of targets and measurements, where they were drawn last.
-    [[nodiscard]] const std::vector<QRectF>& tags() const { return tags_; }
+    [[nodiscard]] const std::vector<MarkTag>& tags() const { return tags_; }
     /// At the rim of the view or of a plate there, towards the chosen point outside of it.
     [[nodiscard]] std::optional<QLineF> arrow() const;
     /// Legends, scale and cube: what else is over the view now.
@@ -60,7 +60,8 @@ private:
     [[nodiscard]] QRect covered(const OverlayMarks& marks) const;
 
     OverlayMarks marks_;
-    std::vector<QRectF> plates_, tags_;
+    std::vector<QRectF> plates_;
+    std::vector<MarkTag> tags_;
     std::array<QRect, 2> labels_;
 };
 

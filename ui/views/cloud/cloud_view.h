@@ -197,6 +197,8 @@ signals:
     void hovered(qint64 cell);
     void hoverLeft();
     void clicked(qint64 cell);
+    /// A left click on a target or a measurement, and the cell of the point behind its mark; -1: no point is there.
+    void markClicked(const edgescan::ui::MarkName& mark, qint64 behind);
     /// A left click where no point is drawn ...
     void missed();
     /// ... and where a point of a layer is drawn in front: its index.
@@ -258,6 +260,7 @@ private:
     void showGround();
     void guessBudget();
     [[nodiscard]] const ScreenMarks& marksOnScreen();
+    [[nodiscard]] std::optional<MarkName> markUnder(QPointF pixel) const;
     [[nodiscard]] std::optional<std::uint32_t> chosenCell() const;
     /// In the plane of the screen; empty: the cell is in view.
     [[nodiscard]] std::optional<QPointF> wayOutTo(std::uint32_t cell) const;

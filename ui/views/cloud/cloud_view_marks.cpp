@@ -110,6 +110,10 @@ bool CloudView::followArrow(QPointF pixel) {
     return true;
 }
 
+std::optional<MarkName> CloudView::markUnder(QPointF pixel) const {
+    return markAt(overlay_->marks().marks, overlay_->tags(), pixel, touch_.mouseIsFinger());
+}
+
 /// Testing whether a point is hidden visits all points near it. With many targets only the active one is tested.
 const ScreenMarks& CloudView::marksOnScreen() {
     if (screenMarks_) return *screenMarks_; // moving the mouse over the points does not change them

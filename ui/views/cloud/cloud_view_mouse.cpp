@@ -126,6 +126,9 @@ void CloudView::mouseReleaseEvent(QMouseEvent* event) {
     }
     if (event->button() == Qt::LeftButton && followArrow(at)) return;
     const auto cell = cellAt(at);
+    const auto behind = cell ? static_cast<qint64>(*cell) : -1;
+    const auto mark = markUnder(at);
+    if (mark && choosesMarks(*event)) return emit markClicked(*mark, behind);
     if (event->button() == Qt::LeftButton && cell) emit clicked(*cell);
     if (event->button() == Qt::LeftButton && !cell && cloud_) {
         const auto layer = layerInFront(at, std::nullopt);
@@ -133,7 +136,7 @@ void CloudView::mouseReleaseEvent(QMouseEvent* event) {
     }
     if (event->button() == Qt::MiddleButton) setRotationCentre(at);
     if (event->button() == Qt::RightButton) {
-        emit contextMenuRequested(mapToGlobal(at.toPoint()), cell ? static_cast<qint64>(*cell) : -1);
+        emit contextMenuRequested(mapToGlobal(at.toPoint()), mark && !mark->isMeasure ? static_cast<qint64>(mark->which) : behind);
     }
 }
 

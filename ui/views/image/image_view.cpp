@@ -296,7 +296,7 @@ void ImageView::drawTip(QPainter& painter) const {
     drawTipAt(painter, rect(), at, tip_);
 }
 
-void ImageView::drawMarks(QPainter& painter) const {
+void ImageView::drawMarks(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     if (!outline_.empty()) drawOutline(painter);
@@ -319,18 +319,13 @@ void ImageView::drawMarks(QPainter& painter) const {
     }
     if (drag_ == Drag::Select && press_.travelled) drawDragged(painter);
     if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size())); // below the digits of the marks
-    if (!marks_.targets.empty() || !marks_.measures.empty()) {
-        const int beams = picture_.empty() ? 1 : picture_.image()->width();
-        drawScreenMarks(painter, rect(),
-                        screenMarks(
-                            marks_,
-                            [&](std::size_t cell) -> std::optional<MarkPlace> {
-                                const QPointF at(static_cast<double>(cell % static_cast<std::size_t>(beams)) + 0.5,
-                                                 static_cast<double>(cell / static_cast<std::size_t>(beams)) + 0.5);
-                                return MarkPlace{viewPort_->toPixel(at, size()), false};
-                            },
-                            width() < kRoomForTags));
-    }
+    const auto beams = static_cast<std::size_t>(picture_.empty() ? 1 : picture_.image()->width());
+    const auto placeOf = [&](std::size_t cell) -> std::optional<MarkPlace> {
+        const QPointF at(static_cast<double>(cell % beams) + 0.5, static_cast<double>(cell / beams) + 0.5);
+        return MarkPlace{viewPort_->toPixel(at, size()), false};
+    };
+    screenMarks_ = screenMarks(marks_, placeOf, width() < kRoomForTags);
+    tags_ = drawScreenMarks(painter, rect(), screenMarks_);
 }
 
 void ImageView::drawDragged(QPainter& painter) const {

@@ -68,6 +68,8 @@ public:
     /// Replaces targets and measurements.
     void setMarks(CellMarks marks);
     [[nodiscard]] const CellMarks& marks() const { return marks_; }
+    /// The tags of targets and measurements, where they were drawn last.
+    [[nodiscard]] const std::vector<MarkTag>& tags() const { return tags_; }
     /// Drawn over the image and its faces, one pixel per cell: selected and hidden cells. Null = no selection.
     void setSelection(std::shared_ptr<const QImage> selection);
     [[nodiscard]] const std::shared_ptr<const QImage>& selection() const { return selection_.image(); }
@@ -106,6 +108,8 @@ signals:
     void hovered(int line, int beam);
     void hoverLeft();
     void clicked(int line, int beam);
+    /// A left click on a target or a measurement, and the cell behind its mark; -1: none is there.
+    void markClicked(const edgescan::ui::MarkName& mark, int line, int beam);
     /// Right click without a drag, with its position on the screen.
     void menuRequested(int line, int beam, const QPoint& position);
     void boxSelected(const QRect& cells);
@@ -132,7 +136,7 @@ private:
     enum class Drag { None, Pan, WindowLevel, Box, Select };
 
     void drawPyramid(QPainter& painter, Pyramid& pyramid) const;
-    void drawMarks(QPainter& painter) const;
+    void drawMarks(QPainter& painter);
     void drawLost(QPainter& painter) const;
     void drawTrail(QPainter& painter) const;
     void drawOutline(QPainter& painter) const;
@@ -153,6 +157,8 @@ private:
     bool facesFaded_ = false;
     Pyramid selection_;
     CellMarks marks_;
+    ScreenMarks screenMarks_; // as drawn last
+    std::vector<MarkTag> tags_;
     DragTool tool_ = DragTool::Move;
     QPolygonF way_; // path of a selecting drag, in cells
     std::vector<QLine> outline_;

@@ -75,8 +75,15 @@ void ImageView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     const auto cell = cellAt(place(*event));
-    if (event->button() == Qt::RightButton && cell) emit menuRequested(cell->y(), cell->x(), mapToGlobal(place(*event).toPoint()));
-    if (event->button() != Qt::LeftButton || !cell) return;
+    const auto mark = markAt(screenMarks_, tags_, place(*event), touch_.mouseIsFinger());
+    if (mark && choosesMarks(*event)) return emit markClicked(*mark, cell ? cell->y() : -1, cell ? cell->x() : -1);
+    if (!cell) return;
+    if (event->button() == Qt::RightButton) {
+        const int beams = picture_.image()->width(), of = mark && !mark->isMeasure ? static_cast<int>(mark->which) : -1;
+        const QPoint asked = of < 0 ? *cell : QPoint(of % beams, of / beams);
+        emit menuRequested(asked.y(), asked.x(), mapToGlobal(place(*event).toPoint()));
+    }
+    if (event->button() != Qt::LeftButton) return;
     setCrosshair(cell);
     emit clicked(cell->y(), cell->x());
 }
