@@ -1743,7 +1743,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Kirsch</source><translation>Kirsch</translation></message>
 <message><source>Robinson</source><translation>Robinson</translation></message>
 <message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
-<message><source>Laplacian of Gaussian</source><translation>Laplacien gaussien</translation></message>
+<message><source>Laplacian (LoG)</source><translation>Laplacien (LoG)</translation></message>
 <message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+ : sauts en profondeur et plis de la surface, avec des seuils qui suivent le bruit du scan.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sur des niveaux de gris logarithmiques : une marche compte en pour cent de sa distance ; les données manquantes sont masquées, un trou n'a donc pas d'arête.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>La thèse à la lettre : 255 / (Smax - Smin), gaussienne 3x3, 1:3, les trous sont noirs.</translation></message>

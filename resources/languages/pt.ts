@@ -1743,7 +1743,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Kirsch</source><translation>Kirsch</translation></message>
 <message><source>Robinson</source><translation>Robinson</translation></message>
 <message><source>Marr-Hildreth</source><translation>Marr-Hildreth</translation></message>
-<message><source>Laplacian of Gaussian</source><translation>Laplaciano gaussiano</translation></message>
+<message><source>Laplacian (LoG)</source><translation>Laplaciano (LoG)</translation></message>
 <message><source>EdgeScan+: jumps in depth and folds of the surface, with thresholds that follow the noise of the scan.</source><translation>EdgeScan+: saltos de profundidade e dobras da superfície, com limiares que seguem o ruído da varredura.</translation></message>
 <message><source>Canny on logarithmic gray levels, so that a step counts in percent of its range; missing data masked, so that a hole has no edge.</source><translation>Canny sobre níveis de cinza logarítmicos: um degrau conta em porcentagem da sua distância; os dados ausentes são mascarados, assim um buraco não tem borda.</translation></message>
 <message><source>The thesis to the letter: 255 / (Smax - Smin), 3x3 Gaussian, 1:3, holes are black.</source><translation>A tese à letra: 255 / (Smax - Smin), gaussiana 3x3, 1:3, os buracos são pretos.</translation></message>

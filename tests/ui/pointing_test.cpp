@@ -350,13 +350,12 @@ private slots:
             edges::Settings canny = edges::cannySettings();
             canny.lower = lower;
             QVERIFY(on_->use(canny));
-            for (const char* visited :
-                 {"Laplacian of Gaussian", "Marr-Hildreth", "Roberts", "Kirsch", "EdgeScan+", "Laplacian of Gaussian"})
+            for (const char* visited : {"Laplacian (LoG)", "Marr-Hildreth", "Roberts", "Kirsch", "EdgeScan+", "Laplacian (LoG)"})
                 choose(visited);
             choose("Canny (thesis)");
             QCOMPARE(window_->viewer().engine.settings().lower, lower);
             // Also after a change of another setting there, undone and redone.
-            choose("Laplacian of Gaussian");
+            choose("Laplacian (LoG)");
             window_->viewer().panel.row("kernel")->choice()->setCurrentIndex(2);
             choose("Canny (thesis)");
             QCOMPARE(window_->viewer().engine.settings().lower, lower);
@@ -368,7 +367,7 @@ private slots:
             QCOMPARE(window_->viewer().engine.settings().lower, lower);
         }
         // A threshold chosen in that method is used again.
-        choose("Laplacian of Gaussian");
+        choose("Laplacian (LoG)");
         window_->viewer().panel.row("lower")->number()->setValue(40);
         choose("Canny (thesis)");
         QVERIFY(window_->viewer().engine.settings().lower != 33.0);

@@ -322,6 +322,7 @@ private slots:
         QVERIFY(isChosen(3) && on.viewer.rocks.chosen() == on.viewer.views.pinned());
         const auto* list = on.viewer.targetsPanel.findChild<QListWidget*>("target-list");
         QTRY_VERIFY2(list->item(0)->text().contains("rock 3"), qPrintable(list->item(0)->text()));
+        QVERIFY(on.viewer.cloud.marks().targets.front().tag.endsWith(" · rock 3")); // in a small window there is no list
         // Rocks that are switched on later, and the row of a target, choose in the same way; a row of another rock ends the choice.
         on.viewer.rocks.setShown(false);
         on.viewer.rocks.setShown(true);

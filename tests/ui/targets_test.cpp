@@ -35,6 +35,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTimer>
 #include <QToolButton>
@@ -674,6 +675,27 @@ private slots:
         QCOMPARE(list.count(), 1);
         QTRY_VERIFY(list.visibleRegion().boundingRect().contains(list.viewport()->geometry().topLeft() +
                                                                  list.visualItemRect(list.item(0)).center()));
+    }
+
+    // Each has two rows, the list scrolls by itself, and the card of a target stays in sight above it.
+    void sixMeasurementsLeaveTheCardItsPlace() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_));
+        on.window.resize(1280, 800);
+        ImageView& gray = on.viewer.views.gray();
+        for (const std::uint32_t n : {0U, 1U, 2U, 3U, 4U, 5U})
+            on.viewer.targets.keepMeasure({inspect::MeasureKind::Distance, {20 * 160 + 30 + n, 90 * 160 + 100}, {}});
+        click(gray, 60, 80);
+        QVERIFY(known(on));
+        const QListWidget& list = *on.viewer.targetsPanel.measures();
+        QCOMPARE(list.count(), 6);
+        QVERIFY2(list.item(1)->text().startsWith("M2  "), qPrintable(list.item(1)->text()));
+        const int row = list.fontMetrics().lineSpacing();
+        for (int n = 0; n < list.count(); ++n) QVERIFY(list.visualItemRect(list.item(n)).height() < 3 * row);
+        QVERIFY2(list.height() < 8 * row && list.verticalScrollBar()->maximum() > 0, qPrintable(QString::number(list.height())));
+        const QWidget& card = on.viewer.targetsPanel.card();
+        QTRY_VERIFY2(card.visibleRegion().boundingRect().height() > 6 * row,
+                     qPrintable(QString::number(card.visibleRegion().boundingRect().height())));
     }
 
     // Each of the other kinds by its key and clicks; the shown value equals the core's value for these cells.

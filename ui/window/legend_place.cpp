@@ -15,7 +15,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kLabelWide = 150, kLabelHigh = 28; // px, of the label of a target
+constexpr int kLabelWide = 210, kLabelHigh = 28; // px, of the label of a target on a rock
 constexpr int kRing = 14;                        // px around it
 
 /// True if the plates on this side cover the place, or would cover it.

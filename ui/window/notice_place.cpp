@@ -16,8 +16,8 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kTextMargin = 8;   // px
-constexpr int kLeastWidth = 220; // px of a note
+constexpr int kTextMargin = 8;       // px
+constexpr int kLeastWidth = 220;     // px of a note
 constexpr int kLeastUnderNote = 480; // px of a cloud that has a line of a note with its buttons
 
 class NoticePlace : public QObject {

@@ -23,7 +23,7 @@ constexpr std::array kMethods{
     MethodTraits{Method::Kirsch, "kirsch", "Kirsch", kDetector, 0},
     MethodTraits{Method::Robinson, "robinson", "Robinson", kDetector, 0},
     MethodTraits{Method::MarrHildreth, "marr-hildreth", "Marr-Hildreth", kReadsGray | kReadsSigma, 0},
-    MethodTraits{Method::Log, "log", "Laplacian of Gaussian", kDetector | kReadsLaplacianMask, 0},
+    MethodTraits{Method::Log, "log", "Laplacian (LoG)", kDetector | kReadsLaplacianMask, 0},
 };
 
 constexpr bool inOrder() {

@@ -74,7 +74,8 @@ QString Targets::tagOf(const inspect::PinnedTarget& target) const {
     QString tag = QString::number(target.number);
     if (!target.name.empty()) tag += " " + shownName(exactText(target.name), 20);
     if (now != nullptr && now->probe.state == CellState::Valid) tag += " · " + distanceText(*now); // the digits of the card
-    return tag;
+    const rocks::Rock* rock = &target == active() ? around(target.cell).rock : nullptr; // a small window has no room for the card
+    return rock == nullptr ? tag : tag + " · " + tr("rock %1").arg(rock->label);
 }
 
 QString Targets::nameOf(const inspect::PinnedTarget& target) {
