@@ -384,7 +384,7 @@ void ChangeLegend::foldIfLow() {
 
 void ChangeLegend::setBrief(bool on) {
     brief_ = on;
-    if (on) foldIfLow();
+    if (on && compared_) foldIfLow(); // before a comparison the view may not have its height
     showFlipped(flipped_);
 }
 
