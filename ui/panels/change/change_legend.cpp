@@ -200,7 +200,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         buttons->addWidget(button);
         if (button == fold_) buttons->addWidget(summary_);
     }
-    buttons->addStretch(1); // none of them moves when the plate gets wider
+    buttons->addStretch(1); // they stay where they are when the plate gets wider
     summary_->setTextFormat(Qt::RichText);
     connect(fold_, &QToolButton::toggled, this, [this] {
         showRows();
