@@ -838,6 +838,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>Folds the legend</source><translation>Pliega la leyenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Despliega la leyenda</translation></message>
+<message><source>closer</source><translation>cerca</translation></message>
+<message><source>away</source><translation>lejos</translation></message>
 <message><source>Changes: %1</source><translation>Cambios: %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para verla: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>

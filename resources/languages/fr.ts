@@ -838,6 +838,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Next</source><translation>Suivant</translation></message>
 <message><source>Folds the legend</source><translation>Replie la légende</translation></message>
 <message><source>Unfolds the legend</source><translation>Déplie la légende</translation></message>
+<message><source>closer</source><translation>près</translation></message>
+<message><source>away</source><translation>loin</translation></message>
 <message><source>Changes: %1</source><translation>Changements : %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>pour la voir : A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>

@@ -838,6 +838,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>Folds the legend</source><translation>Recolhe a legenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Expande a legenda</translation></message>
+<message><source>closer</source><translation>perto</translation></message>
+<message><source>away</source><translation>longe</translation></message>
 <message><source>Changes: %1</source><translation>Mudanças: %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para vê-la: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
