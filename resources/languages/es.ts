@@ -840,6 +840,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>Folds the legend</source><translation>Pliega la leyenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Despliega la leyenda</translation></message>
+<message><source>closer</source><translation>cerca</translation></message>
+<message><source>away</source><translation>lejos</translation></message>
 <message><source>Changes: %1</source><translation>Cambios: %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para verla: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
@@ -1201,9 +1203,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 points are outside: the wheel zooms out</source><translation>%1 puntos quedan fuera: la rueda aleja la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
-<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
-<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L; un SICK LMS, o un robot con ROS como ws://ROBOT</translation></message>
 <message><source>Go on with the last session</source><translation>Seguir con la última sesión</translation></message>
 <message><source>Demo draw-bell</source><translation>Campana de demostración</translation></message>
 <message><source>no scanner, no files needed</source><translation>sin escáner, sin archivos</translation></message>
@@ -1215,6 +1215,10 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lee rejillas sin procesar, grabaciones (.mcap), bags de ROS, PCD, PLY, E57, LAS, PTX, CSV, XYZ y otros.</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>Solo envía al escáner lecturas y una suscripción.</translation></message>
 <message><source>Cab mode</source><translation>Modo cabina</translation></message>
+<message><source>a file on this computer or on a stick</source><translation>un archivo de este equipo o de una memoria USB</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, o suelte archivos en esta ventana</translation></message>
+<message><source>a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>un SICK LMS, o un robot con ROS como ws://ROBOT</translation></message>
+<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L; un SICK LMS, o un robot con ROS como ws://ROBOT</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ no encontrado: se movió, o falta su disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>

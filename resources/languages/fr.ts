@@ -840,6 +840,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Next</source><translation>Suivant</translation></message>
 <message><source>Folds the legend</source><translation>Replie la légende</translation></message>
 <message><source>Unfolds the legend</source><translation>Déplie la légende</translation></message>
+<message><source>closer</source><translation>près</translation></message>
+<message><source>away</source><translation>loin</translation></message>
 <message><source>Changes: %1</source><translation>Changements : %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>pour la voir : A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
@@ -1201,9 +1203,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 points are outside: the wheel zooms out</source><translation>%1 points sont en dehors : la molette dézoome</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
-<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
-<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L ; un SICK LMS, ou un robot avec ROS par ws://ROBOT</translation></message>
 <message><source>Go on with the last session</source><translation>Continuer la dernière session</translation></message>
 <message><source>Demo draw-bell</source><translation>Cloche de démonstration</translation></message>
 <message><source>no scanner, no files needed</source><translation>sans scanner, sans fichiers</translation></message>
@@ -1215,6 +1215,10 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lit les grilles brutes, les enregistrements (.mcap), les bags ROS, PCD, PLY, E57, LAS, PTX, CSV, XYZ et d'autres.</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>N'envoie au scanner que des lectures et un abonnement.</translation></message>
 <message><source>Cab mode</source><translation>Mode cabine</translation></message>
+<message><source>a file on this computer or on a stick</source><translation>un fichier de cet ordinateur ou d'une clé USB</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou déposez des fichiers dans cette fenêtre</translation></message>
+<message><source>a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>un SICK LMS, ou un robot avec ROS : ws://ROBOT</translation></message>
+<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L ; un SICK LMS, ou un robot avec ROS par ws://ROBOT</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ introuvable : déplacé, ou son disque manque. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>

@@ -840,6 +840,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>Folds the legend</source><translation>Recolhe a legenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Expande a legenda</translation></message>
+<message><source>closer</source><translation>perto</translation></message>
+<message><source>away</source><translation>longe</translation></message>
 <message><source>Changes: %1</source><translation>Mudanças: %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para vê-la: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
@@ -1201,9 +1203,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 points are outside: the wheel zooms out</source><translation>%1 pontos estão fora: a roda afasta o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
-<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
-<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L; um SICK LMS, ou um robô com ROS como ws://ROBOT</translation></message>
 <message><source>Go on with the last session</source><translation>Seguir com a última sessão</translation></message>
 <message><source>Demo draw-bell</source><translation>Sino de demonstração</translation></message>
 <message><source>no scanner, no files needed</source><translation>sem scanner, sem arquivos</translation></message>
@@ -1215,6 +1215,10 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.</source><translation>Lê grades brutas, gravações (.mcap), bags do ROS, PCD, PLY, E57, LAS, PTX, CSV, XYZ e outros.</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner.</source><translation>Envia ao scanner apenas leituras e uma assinatura.</translation></message>
 <message><source>Cab mode</source><translation>Modo cabine</translation></message>
+<message><source>a file on this computer or on a stick</source><translation>um arquivo deste computador ou de um pen drive</translation></message>
+<message><source>Ctrl+O, or drop files anywhere in this window</source><translation>Ctrl+O, ou solte arquivos nesta janela</translation></message>
+<message><source>a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>um SICK LMS, ou um robô com ROS como ws://ROBOT</translation></message>
+<message><source>Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT</source><translation>Ctrl+L; um SICK LMS, ou um robô com ROS como ws://ROBOT</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ não encontrado: foi movido, ou falta o disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>

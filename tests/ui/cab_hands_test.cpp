@@ -108,6 +108,8 @@ private slots:
                 }
                 methods << side->stepper("method")->value();
                 const edges::Method before = on.viewer.engine.settings().method;
+                on.window.resize(1024, 700); // on the screen
+                QApplication::processEvents();
                 bringIntoView(*side->stepper("method"));
                 QTest::mouseClick(side->stepper("method")->more(), Qt::LeftButton);
                 QVERIFY(on.settled());
@@ -196,6 +198,7 @@ private slots:
         QTest::mouseClick(tool(on.window, "cab-connect"), Qt::LeftButton);
         QTRY_VERIFY(pad.isVisible());
         QVERIFY(!pad.place().intersects(onScreen(*pad.field())));
+        QVERIFY2(pad.key("7") != nullptr, "an address has more digits than letters");
         QTest::keyClick(pad.field(), Qt::Key_Escape);
         QVERIFY(!pad.isVisible());
     }

@@ -28,6 +28,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCommandLinkButton>
 #include <QDialog>
 #include <QDockWidget>
 #include <QElapsedTimer>
@@ -333,11 +334,16 @@ private slots:
         const QWidget* rows = side->findChild<QLabel*>("cab-distance")->parentWidget();
         const auto* area = qobject_cast<QScrollArea*>(rows->parentWidget()->parentWidget());
         const auto whole = [&] { return rows->height() <= rows->parentWidget()->height(); };
-        for (const QSize size : {QSize(1024, 743), QSize(1280, 775), QSize(853, 455)}) {
+        for (const QSize size : {QSize(1024, 743), QSize(1280, 775), QSize(853, 460)}) {
             resizeTo(on.window, size);
             side->showNumbers(few);
             const bool low = size.height() < 500;
-            QTRY_VERIFY(whole() && side->mainStepper()->isVisible() == !low);
+            QTRY_VERIFY2(whole() && side->mainStepper()->isVisible() == !low, qPrintable(QString("%1 px in %2, stepper %3 at %4, side %5")
+                                                                                             .arg(rows->height())
+                                                                                             .arg(rows->parentWidget()->height())
+                                                                                             .arg(side->mainStepper()->isVisible())
+                                                                                             .arg(size.height())
+                                                                                             .arg(side->height())));
             side->showNumbers(many);
             if (low)
                 QTRY_VERIFY(!whole() && area->verticalScrollBar()->isVisible() && area->verticalScrollBar()->width() <= 10);
@@ -390,6 +396,22 @@ private slots:
             on.window.cab().set(false);
             QApplication::processEvents();
         }
+    }
+
+    // A cab has no keyboard, and nothing is dropped on its window.
+    void theStartPageNamesNoKeys() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        const auto* page = showStart(on.window, on.preferences);
+        const auto words = [page] {
+            QString all;
+            for (const auto* each : page->findChildren<QCommandLinkButton*>()) all += each->description() + '\n';
+            return all;
+        };
+        QVERIFY2(words().contains("Ctrl+O") && words().contains("Ctrl+L"), qPrintable(words()));
+        on.window.cab().set(true);
+        QVERIFY2(!words().contains("Ctrl") && !words().contains("drop") && words().contains("ws://ROBOT"), qPrintable(words()));
+        on.window.cab().set(false);
     }
 
     // The tool bar, which has the prompts, is hidden: the views show what a tool waits for, and Pin is on only while a touch pins.

@@ -60,6 +60,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     line->addWidget(sign_);
     line->addWidget(line_);
     line->addWidget(text_);
+    line->addWidget(action_); // usually the widest: in a narrow window the others share a line
     unfold_->setObjectName("notice-unfold");
     unfold_->setCheckable(true);
     connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
@@ -69,7 +70,6 @@ NoticeBar::NoticeBar(QWidget* parent)
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
     line->addWidget(more_);
-    line->addWidget(action_);
     line->addWidget(copy);
     line->addWidget(close);
     hide();

@@ -20,7 +20,6 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QEvent>
-#include <QPushButton>
 #include <QStandardPaths>
 #include <QTimer>
 
@@ -153,11 +152,8 @@ StartPage* showStart(MainWindow& w, Preferences& preferences) {
     QObject::connect(&w.viewer().engine, &Engine::coarseChanged, page, // a cancelled opening goes back to the page
                      [&w, page] { page->setVisible(!w.viewer().engine.coarse() && !w.viewer().engine.picture()); });
     // A cab has its own way out, and no keys.
-    const auto hideForGloves = [page](bool cab) {
-        for (const char* name : {"start-cab", "start-keys"}) page->findChild<QPushButton*>(name)->setHidden(cab);
-    };
-    QObject::connect(&w.cab(), &CabMode::changed, page, hideForGloves);
-    hideForGloves(w.cab().on());
+    QObject::connect(&w.cab(), &CabMode::changed, page, &StartPage::setForTouch);
+    page->setForTouch(w.cab().on());
     page->showRecent(preferences.recentFiles());
     showSession(w, *page);
     offerTour(w, preferences);

@@ -49,6 +49,7 @@ bool isNumber(const QWidget& field) {
     if (qobject_cast<QAbstractSpinBox*>(field.parentWidget()) != nullptr) return true;
     const auto* line = qobject_cast<const QLineEdit*>(&field);
     static const QRegularExpression number("^[0-9.:-]+$"); // an address too
+    if (line != nullptr && line->text().isEmpty()) return line->inputMethodHints().testFlag(Qt::ImhPreferNumbers);
     return line != nullptr && number.match(line->text()).hasMatch();
 }
 

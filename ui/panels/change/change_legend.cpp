@@ -90,6 +90,7 @@ constexpr int kAround = 32;        // px: of the plate and of the view
 constexpr int kBeforeName = 70;    // px of a row: switch, colour, gaps
 constexpr int kBetweenButtons = 6; // px
 constexpr int kForGloves = 48;     // px
+constexpr int kLeastLetters = 12;  // px
 
 QString nameOf(ChangeRow row) {
     switch (row) {
@@ -200,7 +201,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         buttons->addWidget(button);
         if (button == fold_) buttons->addWidget(summary_);
     }
-    buttons->addStretch(1); // none of them moves when the plate gets wider
+    buttons->addStretch(1); // they stay where they are when the plate gets wider
     summary_->setTextFormat(Qt::RichText);
     connect(fold_, &QToolButton::toggled, this, [this] {
         showRows();
@@ -305,12 +306,23 @@ void ChangeLegend::fit() {
         box.setText(broken(nameOf(static_cast<ChangeRow>(n)), box.fontMetrics(), room - counts - kBeforeName));
     }
     next_->setText(next_->toolTip());
-    int buttons = 0;
-    for (const QWidget* each : std::initializer_list<const QWidget*>{fold_, summary_, previous_, next_, end_})
-        buttons += each->isVisibleTo(this) ? each->sizeHint().width() + kBetweenButtons : 0;
-    if (buttons > room) next_->setText(tr("Next"));
+    const auto buttonsWide = [this] {
+        int wide = 0;
+        for (const QWidget* each : std::initializer_list<const QWidget*>{fold_, summary_, previous_, next_, end_})
+            wide += each->isVisibleTo(this) ? each->sizeHint().width() + kBetweenButtons : 0;
+        return wide;
+    };
+    summary_->setFont(QFont());                         // that of the plate
+    const int line = parentWidget()->width() - kAround; // no bar is next to the buttons
+    if (buttonsWide() > line) next_->setText(tr("Next"));
+    QFont letters = summary_->font();
+    for (int px = QFontInfo(letters).pixelSize(); buttonsWide() > line && px > kLeastLetters; --px) {
+        letters.setPixelSize(px);
+        summary_->setFont(letters);
+    }
+    const int buttons = buttonsWide();
     // The text of a region does not make the plate wider: its buttons stay under the pointer.
-    const int wide = std::max(region_->parentWidget()->sizeHint().width(), std::min(buttons, room));
+    const int wide = std::max(region_->parentWidget()->sizeHint().width(), std::min(buttons, line));
     region_->setText(broken(words_.at(region_), region_->fontMetrics(), wide));
     fitContent();
 }
@@ -366,11 +378,10 @@ void ChangeLegend::showRows() {
 /// With what the two colours mean.
 QString ChangeLegend::summaryText() const {
     const auto meaning = [](ChangeRow row, const QString& words) {
-        return QString("<span style='color:%1'>■</span> %2").arg(changeColour(row).name(), words);
+        return QString("<span style='color:%1'>■</span>&nbsp;%2").arg(changeColour(row).name(), QString(words).replace(' ', "&nbsp;"));
     };
-    const QString more = ofTwoScans_ ? tr("nearer") : nameOf(ChangeRow::Gained),
-                  less = ofTwoScans_ ? tr("farther") : nameOf(ChangeRow::Lost);
-    return tr("Changes: %1").arg(countText(regions_)) + "<br>" + meaning(ChangeRow::Gained, more) + "&nbsp; " +
+    const QString more = ofTwoScans_ ? tr("closer") : nameOf(ChangeRow::Gained), less = ofTwoScans_ ? tr("away") : nameOf(ChangeRow::Lost);
+    return tr("Changes: %1").arg(countText(regions_)).replace(' ', "&nbsp;") + "<br>" + meaning(ChangeRow::Gained, more) + "&nbsp;&nbsp;" +
            meaning(ChangeRow::Lost, less);
 }
 
@@ -384,7 +395,7 @@ void ChangeLegend::foldIfLow() {
 
 void ChangeLegend::setBrief(bool on) {
     brief_ = on;
-    if (on) foldIfLow();
+    if (on && compared_) foldIfLow(); // before a comparison the view may not have its height
     showFlipped(flipped_);
 }
 

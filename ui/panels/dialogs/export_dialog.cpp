@@ -31,8 +31,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kMargins = 64; // px, with the title bar of the window
-constexpr int kWords = 400;  // px: width of the questions for the reading program
+constexpr int kMargins = 64;        // px, with the title bar of the window
+constexpr int kBetweenContents = 3; // px
+constexpr int kWords = 400;         // px: width of the questions for the reading program
 
 } // namespace
 
@@ -111,13 +112,16 @@ void ExportDialog::fit() {
     const int wide = area_->minimumWidth() + kMargins;
     // Without a wrapped text a layout has no height for a width.
     const int high = std::max(questions.heightForWidth(wide), questions.sizeHint().height());
-    resize(QSize(wide, high + count_->sizeHint().height() + numbers_->minimumHeight() + buttons_->sizeHint().height() + kMargins)
+    const QMargins around = layout()->contentsMargins();
+    const int between = around.top() + around.bottom() + 3 * layout()->spacing();
+    resize(QSize(wide, high + count_->sizeHint().height() + numbers_->minimumHeight() + buttons_->sizeHint().height() + between)
                .boundedTo(QGuiApplication::primaryScreen()->availableSize() - QSize(0, kMargins)));
 }
 
 QGroupBox* ExportDialog::contentBox() {
     auto* box = new QGroupBox(tr("What"));
     auto* column = new QVBoxLayout(box);
+    column->setSpacing(kBetweenContents);
     for (const bool pictures : {false, true}) { // what is asked for less comes last
         for (const exports::ExportKind& kind : exports::exportKinds()) {
             if (kind.window.title == nullptr || (kind.holds == exports::ExportKind::Holds::Picture) != pictures) continue;

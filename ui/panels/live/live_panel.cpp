@@ -71,6 +71,7 @@ LivePanel::LivePanel(QWidget* parent)
     host_->setPlaceholderText(tr("scanner, or ws://ROBOT"));
     host_->setToolTip(tr("Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs"));
     host_->setAccessibleName(tr("Name or address of the scanner"));
+    host_->setInputMethodHints(Qt::ImhPreferNumbers); // most scanners have an address, not a name
     host_->setMaximumWidth(220);
     port_->setObjectName("live-port");
     port_->setAccessibleName(tr("Port of the scanner"));

@@ -53,11 +53,10 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     left->setSpacing(8);
     left->addWidget(makeTitle());
     left->addSpacing(12);
-    open_ = addButton(*left, "start-open", "open", tr("Open a scan…"), tr("Ctrl+O, or drop files anywhere in this window"));
+    open_ = addButton(*left, "start-open", "open", tr("Open a scan…"), QString());
     connect(open_, &QPushButton::clicked, this, &StartPage::openRequested);
-    connect(addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"),
-                      tr("Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT")),
-            &QPushButton::clicked, this, &StartPage::connectRequested);
+    connect_ = addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"), QString());
+    connect(connect_, &QPushButton::clicked, this, &StartPage::connectRequested);
     session_ = addButton(*left, "start-session", "session", tr("Go on with the last session"), QString());
     connect(session_, &QPushButton::clicked, this, &StartPage::continueRequested);
     connect(addButton(*left, "start-demo", "demo", tr("Demo draw-bell"), tr("no scanner, no files needed")), &QPushButton::clicked, this,
@@ -142,10 +141,10 @@ QWidget* StartPage::makeFoot() {
     auto* words = new QLabel(tr("Reads raw grids, recordings (.mcap), ROS bags, PCD, PLY, E57, LAS, PTX, CSV, XYZ and others.") + "\n" +
                              tr("EdgeScan sends only read requests and one subscription to the scanner.") + " " + exactText(version()));
     words->setWordWrap(true);
-    auto* cab = new QPushButton(toolIcon("cab-mode"), tr("Cab mode"));
+    auto* cab = cab_ = new QPushButton(toolIcon("cab-mode"), tr("Cab mode"));
     cab->setObjectName("start-cab");
     connect(cab, &QPushButton::clicked, this, &StartPage::cabRequested);
-    auto* keys = new QPushButton(tr("Keys and mouse"));
+    auto* keys = keys_ = new QPushButton(tr("Keys and mouse"));
     keys->setObjectName("start-keys");
     connect(keys, &QPushButton::clicked, this, &StartPage::keysRequested);
     auto* row = new QHBoxLayout(whole);
@@ -155,6 +154,13 @@ QWidget* StartPage::makeFoot() {
     row->addWidget(cab);
     row->addWidget(keys);
     return whole;
+}
+
+void StartPage::setForTouch(bool on) {
+    open_->setDescription(on ? tr("a file on this computer or on a stick") : tr("Ctrl+O, or drop files anywhere in this window"));
+    connect_->setDescription(on ? tr("a SICK LMS, or a robot with ROS as ws://ROBOT")
+                                : tr("Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT"));
+    for (QPushButton* each : {cab_, keys_}) each->setHidden(on);
 }
 
 void StartPage::showRecent(const QStringList& paths) {

@@ -26,6 +26,8 @@ public:
     void showRecent(const QStringList& paths);
     /// The session that can be continued; empty: none.
     void showSession(const QString& path);
+    /// Names neither keys nor a mouse, and has no buttons for them.
+    void setForTouch(bool on);
     [[nodiscard]] QListWidget& list() { return *list_; }
     /// All pictures are made.
     [[nodiscard]] bool settled() const { return waiting_.isEmpty() && !looking_; }
@@ -50,8 +52,8 @@ private:
     void showPreview(const RecentScan& scan);
 
     QString cache_;
-    QCommandLinkButton* open_;
-    QCommandLinkButton* session_;
+    QCommandLinkButton *open_, *connect_, *session_;
+    QPushButton *cab_ = nullptr, *keys_ = nullptr;
     QListWidget* list_;
     QLabel* none_;
     QPushButton* clear_;
