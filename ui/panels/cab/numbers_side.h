@@ -22,12 +22,12 @@ class Stepper;
 
 /// The text about a target, a rock or a measurement. Empty title: nothing is chosen.
 struct TargetNumbers {
-    QString title, place;                                 ///< "Target 1", "of 3"
-    QString distance, tolerance;                          ///< "4.911 m", "± 0.009"
-    QString rock, size, sizeRemark;                       ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "± 0.10 m · candidate …"
-    std::vector<std::pair<QString, QString>> coordinates; ///< in large type as well
-    QString warned;                                       ///< lines with ▲, as "▲ no pose"
-    std::vector<std::pair<QString, QString>> rows;
+    QString title, place;                                   ///< "Target 1", "of 3"
+    QString distance, tolerance;                            ///< "4.911 m", "± 0.009"
+    QString rock, size, sizeRemark;                         ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "± 0.10 m · candidate …"
+    std::vector<std::pair<QString, QString>> coordinates{}; ///< in large type as well
+    QString warned{};                                       ///< lines with ▲, as "▲ no pose"
+    std::vector<std::pair<QString, QString>> rows{};
     int targets = 0;        ///< of the scan
     int measures = 0;       ///< of the scan: the arrows go over targets and measurements
     bool measuring = false; ///< a tap is an end of a measurement
