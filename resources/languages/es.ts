@@ -232,7 +232,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>indique una pose y la calibración del robot, o guarde en el sistema del escáner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>La pose no tiene hora, así que no se conoce su edad.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>No se conoce el inicio del escaneo, así que tampoco la edad de la pose.</translation></message>
-<message><source>The mounting does not give %1, so 0 is used: type them in Scan &gt; Pose and Mounting, page Mounting.</source><translation>El montaje no da %1, así que se usa 0: escríbalos en Escaneo &gt; Pose y montaje, página Montaje.</translation></message>
+<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>La calibración no da %1; se usa 0: añada lo que falta (Escaneo &gt; Pose y montaje, página Montaje).</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FUERA DE TOLERANCIA: la pose es %1 s más antigua que el inicio del escaneo.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FUERA DE TOLERANCIA: la inclinación del cabezal cambió %1 grados durante el escaneo, más de </translation></message>
 <message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>FUERA DE TOLERANCIA: %1 de %2 líneas se midieron antes de la primera pose o después de la última y recibieron la más cercana.</translation></message>
@@ -453,6 +453,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
 <message><source>Held: %1. Press Follow.</source><translation>Retenido: %1. Pulse Seguir.</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra el barrido %2, que crece ahora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>El barrido %1 es parcial: %2 de %3 líneas.</translation></message>
@@ -619,7 +620,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 líneas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
-<message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Se&amp;leccionar</translation></message>
@@ -840,8 +840,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Next</source><translation>Siguiente</translation></message>
 <message><source>Folds the legend</source><translation>Pliega la leyenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Despliega la leyenda</translation></message>
-<message><source>closer</source><translation>cerca</translation></message>
-<message><source>away</source><translation>lejos</translation></message>
 <message><source>Changes: %1</source><translation>Cambios: %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para verla: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
@@ -1189,7 +1187,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, %2 achuradas (p &lt; 0.85); regiones de finos: %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
-<message><source>Ctrl+click selects a rock; so does its row in the table.</source><translation>Ctrl+clic elige una roca; su fila de la tabla también.</translation></message>
+<message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Un clic elige una roca y fija un objetivo; Ctrl+clic elige una roca más.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: P20 %1, P50 %2, P80 %3 (20, 50, 80 % de las rocas no son más anchas), la mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>

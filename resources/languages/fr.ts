@@ -232,7 +232,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>donnez une pose et l'étalonnage du robot, ou enregistrez dans le repère du scanner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>La pose n'a pas d'heure, son âge n'est donc pas connu.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>Le début du scan n'est pas connu, l'âge de la pose non plus.</translation></message>
-<message><source>The mounting does not give %1, so 0 is used: type them in Scan &gt; Pose and Mounting, page Mounting.</source><translation>Le montage ne donne pas %1 ; 0 est donc utilisé : tapez-les dans Scan &gt; Pose et montage, page Montage.</translation></message>
+<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>L'étalonnage ne donne pas %1 ; 0 est utilisé : ajoutez ce qui manque (Scan &gt; Pose et montage, page Montage).</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>HORS TOLÉRANCE : la pose a %1 s de plus que le début du scan.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>HORS TOLÉRANCE : l'inclinaison de la tête a changé de %1 degrés pendant le scan, plus que </translation></message>
 <message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>HORS TOLÉRANCE : %1 lignes sur %2 ont été mesurées avant la première ou après la dernière pose et ont reçu la plus proche.</translation></message>
@@ -453,6 +453,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
 <message><source>Held: %1. Press Follow.</source><translation>Figé : %1. Appuyez sur Suivre.</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre le balayage %2, qui croît maintenant.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>Le balayage %1 est partiel : %2 lignes sur %3.</translation></message>
@@ -619,7 +620,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ partial: %1 lines</source><translation>▲ partiel : %1 lignes</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
-<message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Sé&amp;lectionner</translation></message>
@@ -840,8 +840,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Next</source><translation>Suivant</translation></message>
 <message><source>Folds the legend</source><translation>Replie la légende</translation></message>
 <message><source>Unfolds the legend</source><translation>Déplie la légende</translation></message>
-<message><source>closer</source><translation>près</translation></message>
-<message><source>away</source><translation>loin</translation></message>
 <message><source>Changes: %1</source><translation>Changements : %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>pour la voir : A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
@@ -1189,7 +1187,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, dont %2 hachurés (p &lt; 0.85) ; régions de fines : %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
-<message><source>Ctrl+click selects a rock; so does its row in the table.</source><translation>Ctrl+clic choisit un bloc ; sa ligne du tableau aussi.</translation></message>
+<message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Un clic choisit un bloc et épingle une cible ; Ctrl+clic choisit un bloc de plus.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : P20 %1, P50 %2, P80 %3 (20, 50, 80 % des blocs ne sont pas plus larges), le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Size curve</source><translation>Courbe granulométrique</translation></message>

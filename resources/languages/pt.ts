@@ -232,7 +232,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>dê uma pose e a calibração do robô, ou salve no referencial do scanner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>A pose não tem hora, portanto a sua idade não é conhecida.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>O início da varredura não é conhecido, portanto a idade da pose também não.</translation></message>
-<message><source>The mounting does not give %1, so 0 is used: type them in Scan &gt; Pose and Mounting, page Mounting.</source><translation>A montagem não dá %1, por isso usa-se 0: digite-os em Varredura &gt; Pose e montagem, página Montagem.</translation></message>
+<message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>A calibração não dá %1; 0 é usado: acrescente o que falta (Varredura &gt; Pose e montagem, página Montagem).</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FORA DE TOLERÂNCIA: a pose é %1 s mais antiga que o início da varredura.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FORA DE TOLERÂNCIA: a inclinação da cabeça mudou %1 graus durante a varredura, mais de </translation></message>
 <message><source>OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the nearest one.</source><translation>FORA DE TOLERÂNCIA: %1 de %2 linhas foram medidas antes da primeira pose ou depois da última e receberam a mais próxima.</translation></message>
@@ -453,6 +453,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
 <message><source>Held: %1. Press Follow.</source><translation>Retido: %1. Carregue em Seguir.</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>A varredura %1 está retida na tela. Seguir mostra a varredura %2, que cresce agora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>A varredura %1 é parcial: %2 de %3 linhas.</translation></message>
@@ -619,7 +620,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 linhas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
-<message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Se&amp;lecionar</translation></message>
@@ -840,8 +840,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Next</source><translation>Seguinte</translation></message>
 <message><source>Folds the legend</source><translation>Recolhe a legenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Expande a legenda</translation></message>
-<message><source>closer</source><translation>perto</translation></message>
-<message><source>away</source><translation>longe</translation></message>
 <message><source>Changes: %1</source><translation>Mudanças: %1</translation></message>
 <message><source>to see it: A/B, %1</source><translation>para vê-la: A/B, %1</translation></message>
 <message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
@@ -1189,7 +1187,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, %2 hachuradas (p &lt; 0.85); regiões de finos: %3</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
-<message><source>Ctrl+click selects a rock; so does its row in the table.</source><translation>Ctrl+clique escolhe uma rocha; a linha dela na tabela também.</translation></message>
+<message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Um clique escolhe uma rocha e fixa um alvo; Ctrl+clique escolhe mais uma rocha.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: P20 %1, P50 %2, P80 %3 (20, 50, 80 % das rochas não são mais largas), a maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>

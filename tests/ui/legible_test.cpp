@@ -1,4 +1,5 @@
 // Important texts are completely readable at every width and in every language: status line, tools, cards.
+#include "core/edges/settings/method_traits.h"
 #include "tests/support/folders.h"
 #include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"
@@ -24,6 +25,8 @@
 #include <QTabBar>
 #include <QToolButton>
 #include <QtTest>
+
+#include <set>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -115,15 +118,25 @@ private slots:
         for (const char* code : {"fr", "es", "pt", "en"}) {
             QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
             EdgesPanel panel;
-            edges::Settings settings;
-            settings.method = edges::Method::Canny;
-            settings.scaling = edges::Scaling::Log;
-            panel.show(settings);
             panel.resize(268, 700);
             panel.setVisible(true);
             QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMs));
+            std::set<QString> looked;
             for (auto* choice : panel.findChildren<QComboBox*>()) {
-                if (!choice->isVisible() || !choice->objectName().startsWith("choice-")) continue;
+                if (!choice->objectName().startsWith("choice-")) continue;
+                for (const edges::MethodTraits& method :
+                     edges::methodTraits()) { // and open the advanced rows: each choice is in sight with one of them
+                    edges::Settings settings;
+                    settings.method = method.method;
+                    panel.show(settings);
+                    for (auto* fold : panel.findChildren<QToolButton*>()) {
+                        if (fold->isCheckable() && !fold->isChecked() && fold->arrowType() == Qt::RightArrow) fold->click();
+                    }
+                    QApplication::processEvents();
+                    if (choice->isVisible()) break;
+                }
+                QVERIFY2(choice->isVisible(), qPrintable(choice->objectName()));
+                looked.insert(choice->objectName());
                 QStyleOptionComboBox option;
                 option.initFrom(choice);
                 const QRect room = choice->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, choice);
@@ -133,6 +146,7 @@ private slots:
                              qPrintable(QString("%1: %2 px for %3").arg(code).arg(room.width()).arg(choice->itemText(n))));
                 }
             }
+            QVERIFY(looked.size() > 5);
         }
         QVERIFY(useLanguage("en"));
     }

@@ -366,6 +366,19 @@ private slots:
             }
         }
         on.window.cab().set(false);
+        // While a rock is split, a label is not what is clicked; a menu is of the target on whose label it opens.
+        const std::size_t behind = cells[1];
+        QCOMPARE(static_cast<std::size_t>(
+                     on.viewer.targets.at({static_cast<std::uint32_t>(cells[0]), static_cast<std::uint32_t>(behind)})->cell),
+                 behind);
+        views.setPinsOnClick(false);
+        bool onLabel = false;
+        const auto watch =
+            connect(&views, &LinkedViews::clicked, this, [&](const inspect::MeantCell& at) { onLabel = at.clicked == cells[2]; });
+        click(true, {false, cells[2]});
+        disconnect(watch);
+        QVERIFY(!onLabel);
+        views.setPinsOnClick(true);
         click(false, {false, cells[0]}, Qt::ShiftModifier); // the cell itself
         QCOMPARE(notebook.targets.size(), cells.size() + 1);
     }
@@ -381,6 +394,8 @@ private slots:
         QVERIFY(at(50, 43) == MarkName({false, 7}) && at(90, 57) == MarkName({false, 8}) && at(151, 91) == MarkName({true, 3}));
         QVERIFY(!at(35, 50) && at(35, 50, true) == MarkName({false, 7}));
         QVERIFY(!at(100, 90) && !at(300, 300, true)); // the line, and what is far from all
+        marks.targets.front().isTarget = false;       // a remark, as "✓ edge"
+        QVERIFY(!at(65, 35) && !at(50, 43) && at(90, 57) == MarkName({false, 8}));
     }
 
     // Another target than the one on the card is moved under the scale, which moves off it; among too many it is see-through.

@@ -150,11 +150,11 @@ private slots:
         QVERIFY(on.stored());
         on.viewer.warnings.click();
         const QString note = on.viewer.notice.text();
-        QVERIFY2(
-            note.contains(QString::fromUtf8("The mounting does not give “Lever arm of the head in the robot”, “Lever arm of TALIN in the "
-                                            "robot”, “Boresight”")) &&
-                note.contains("so 0 is used: type them in Scan > Pose and Mounting, page Mounting."),
-            qPrintable(note));
+        QVERIFY2(note.contains(
+                     QString::fromUtf8("The calibration does not give “Lever arm of the head in the robot”, “Lever arm of TALIN in the "
+                                       "robot”, “Boresight”")) &&
+                     note.contains("so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting)."),
+                 qPrintable(note));
         QVERIFY2(!note.contains("talin.") && !note.contains("_deg"), qPrintable(note));
     }
 

@@ -335,6 +335,11 @@ private slots:
         emit on.viewer.rockTable.chosen({5});
         QTRY_VERIFY2(!on.viewer.rocksPanel.card().visibleRegion().isEmpty(), "the card of the chosen rock is in front");
         QVERIFY(isChosen(5) && !on.viewer.views.pinned());
+        on.window.findChild<QDockWidget*>("dock-targets")->raise();
+        QTRY_VERIFY(!targets->visibleRegion().isEmpty());
+        emit on.viewer.rocks.selectionChanged(); // the same rock in a new picture
+        QApplication::processEvents();
+        QVERIFY2(!targets->visibleRegion().isEmpty(), "the panel that the operator opened stays in front");
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(2));
         on.viewer.undo.undo();
         click(on, 3); // the target that is there already
@@ -343,6 +348,13 @@ private slots:
         QCOMPARE(on.viewer.rocks.selected().size(), std::size_t(2));
         QVERIFY(picture(on).labelAt(*on.viewer.rocks.chosen()) == 4);
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(0)).center());
+        QVERIFY2(isChosen(3), "the row of the target, which was chosen all the time");
+        on.viewer.rocks.select({picture(on).rock(5)->cell}); // by a command of another rock's menu
+        QVERIFY(isChosen(5) && !on.viewer.views.pinned());
+        click(on, 3);
+        click(on, 4, Qt::ControlModifier);
+        QCOMPARE(on.viewer.rocks.selected().size(), std::size_t(2));
         on.viewer.views.clearPin();
         QCOMPARE(on.viewer.rocks.selected().size(), std::size_t(2));
         click(on, 2);

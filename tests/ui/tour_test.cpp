@@ -45,11 +45,11 @@ private slots:
     void init() { QFile::remove(ini_); }
     void cleanup() { useLanguage("en"); }
 
-    void itIsShownOnTheFirstStartUntilItIsEnded_data() {
+    void itIsOfferedOnceOnTheFirstStart_data() {
         QTest::addColumn<QString>("way");
         for (const char* way : {"Esc", "button", "last step", "the window is closed"}) QTest::newRow(way) << QString(way);
     }
-    void itIsShownOnTheFirstStartUntilItIsEnded() {
+    void itIsOfferedOnceOnTheFirstStart() {
         QFETCH(QString, way);
         {
             FirstStart on(ini_);

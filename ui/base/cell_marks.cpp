@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -152,17 +153,17 @@ private:
 
 /// Of the measurements at one place only one has its value: the chosen one, else the newest.
 void shortenHeaps(std::vector<ScreenMarks::Measure>& shown, const std::vector<QString>& briefs) {
-    const std::vector<ScreenMarks::Measure> whole = shown;
-    for (std::size_t n = 0; n < shown.size(); ++n) {
-        const auto isBefore = [&](std::size_t other) {
-            const ScreenMarks::Measure& each = whole[other];
-            const bool first = each.active || (other > n && !whole[n].active);
-            return first && other != n && !each.label.isEmpty() && QLineF(each.labelAt, whole[n].labelAt).length() < kOnePlace;
-        };
-        if (whole[n].label.isEmpty() || briefs[n].isEmpty()) continue;
-        for (std::size_t other = 0; other < whole.size(); ++other) {
-            if (isBefore(other)) shown[n].label = briefs[n];
-        }
+    std::vector<std::size_t> order(shown.size());
+    std::iota(order.rbegin(), order.rend(), std::size_t{0});
+    std::ranges::stable_partition(order, [&](std::size_t n) { return shown[n].active; });
+    std::vector<QPointF> whole; // labels with a value
+    for (const std::size_t n : order) {
+        if (shown[n].label.isEmpty()) continue;
+        const auto isNear = [&](const QPointF& at) { return QLineF(at, shown[n].labelAt).length() < kOnePlace; };
+        if (!briefs[n].isEmpty() && std::ranges::any_of(whole, isNear))
+            shown[n].label = briefs[n];
+        else
+            whole.push_back(shown[n].labelAt);
     }
 }
 
@@ -239,7 +240,7 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         const QString& words = small && !target.active ? target.brief : target.tag;
         const auto place = placeOf(target.cell);
         if (!place) continue;
-        shown.targets.push_back({*place, words, target.active, target.cell});
+        shown.targets.push_back({*place, words, target.active, target.cell, target.isTarget});
         const auto click = target.clicked ? placeOf(*target.clicked) : std::nullopt;
         if (click) shown.moves.emplace_back(click->at, place->at);
     }
@@ -295,9 +296,16 @@ std::optional<MarkName> markAt(const ScreenMarks& marks, const std::vector<MarkT
         least = away;
     };
     const auto fromRing = [&](const QPointF& middle, double radius) { return std::max(0.0, QLineF(middle, at).length() - radius); };
-    for (const MarkTag& tag : tags) take(tag.of, QLineF(nearestOn(tag, at), at).length());
-    for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target)
-        take({false, target->cell}, fromRing(target->place.at, kMarkRing));
+    const auto isRemark = [&](const MarkName& mark) {
+        return !mark.isMeasure &&
+               std::ranges::none_of(marks.targets, [&](const auto& each) { return each.isTarget && each.cell == mark.which; });
+    };
+    for (const MarkTag& tag : tags) {
+        if (!isRemark(tag.of)) take(tag.of, QLineF(nearestOn(tag, at), at).length());
+    }
+    for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) {
+        if (target->isTarget) take({false, target->cell}, fromRing(target->place.at, kMarkRing));
+    }
     for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) {
         for (const QPointF& end : measure->ends) take({true, measure->index}, fromRing(end, measure->active ? kMarkRing : kEndDot));
     }

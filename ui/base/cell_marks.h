@@ -21,6 +21,7 @@ struct TargetMark {
     QString brief;                        ///< "1": shown instead of `tag` where space is short, unless the target is active
     bool active = false;                  ///< its card is shown
     std::optional<std::size_t> clicked{}; ///< where the operator clicked, if the mark is at another cell
+    bool isTarget = true;                 ///< false: a remark at a cell, as "✓ edge", which no click chooses
 
     bool operator==(const TargetMark&) const = default;
 };
@@ -67,6 +68,7 @@ struct ScreenMarks {
         QString tag;
         bool active = false;
         std::size_t cell = 0;
+        bool isTarget = true;
         bool operator==(const Target&) const = default;
     };
     struct Measure {

@@ -259,7 +259,8 @@ constexpr std::array kParts{
     // Of a pose, of several stations, and of a scan before and after.
     QT_TRANSLATE_NOOP("QObject", "The pose carries no time, so its age is not known."),
     QT_TRANSLATE_NOOP("QObject", "The start of the scan is not known, so the age of the pose is not either."),
-    QT_TRANSLATE_NOOP("QObject", "The mounting does not give %1, so 0 is used: type them in Scan > Pose and Mounting, page Mounting."),
+    QT_TRANSLATE_NOOP("QObject",
+                      "The calibration does not give %1, so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting)."),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the pose is %1 s older than the start of the scan."),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than "),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: %1 of %2 lines were measured before the first or after the last pose and were given the "

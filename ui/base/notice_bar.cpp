@@ -229,10 +229,12 @@ void NoticeBar::unfold(bool on) {
 
 /// The button is visible only if the line, or in a cab two of them, is not enough.
 void NoticeBar::offerMore() {
-    if (unfolded()) return unfold_->show();
     // Measured without the button, so that it does not cause itself.
     const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
-    unfold_->setVisible(!brief_.isEmpty() || !line_->fits(room));
+    const bool offered = unfolded() || !brief_.isEmpty() || !line_->fits(room);
+    if (offered != unfold_->isHidden()) return;
+    unfold_->setVisible(offered);
+    layout()->activate(); // else it would be over the others until the next event
 }
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {

@@ -3,6 +3,7 @@
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
+#include "core/scan/grid/assumed_mounting.h"
 #include "core/scanner/cola/host_port.h"
 #include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
@@ -78,6 +79,7 @@ Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& vi
 
 void Live::followPicture() {
     scanner_.followPicture();
+    views_.setShapeNote(shapeNote());
     reportSweepEnd();
 }
 
@@ -205,9 +207,17 @@ void Live::showHealth() {
     const QString note = // a cab says it in its head
         held && !panel_.brief() ? tr("Held: %1. Press Follow.").arg(scanName(shown->detection->scan->name, 60)) : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
+    views_.setShapeNote(shapeNote());
+}
+
+/// Also after Stop and of a recording, while lengths and rocks have the sign too.
+QString Live::shapeNote() const {
+    const auto& shown = engine_.picture();
+    if (!shown) return {};
     const scanner::SweepSettings sweep = panel_.sweep();
-    const bool assumed = scanner_.connected() && shown && own && !panel_.bridge() && (sweep.axisAssumed || sweep.stepAssumed);
-    views_.setShapeNote(assumed ? tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…") : QString());
+    if (scanner_.connected() && showsScanner() && !panel_.bridge() && (sweep.axisAssumed || sweep.stepAssumed))
+        return tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
+    return mountingAssumed(*shown->detection->scan) ? tr("▲ mounting assumed") : QString();
 }
 
 /// What is on the screen, and what the button does.

@@ -60,6 +60,7 @@ private:
     void showHealth();
     void offerOther();
     [[nodiscard]] QString note(bool held) const;
+    [[nodiscard]] QString shapeNote() const;
     void showReplayed(const ReplayedSweep& at);
     void loadTimeline(const QString& path);
     void reportSweepEnd();

@@ -323,6 +323,7 @@ void CabMode::step(int by) {
     const int next = ((now + by) % all + all) % all;
     if (next >= pins) return targets.chooseMeasure(static_cast<std::size_t>(next - pins));
     window_.viewer().views.pin(notebook.targets[static_cast<std::size_t>(next)].cell);
+    window_.viewer().rocks.selectPinned(); // if it was chosen already
 }
 
 TargetNumbers CabMode::numbers() const {

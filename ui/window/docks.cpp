@@ -59,8 +59,9 @@ Docks::Docks(QMainWindow& window, DockRail& rail, Viewer& viewer)
         want(kTable, on);
         want(kRocks, on);
     });
-    connect(&viewer.rocks, &Rocks::selectionChanged, this, [this, &viewer] {
-        if (viewer.rocks.selected().empty() || viewer.views.pinned()) return;
+    connect(&viewer.rocks, &Rocks::selectionChanged, this, [this, &viewer, last = std::vector<std::size_t>()]() mutable {
+        const bool other = viewer.rocks.selected() != std::exchange(last, viewer.rocks.selected()); // not the same in a new picture
+        if (!other || viewer.rocks.selected().empty() || viewer.views.pinned()) return;
         QDockWidget &targets = *named(kTargets).widget, &rocks = *named(kRocks).widget;
         const bool inFront = !targets.isHidden() && !targets.visibleRegion().isEmpty();
         if (inFront && window_.tabifiedDockWidgets(&targets).contains(&rocks)) rocks.raise(); // the card of the rock, in place of no target

@@ -15,7 +15,7 @@ void startTour(MainWindow& window);
 /// False: it was not shown.
 bool endTour(MainWindow& window);
 
-/// On the first start: if settings are stored and the tour was not ended before.
+/// Once, on the first start with stored settings.
 void offerTour(MainWindow& window, Preferences& preferences);
 
 } // namespace edgescan::ui

@@ -51,7 +51,8 @@ private:
         }
         const int left = cloud_ == nullptr ? 0 : cloud_->mapTo(&views_, QPoint(0, 0)).x();
         const bool overCloud = cloud_ != nullptr && cloud_->isVisible() && cloud_->width() >= kLeastUnderNote;
-        QRect place = overCloud ? rectAt(left, left + cloud_->width(), top) : rectAt(0, views_.width(), top);
+        QRect place =
+            overCloud ? rectAt(left, left + cloud_->width(), cloud_->mapTo(&views_, QPoint(0, 0)).y()) : rectAt(0, views_.width(), top);
         for (QWidget* each : views_.findChildren<QWidget*>()) {
             if (qobject_cast<ViewCube*>(each) != nullptr || qobject_cast<CornerPicture*>(each) != nullptr) place = nextTo(*each, place);
         }

@@ -125,7 +125,7 @@ void judgeMounting(Placement& placement, const Calibration& calibration, const P
     }
     if (!names.empty())
         warn(placement, false,
-             "The mounting does not give " + names + ", so 0 is used: type them in Scan > Pose and Mounting, page Mounting.");
+             "The calibration does not give " + names + ", so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting).");
 }
 
 /// Warns about lines measured before the first or after the last reading: their pose is a guess.

@@ -44,7 +44,7 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     connect(&table_, &RockTable::chosen, this, [this](const std::vector<std::uint32_t>& labels) {
         std::vector<std::size_t> cells;
         for (const std::uint32_t label : labels) cells.push_back(picture_->rock(label)->cell);
-        selectInsteadOfPin(std::move(cells));
+        select(std::move(cells));
         if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline());
     });
     connect(&table_, &RockTable::jumpRequested, this, &Rocks::lookAt);
@@ -166,9 +166,10 @@ void Rocks::takePreset(const rocks::Preset& preset) {
 void Rocks::take(const std::shared_ptr<const RockPicture>& picture) {
     // An answer about another scan, or after rocks were switched off, is dropped.
     if (!on_ || !engine_.picture() || (finder_.behind() && picture->detection->scan != engine_.picture()->detection->scan)) return;
-    const bool first = std::exchange(picture_, picture) == nullptr;
+    const bool wasOnRock = pinnedOnRock();
+    picture_ = picture;
     show();
-    if (first && selected_.empty()) selectPinned();
+    if (!wasOnRock && selected_.empty()) selectPinned();
     judgeEdit();
     emit rocksShown();
     if (std::exchange(largestWanted_, false)) lookAtLargest();
@@ -221,23 +222,21 @@ void Rocks::followPin(std::optional<std::size_t> cell) {
     if (cell || (was && selected_ == std::vector{*was})) selectPinned();
 }
 
+bool Rocks::pinnedOnRock() const { return picture_ && pinned_ && picture_->labelAt(*pinned_) != 0; }
+
 void Rocks::selectPinned() {
-    const bool onRock = picture_ && pinned_ && picture_->labelAt(*pinned_) != 0;
-    if (onRock || !selected_.empty()) select(onRock ? std::vector{*pinned_} : std::vector<std::size_t>());
+    if (pinnedOnRock() || !selected_.empty()) select(pinnedOnRock() ? std::vector{*pinned_} : std::vector<std::size_t>());
 }
 
 void Rocks::setNames(const RockNames& names) { table_.setNames(names); }
 
+/// One thing is chosen: a target that is not on the only selected rock is not the chosen one any more.
 void Rocks::select(std::vector<std::size_t> cells) {
     if (cells.empty()) useTool(RockTool::None);
+    if (cells.size() == 1 && picture_ && pinned_ && picture_->regionAt(*pinned_) != picture_->regionAt(cells.front()))
+        views_.pin(std::nullopt);
     selected_ = std::move(cells);
     showSelection();
-}
-
-/// One thing is chosen: a target on another rock is not the chosen one any more.
-void Rocks::selectInsteadOfPin(std::vector<std::size_t> cells) {
-    if (pinned_ && cells.size() == 1 && picture_->labelAt(*pinned_) != picture_->labelAt(cells.front())) views_.pin(std::nullopt);
-    select(std::move(cells));
 }
 
 void Rocks::showSelection() {
@@ -316,7 +315,7 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
     QMenu* rock = menu.addMenu(tr("&Rock %1").arg(label));
     rock->setObjectName(kRockMenu);
     const auto isOther = [&](std::size_t other) { return picture_->labelAt(other) != label; };
-    rock->addAction(tr("Se&lect"), this, [this, cell] { selectInsteadOfPin({cell}); });
+    rock->addAction(tr("Se&lect"), this, [this, cell] { select({cell}); });
     rock->addAction(tr("&Merge with Selected Rocks"), this,
                     [this, cell] {
                         std::vector<std::size_t> cells = selected_;

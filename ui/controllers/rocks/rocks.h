@@ -81,6 +81,8 @@ public:
 
     /// Selects rocks by cells: labels change with every setting, so a rock is identified by one of its cells. The card shows the last one.
     void select(std::vector<std::size_t> cells);
+    /// The rock of the chosen target, also after another choice; without one nothing.
+    void selectPinned();
     /// Names of targets, for the table; by cell.
     void setNames(const RockNames& names);
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
@@ -135,8 +137,7 @@ private:
     void point(std::optional<std::size_t> cell, const QObject* from);
     void addToMenu(QMenu& menu, const inspect::MeantCell& click);
     void followPin(std::optional<std::size_t> cell);
-    void selectPinned();
-    void selectInsteadOfPin(std::vector<std::size_t> cells);
+    [[nodiscard]] bool pinnedOnRock() const;
     void click(const inspect::MeantCell& click);
     void splitAt(std::size_t cell);
     void push(const QString& name, rocks::Edit edit);

@@ -92,8 +92,8 @@ void MarkedEdges::use(const edges::EdgeMarks& marks) {
 
 void MarkedEdges::show() {
     std::vector<TargetMark> tags;
-    for (const std::uint32_t k : marks_.wanted) tags.push_back({k, tr("✓ edge"), tr("✓"), false});
-    for (const std::uint32_t k : marks_.unwanted) tags.push_back({k, tr("✕ not an edge"), tr("✕"), false});
+    for (const std::uint32_t k : marks_.wanted) tags.push_back({k, tr("✓ edge"), tr("✓"), false, {}, false});
+    for (const std::uint32_t k : marks_.unwanted) tags.push_back({k, tr("✕ not an edge"), tr("✕"), false, {}, false});
     targets_.showExtraMarks(std::move(tags));
 }
 

@@ -36,8 +36,11 @@ const inspect::PinnedTarget* Targets::onRockAt(std::size_t cell) const {
 const inspect::PinnedTarget* Targets::at(const inspect::MeantCell& click) const {
     const inspect::PinnedTarget* found = nullptr;
     double nearestPx = kPinPx;
+    for (const std::uint32_t cell : {click.clicked, click.cell}) {
+        const auto on = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
+        if (on != notebook_.targets.end()) return &*on;
+    }
     for (const inspect::PinnedTarget& target : notebook_.targets) {
-        if (target.cell == click.clicked || target.cell == click.cell) return &target;
         const auto apart = views_.pixelsBetween(click.clicked, target.cell);
         if (!apart || *apart > nearestPx) continue;
         nearestPx = *apart;

@@ -46,7 +46,9 @@ Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel&
 
 void Targets::connectPanel() {
     connect(&panel_, &TargetsPanel::targetChosen, this, [this](int place) {
-        if (place < static_cast<int>(notebook_.targets.size())) views_.pin(notebook_.targets[static_cast<std::size_t>(place)].cell);
+        if (place >= static_cast<int>(notebook_.targets.size())) return;
+        views_.pin(notebook_.targets[static_cast<std::size_t>(place)].cell);
+        rocks_.selectPinned(); // if it was chosen already
     });
     connect(&panel_, &TargetsPanel::nameRequested, this, [this](int place) {
         if (place >= static_cast<int>(notebook_.targets.size())) return;

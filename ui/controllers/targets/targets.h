@@ -119,6 +119,8 @@ public:
 
     /// Shows marks of another controller like targets; replaces earlier ones.
     void showExtraMarks(std::vector<TargetMark> marks);
+    /// The target that a click means: at the clicked cell, at the one that is meant, or next to it. Null: none.
+    [[nodiscard]] const inspect::PinnedTarget* at(const inspect::MeantCell& click) const;
 
 signals:
     /// The panel has new content to look at.
@@ -152,7 +154,6 @@ private:
     [[nodiscard]] QString keyOf(const Picture& picture) const;
     [[nodiscard]] static QString leftBehind(std::size_t entries);
     [[nodiscard]] const inspect::PinnedTarget* onRockAt(std::size_t cell) const;
-    [[nodiscard]] const inspect::PinnedTarget* at(const inspect::MeantCell& click) const;
     [[nodiscard]] static inspect::PinnedTarget* numbered(inspect::Notebook& notebook, int number);
     [[nodiscard]] const inspect::CellTarget* knownOf(std::uint32_t cell) const;
     [[nodiscard]] const inspect::MeasuredCells* knownOf(const inspect::StoredMeasure& measure) const;

@@ -70,7 +70,9 @@ bool LinkedViews::refusesClicks(QWidget& view) const {
 }
 
 void LinkedViews::openMenuAt(const QPoint& position, std::optional<std::size_t> cell) {
-    openMenu(position, cell && !flipped() ? std::optional(meant(*cell)) : std::nullopt);
+    const auto isTarget = [&](const TargetMark& mark) { return mark.isTarget && mark.cell == *cell; };
+    if (!cell || flipped()) return openMenu(position, std::nullopt);
+    openMenu(position, std::ranges::any_of(marks_.targets, isTarget) ? inspect::exactly(*cell) : meant(*cell));
 }
 
 void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::MeantCell>& click) {
@@ -95,9 +97,9 @@ void LinkedViews::clickAt(std::size_t cell) {
     click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell));
 }
 
-/// A target is its cell, for every tool. A measurement is chosen; a tool takes what is behind it.
+/// A target is its cell, for every tool that takes a cell. A measurement is chosen; a tool takes what is behind it.
 void LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> behind) {
-    if (!mark.isMeasure) return click(inspect::exactly(mark.which));
+    if (pinsOnClick_ && !mark.isMeasure) return click(inspect::exactly(mark.which));
     const bool whole = mark.which < marks_.measures.size() && !marks_.measures[mark.which].label.isEmpty();
     if (whole && tool_ == Tool::Pin && pinsOnClick_) return emit measureClicked(mark.which);
     if (behind) clickAt(*behind);

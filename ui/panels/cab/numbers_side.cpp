@@ -318,12 +318,12 @@ void NumbersSide::fillRows(QGridLayout& grid, std::vector<std::pair<QLabel*, QLa
 
 void NumbersSide::showSettings(const std::vector<SteppedSetting>& settings) {
     stepped_ = !settings.empty();
-    fitHeight();
     if (!settings.empty()) {
         mainKey_ = settings.front().key;
         main_->showName(settings.front().name);
         main_->showValue(settings.front().value);
     }
+    fitHeight();
     for (const auto& [key, stepper] : steppers_) {
         stepper->setVisible(std::ranges::any_of(settings, [&k = key](const SteppedSetting& each) { return each.key == k; }));
     }

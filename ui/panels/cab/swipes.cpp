@@ -16,7 +16,7 @@ void Swipes::setOn(bool on) {
     if (on) qApp->installEventFilter(this); // for those that are made later
     for (QWidget* each : QApplication::allWidgets()) {
         auto* area = qobject_cast<QAbstractScrollArea*>(each);
-        if (area != nullptr) on ? take(*area) : QScroller::ungrabGesture(area->viewport());
+        if (area != nullptr) on ? take(*area) : giveBack(*area);
     }
 }
 
@@ -25,6 +25,11 @@ bool Swipes::eventFilter(QObject* watched, QEvent* event) {
         if (auto* area = qobject_cast<QAbstractScrollArea*>(watched)) take(*area);
     }
     return false;
+}
+
+void Swipes::giveBack(QAbstractScrollArea& area) {
+    QScroller::ungrabGesture(area.viewport());
+    if (auto* list = qobject_cast<QAbstractItemView*>(&area)) list->resetVerticalScrollMode();
 }
 
 void Swipes::take(QAbstractScrollArea& area) {

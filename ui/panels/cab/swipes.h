@@ -21,6 +21,7 @@ public:
 
 private:
     static void take(QAbstractScrollArea& area);
+    static void giveBack(QAbstractScrollArea& area);
 };
 
 } // namespace edgescan::ui

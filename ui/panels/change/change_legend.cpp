@@ -380,7 +380,8 @@ QString ChangeLegend::summaryText() const {
     const auto meaning = [](ChangeRow row, const QString& words) {
         return QString("<span style='color:%1'>■</span>&nbsp;%2").arg(changeColour(row).name(), QString(words).replace(' ', "&nbsp;"));
     };
-    const QString more = ofTwoScans_ ? tr("closer") : nameOf(ChangeRow::Gained), less = ofTwoScans_ ? tr("away") : nameOf(ChangeRow::Lost);
+    const QString more = ofTwoScans_ ? tr("nearer") : nameOf(ChangeRow::Gained),
+                  less = ofTwoScans_ ? tr("farther") : nameOf(ChangeRow::Lost);
     return tr("Changes: %1").arg(countText(regions_)).replace(' ', "&nbsp;") + "<br>" + meaning(ChangeRow::Gained, more) + "&nbsp;&nbsp;" +
            meaning(ChangeRow::Lost, less);
 }

@@ -128,6 +128,7 @@ QGroupBox* ExportDialog::contentBox() {
             auto* button = new QRadioButton;
             button->setObjectName(kind.key);
             contents_->addButton(button, static_cast<int>(kind.content));
+            button->setEnabled(kind.content != exports::ExportContent::Targets); // until they are offered
             column->addWidget(button);
         }
     }

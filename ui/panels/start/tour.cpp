@@ -89,7 +89,6 @@ void Tour::end() {
     if (!running_) return;
     running_ = false;
     hide();
-    emit ended();
 }
 
 void Tour::showStep(int step) {

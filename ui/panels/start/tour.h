@@ -27,8 +27,6 @@ public:
 signals:
     /// The operator wants to see what the step is about.
     void tryRequested(int step);
-    /// By the last step, by End or by Esc.
-    void ended();
 
 private:
     QLabel* number_;

@@ -230,7 +230,7 @@ void StatusLine::showProbe(const std::optional<edges::Probe>& probe, Cell cell) 
     longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
     longestCell_ = std::max(longestCell_, QFontMetrics(probe_->font()).horizontalAdvance(probeShown()));
     fit();
-    probe_->setToolTip(probeShown()); // in a narrow window the end is cut off
+    probe_->setToolTip(probeShown()); // whole, where a narrow window leaves parts out
 }
 
 void StatusLine::showPlace(const Scan& scan, bool growing) {

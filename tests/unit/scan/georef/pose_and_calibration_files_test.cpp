@@ -174,9 +174,8 @@ TEST(Poses, TheExamplesOfTheDocumentationAreGood) {
             EXPECT_TRUE(warnings.empty());
         } else {
             ASSERT_EQ(warnings.size(), 1U);
-            EXPECT_EQ(
-                warnings[0],
-                "The mounting does not give talin.boresight_rpy_deg, so 0 is used: type them in Scan > Pose and Mounting, page Mounting.");
+            EXPECT_EQ(warnings[0], "The calibration does not give talin.boresight_rpy_deg, so 0 is used: add what is missing (Scan > Pose "
+                                   "and Mounting, page Mounting).");
         }
     }
     EXPECT_TRUE(spins->leftOut.empty());
@@ -188,12 +187,14 @@ TEST(Poses, AHeadOfThePoseAndHeadingsOfTheGridNeedNoMounting) {
     robot.leftOut = {kHeadKey, "talin.in_robot_m", kConvergenceKey};
     PoseTrack poses = *parsePoses(poseJson().dump(), "pose.json");
     const auto warningsOf = [&] { return (*placeScan(spinScan(), robot, poses))->warnings; };
-    EXPECT_TRUE(std::ranges::count(warningsOf(), "The mounting does not give boom.head_in_robot_m, talin.in_robot_m, grid.convergence_deg, "
-                                                 "so 0 is used: type them in Scan > Pose and Mounting, page Mounting."));
+    EXPECT_TRUE(std::ranges::count(warningsOf(),
+                                   "The calibration does not give boom.head_in_robot_m, talin.in_robot_m, grid.convergence_deg, "
+                                   "so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting)."));
     poses.headInRobotM = {1, 2, 3};
     for (TalinReading& reading : poses.talin) reading.trueNorth = false;
     EXPECT_TRUE(std::ranges::count(
-        warningsOf(), "The mounting does not give talin.in_robot_m, so 0 is used: type them in Scan > Pose and Mounting, page Mounting."));
+        warningsOf(),
+        "The calibration does not give talin.in_robot_m, so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting)."));
 }
 
 TEST(Poses, TwoFilesPlaceAScanAndAreNamedWithTheirHashes) {
