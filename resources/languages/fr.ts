@@ -1735,10 +1735,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>laser</source><translation>laser</translation></message>
 <message><source>depth camera</source><translation>caméra 3D</translation></message>
 <message><source>EdgeScan+</source><translation>EdgeScan+</translation></message>
-<message><source>Rock outlines</source><translation>Contours des blocs</translation></message>
+<message><source>Rock outlines</source><translation>Contours blocs</translation></message>
 <message><source>Jumps</source><translation>Sauts</translation></message>
 <message><source>Canny (thesis)</source><translation>Canny (thèse)</translation></message>
-<message><source>Canny on log range</source><translation>Canny, log(distance)</translation></message>
+<message><source>Canny on log range</source><translation>Canny, log</translation></message>
 <message><source>Roberts</source><translation>Roberts</translation></message>
 <message><source>Sobel</source><translation>Sobel</translation></message>
 <message><source>Prewitt</source><translation>Prewitt</translation></message>

@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QHideEvent>
 #include <QLabel>
+#include <QScopedValueRollback>
 #include <QToolButton>
 #include <QUndoStack>
 #include <QUrl>
@@ -229,12 +230,16 @@ void NoticeBar::unfold(bool on) {
 
 /// The button is visible only if the line, or in a cab two of them, is not enough.
 void NoticeBar::offerMore() {
-    // Measured without the button, so that it does not cause itself.
-    const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
-    const bool offered = unfolded() || !brief_.isEmpty() || !line_->fits(room);
-    if (offered != unfold_->isHidden()) return;
-    unfold_->setVisible(offered);
-    layout()->activate(); // else it would be over the others until the next event
+    if (offering_) return;
+    const QScopedValueRollback<bool> once(offering_, true); // to show it places the bar again, which may have another width then
+    for (int n = 0; n < 2; ++n) {
+        // Measured without the button, so that it does not cause itself.
+        const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
+        const bool offered = unfolded() || !brief_.isEmpty() || !line_->fits(room);
+        if (offered != unfold_->isHidden()) return;
+        unfold_->setVisible(offered);
+        layout()->activate(); // else it would be over the others until the next event
+    }
 }
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {

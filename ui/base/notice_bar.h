@@ -78,6 +78,7 @@ private:
 
     Kind kind_ = Kind::Done;
     bool passes_ = false;      // with the next step
+    bool offering_ = false;    // the button More is being shown or hidden
     std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;
     ElidedLabel* line_; // the text in one line, in a cab in two

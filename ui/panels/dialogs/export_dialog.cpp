@@ -114,7 +114,8 @@ void ExportDialog::fit() {
     const int high = std::max(questions.heightForWidth(wide), questions.sizeHint().height());
     const QMargins around = layout()->contentsMargins();
     const int between = around.top() + around.bottom() + 3 * layout()->spacing();
-    resize(QSize(wide, high + count_->sizeHint().height() + numbers_->minimumHeight() + buttons_->sizeHint().height() + between)
+    const int sentence = std::max(numbers_->minimumHeight(), numbers_->heightForWidth(wide - around.left() - around.right()));
+    resize(QSize(wide, high + count_->sizeHint().height() + sentence + buttons_->sizeHint().height() + between)
                .boundedTo(QGuiApplication::primaryScreen()->availableSize() - QSize(0, kMargins)));
 }
 
