@@ -103,7 +103,12 @@ ExportDialog::ExportDialog(std::shared_ptr<const edges::Detection> detection, ex
     for (const QCheckBox* box : {attached_, onlySelected_}) connect(box, &QCheckBox::toggled, this, &ExportDialog::follow);
     contents_->button(static_cast<int>(wanted))->setChecked(true);
     follow();
+}
+
+/// Its questions are known now, and have their fonts.
+void ExportDialog::showEvent(QShowEvent* event) {
     fit();
+    QDialog::showEvent(event);
 }
 
 /// As large as all questions, as far as the screen allows.

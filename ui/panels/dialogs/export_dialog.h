@@ -55,6 +55,9 @@ public:
     /// What the coordinates in the file count from, as a sentence; empty for a picture.
     [[nodiscard]] QString numbersText() const;
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     [[nodiscard]] QGroupBox* contentBox();
     [[nodiscard]] QGroupBox* coordinatesBox();
