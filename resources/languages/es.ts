@@ -277,6 +277,7 @@
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Removed: %1.</source><translation>Quitado: %1.</translation></message>
+<message><source>Done again: %1.</source><translation>Rehecho: %1.</translation></message>
 <message><source>Undone: %1.</source><translation>Deshecho: %1.</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
@@ -354,6 +355,9 @@
 <message><source>The audit log is written again; no line is missing.</source><translation>El registro de auditoría se escribe de nuevo; no falta ninguna línea.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORÍA: lo que se hace no se anota (%1)</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Ninguna superficie se acercó ni se alejó: conserve un escaneo como A y abra otro.</translation></message>
+<message><source>region %1 of %2, the largest: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>región %1 de %2, la mayor: %3 por %4 m ± %5 m,
+visible %6 m², a %7 m</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
 visible %6 m², at %7 m</source><translation>región %1 de %2: %3 en %4 m ± %5 m,
 visible %6 m², a %7 m</translation></message>
@@ -599,7 +603,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
-<message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Dividir: haga clic en la parte; la rueda la hace menor o mayor</translation></message>
+<message><source>Split: click the part (wheel: smaller or larger)</source><translation>Dividir: haga clic en la parte (rueda: menor o mayor)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace una línea sobre las rocas, o haga clic en la que pertenece a la roca seleccionada</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace una línea donde termina la roca</translation></message>
 <message><source>Region: drag a line around it</source><translation>Región: trace una línea alrededor</translation></message>
@@ -841,8 +845,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Folds the legend</source><translation>Pliega la leyenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Despliega la leyenda</translation></message>
 <message><source>Changes: %1</source><translation>Cambios: %1</translation></message>
-<message><source>to see it: A/B, %1</source><translation>para verla: A/B, %1</translation></message>
-<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>On the screen: A, %1</source><translation>En pantalla: A, %1</translation></message>
 <message><source>A: %1</source><translation>A: %1</translation></message>
 <message><source>at all of them</source><translation>con todos</translation></message>
@@ -1411,7 +1413,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Top</source><translation>Arriba</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
-<message><source>Zoomed %1 × · Fit (R) shows all</source><translation>Ampliado %1 × · Ajustar (R) muestra todo</translation></message>
+<message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Ajustar muestra todo</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
 <message><source>More edges</source><translation>Más bordes</translation></message>
@@ -1447,10 +1449,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Closing waits until it is complete.</source><translation>El cierre espera hasta que esté completo.</translation></message>
 <message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para salir solo del modo cabina, cancele y mantenga un segundo el botón «Mantener: salir».</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminar la grabación y cerrar</translation></message>
+<message><source>Close EdgeScan</source><translation>Cerrar EdgeScan</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Conservar esto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>Co&amp;mparar con un escaneo…</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demostración antes y después de una tronadura</translation></message>
+<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar lo que cam&amp;bió</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Color según la distancia a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Siguiente región cambiada</translation></message>
@@ -1570,7 +1574,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
 <message><source>coarse picture</source><translation>imagen preliminar</translation></message>
 <message><source>Next Sweep</source><translation>Barrido siguiente</translation></message>
-<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>El barrido siguiente ha sustituido a %1, que tiene objetivos o mediciones. Deshacer (Ctrl+Z) lo recupera con ellos.</translation></message>
+<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Deshacer recupera %1 con sus objetivos y mediciones: el barrido siguiente lo sustituyó.</translation></message>
 <message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 ya no se compara como A, porque puede ser de otro lugar. Deshacer (Ctrl+Z) lo recupera.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir ses&amp;ión…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Guardar &amp;sesión como…</translation></message>

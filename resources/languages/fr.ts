@@ -277,6 +277,7 @@
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
+<message><source>Done again: %1.</source><translation>Refait : %1.</translation></message>
 <message><source>Undone: %1.</source><translation>Annulé : %1.</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
@@ -354,11 +355,14 @@
 <message><source>The audit log is written again; no line is missing.</source><translation>Le journal d'audit s'écrit à nouveau ; aucune ligne ne manque.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ JOURNAL D'AUDIT : ce qui est fait n'est pas noté (%1)</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Aucune surface ne s'est approchée ni éloignée : gardez un scan comme A et ouvrez-en un autre.</translation></message>
+<message><source>region %1 of %2, the largest: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>région %1 sur %2, la plus grande : %3 de %4 m ± %5 m,
+visible %6 m², à %7 m</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
 visible %6 m², at %7 m</source><translation>région %1 sur %2 : %3 de %4 m ± %5 m,
 visible %6 m², à %7 m</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
-<message><source>nearer</source><translation>plus proche</translation></message>
+<message><source>nearer</source><translation>plus près</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
@@ -599,7 +603,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
-<message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Scinder : cliquez sur la partie ; la molette la réduit ou l'agrandit</translation></message>
+<message><source>Split: click the part (wheel: smaller or larger)</source><translation>Scinder : cliquez sur la partie (molette : plus petite ou plus grande)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Joindre : tracez une ligne à travers les blocs, ou cliquez celui qui va avec le bloc sélectionné</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Couper : tracez une ligne là où le bloc finit</translation></message>
 <message><source>Region: drag a line around it</source><translation>Région : tracez une ligne autour</translation></message>
@@ -841,8 +845,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Folds the legend</source><translation>Replie la légende</translation></message>
 <message><source>Unfolds the legend</source><translation>Déplie la légende</translation></message>
 <message><source>Changes: %1</source><translation>Changements : %1</translation></message>
-<message><source>to see it: A/B, %1</source><translation>pour la voir : A/B, %1</translation></message>
-<message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
 <message><source>A: %1</source><translation>A : %1</translation></message>
 <message><source>at all of them</source><translation>avec tous</translation></message>
@@ -1411,7 +1413,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Top</source><translation>Haut</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
-<message><source>Zoomed %1 × · Fit (R) shows all</source><translation>Agrandi %1 × · Ajuster (R) montre tout</translation></message>
+<message><source>Zoomed %1 × · Fit shows all</source><translation>Agrandi %1 × · Ajuster montre tout</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
 <message><source>More edges</source><translation>Plus d'arêtes</translation></message>
@@ -1447,10 +1449,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Closing waits until it is complete.</source><translation>La fermeture attend qu'il soit complet.</translation></message>
 <message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Pour quitter seulement le mode cabine, annulez, puis maintenez une seconde le bouton « Tenir : quitter ».</translation></message>
 <message><source>End the Recording and Close</source><translation>Terminer l'enregistrement et fermer</translation></message>
+<message><source>Close EdgeScan</source><translation>Fermer EdgeScan</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparer &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Garder ceci comme A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparer avec un scan…</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Démo avant et après un tir</translation></message>
+<message><source>Show &amp;A</source><translation>Afficher &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Afficher ce qui a &amp;changé</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Couleur selon la distance à A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>Région modifiée &amp;suivante</translation></message>
@@ -1570,7 +1574,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>perspective</source><translation>perspective</translation></message>
 <message><source>coarse picture</source><translation>image grossière</translation></message>
 <message><source>Next Sweep</source><translation>Balayage suivant</translation></message>
-<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>Le balayage suivant a remplacé %1, qui a des cibles ou des mesures. Annuler (Ctrl+Z) le ramène avec elles.</translation></message>
+<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Annuler ramène %1 avec ses cibles et ses mesures : le balayage suivant l'a remplacé.</translation></message>
 <message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 n'est plus comparé comme A, car il peut venir d'un autre endroit. Annuler (Ctrl+Z) le ramène.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Ouvrir une sess&amp;ion…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>Enregi&amp;strer la session sous…</translation></message>

@@ -277,6 +277,7 @@
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Removed: %1.</source><translation>Removido: %1.</translation></message>
+<message><source>Done again: %1.</source><translation>Refeito: %1.</translation></message>
 <message><source>Undone: %1.</source><translation>Desfeito: %1.</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
@@ -354,6 +355,9 @@
 <message><source>The audit log is written again; no line is missing.</source><translation>O registro de auditoria volta a ser escrito; não falta nenhuma linha.</translation></message>
 <message><source>▲ AUDIT LOG: what is done is not noted (%1)</source><translation>▲ REGISTRO DE AUDITORIA: o que é feito não é anotado (%1)</translation></message>
 <message><source>No surface came nearer or went farther: keep a scan as A and open another one.</source><translation>Nenhuma superfície se aproximou nem se afastou: guarde uma varredura como A e abra outra.</translation></message>
+<message><source>region %1 of %2, the largest: %3 by %4 m ± %5 m,
+visible %6 m², at %7 m</source><translation>região %1 de %2, a maior: %3 por %4 m ± %5 m,
+visível %6 m², a %7 m</translation></message>
 <message><source>region %1 of %2: %3 by %4 m ± %5 m,
 visible %6 m², at %7 m</source><translation>região %1 de %2: %3 em %4 m ± %5 m,
 visível %6 m², a %7 m</translation></message>
@@ -599,7 +603,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
-<message><source>Split: click the part; the wheel makes it smaller or larger</source><translation>Dividir: clique na parte; a roda a torna menor ou maior</translation></message>
+<message><source>Split: click the part (wheel: smaller or larger)</source><translation>Dividir: clique na parte (roda: menor ou maior)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace uma linha sobre as rochas, ou clique na que pertence à rocha selecionada</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace uma linha onde a rocha termina</translation></message>
 <message><source>Region: drag a line around it</source><translation>Região: trace uma linha em volta</translation></message>
@@ -841,8 +845,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Folds the legend</source><translation>Recolhe a legenda</translation></message>
 <message><source>Unfolds the legend</source><translation>Expande a legenda</translation></message>
 <message><source>Changes: %1</source><translation>Mudanças: %1</translation></message>
-<message><source>to see it: A/B, %1</source><translation>para vê-la: A/B, %1</translation></message>
-<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
 <message><source>A: %1</source><translation>A: %1</translation></message>
 <message><source>at all of them</source><translation>com todos</translation></message>
@@ -1411,7 +1413,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Top</source><translation>Topo</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
-<message><source>Zoomed %1 × · Fit (R) shows all</source><translation>Ampliado %1 × · Ajustar (R) mostra tudo</translation></message>
+<message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Ajustar mostra tudo</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
 <message><source>More edges</source><translation>Mais bordas</translation></message>
@@ -1447,10 +1449,12 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Closing waits until it is complete.</source><translation>O fechamento espera até que ele esteja completo.</translation></message>
 <message><source>To leave cab mode only, cancel, then hold the button “Hold to leave” for one second.</source><translation>Para sair só do modo cabine, cancele e segure um segundo o botão “Segurar: sair”.</translation></message>
 <message><source>End the Recording and Close</source><translation>Encerrar a gravação e fechar</translation></message>
+<message><source>Close EdgeScan</source><translation>Fechar o EdgeScan</translation></message>
 <message><source>Compare &amp;A/B</source><translation>Comparar &amp;A/B</translation></message>
 <message><source>&amp;Keep This as A</source><translation>&amp;Guardar isto como A</translation></message>
 <message><source>&amp;Compare with Scan…</source><translation>&amp;Comparar com uma varredura…</translation></message>
 <message><source>&amp;Demo before and after a Blast</source><translation>&amp;Demonstração antes e depois de um desmonte</translation></message>
+<message><source>Show &amp;A</source><translation>Mostrar &amp;A</translation></message>
 <message><source>Show What &amp;Changed</source><translation>Mostrar o que &amp;mudou</translation></message>
 <message><source>&amp;Colour by Distance from A</source><translation>&amp;Cor conforme a distância a A</translation></message>
 <message><source>&amp;Next Changed Region</source><translation>&amp;Próxima região alterada</translation></message>
@@ -1570,7 +1574,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>perspective</source><translation>perspectiva</translation></message>
 <message><source>coarse picture</source><translation>imagem grosseira</translation></message>
 <message><source>Next Sweep</source><translation>Varredura seguinte</translation></message>
-<message><source>The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.</source><translation>A varredura seguinte substituiu %1, que tem alvos ou medições. Desfazer (Ctrl+Z) recupera-a com eles.</translation></message>
+<message><source>Undo brings %1 back with its targets and measurements: the next sweep replaced it.</source><translation>Desfazer traz %1 de volta com os seus alvos e medições: a varredura seguinte a substituiu.</translation></message>
 <message><source>%1 is no longer compared as A, because it may be of another place. Undo (Ctrl+Z) brings it back.</source><translation>%1 já não é comparado como A, porque pode ser de outro lugar. Desfazer (Ctrl+Z) recupera-o.</translation></message>
 <message><source>Open Sess&amp;ion…</source><translation>Abrir sess&amp;ão…</translation></message>
 <message><source>&amp;Save Session As…</source><translation>&amp;Salvar sessão como…</translation></message>

@@ -373,7 +373,7 @@ private slots:
         auto* choice = legend.findChild<QToolButton*>("change-shown-0");
         QVERIFY(choice->isVisible() && choice->toolTip().contains('\\'));
         on.window.cab().set(true);
-        QVERIFY2(!choice->isVisible() && legend.titleText().contains("Show A"), qPrintable(legend.titleText()));
+        QTRY_VERIFY(choice->isVisible() && choice->height() >= 48);
         for (const ChangeRow row : {ChangeRow::Gained, ChangeRow::Lost, ChangeRow::Unchanged})
             QCOMPARE(legend.row(row)->isVisibleTo(&legend), legend.counted(row) != "0");
         // While A is shown, the numbers of a target say that they are of B.

@@ -75,6 +75,8 @@ private slots:
         const double wide = on.viewer.views.gray().viewPort()->cellSize().width();
         press(on.window, "cab-zoom-in");
         QVERIFY(on.viewer.views.gray().viewPort()->cellSize().width() > 1.1 * wide);
+        QTest::mouseClick(on.window.findChild<QWidget*>("cab-back"), Qt::LeftButton);
+        QTRY_VERIFY(cloud.isVisible() && tool(on.window, "cab-zoom-in")->isVisible());
         on.window.cab().set(false);
         QVERIFY(!tool(on.window, "cab-zoom-in")->isVisible());
     }
@@ -238,7 +240,7 @@ private slots:
         QVERIFY(placeOf(*legend.classSwitch(0)).top() >= placeOf(*legend.edges()).bottom());
     }
 
-    // One line over the low view of a small screen.
+    // One row of buttons over the low view of a small screen.
     void theComparisonBeginsFoldedOnASmallScreen() {
         WindowFixture on;
         QVERIFY(on.show());
@@ -253,10 +255,30 @@ private slots:
         QVERIFY2(summary->text().startsWith("Changes:"), qPrintable(summary->text()));
         for (const ChangeRow row : {ChangeRow::Nearer, ChangeRow::Farther}) // what the colours mean
             QVERIFY2(summary->text().contains(changeColour(row).name()), qPrintable(summary->text()));
-        QVERIFY2(summary->text().contains("closer") && summary->text().contains("away"), qPrintable(summary->text()));
+        QVERIFY2(summary->text().contains("nearer") && summary->text().contains("farther"), qPrintable(summary->text()));
         QVERIFY(!legend.row(ChangeRow::Nearer)->isVisible() && !legend.previous()->isVisible());
-        QVERIFY2(legend.height() <= fold->height() + 24, qPrintable(QString::number(legend.height())));
+        QVERIFY2(legend.height() <= fold->height() + 32, qPrintable(QString::number(legend.height())));
         QVERIFY(placeOf(on.viewer.views.cloud()).contains(placeOf(legend)));
+        // Folded too, each region has its number, and End stays under the finger.
+        const auto* last = legend.findChild<QToolButton*>("change-end");
+        const QRect endAt = placeOf(*last);
+        QTest::mouseClick(legend.next(), Qt::LeftButton);
+        QTRY_VERIFY2(summary->text().startsWith("1/15 ") && summary->text().contains("+4.62 m"), qPrintable(summary->text()));
+        QTRY_VERIFY(on.viewer.views.cloud().atRest());
+        QCOMPARE(placeOf(*last), endAt);
+        // A, the difference and B have their buttons on each of the three.
+        const auto* ofB = legend.findChild<QToolButton*>("change-shown-2");
+        QTest::mouseClick(fold, Qt::LeftButton);
+        for (const int shown : {2, 0, 1}) {
+            auto* choice = legend.findChild<QToolButton*>(QString("change-shown-%1").arg(shown));
+            QTRY_VERIFY2(choice->isVisible() && ofB->isVisible(), qPrintable(QString::number(shown)));
+            QApplication::processEvents();
+            QTest::mouseClick(choice, Qt::LeftButton);
+            QTRY_VERIFY(choice->isChecked());
+        }
+        legend.showRegion({});
+        if (!fold->isChecked()) QTest::mouseClick(fold, Qt::LeftButton);
+        QTRY_VERIFY(summary->isVisible());
         const int bottom = placeOf(*fold).bottom();
         QTest::mouseClick(fold, Qt::LeftButton);
         QTRY_VERIFY(legend.row(ChangeRow::Nearer)->isVisible() && !summary->isVisible());

@@ -206,8 +206,8 @@ void NoticeBar::showRemoved(QUndoStack& stack, const QString& what, const QStrin
     offerUndo(stack);
 }
 
-void NoticeBar::showUndone(QUndoStack& stack) {
-    showNotice(Kind::Done, tr("Undone: %1.").arg(stack.redoText()));
+void NoticeBar::showUndone(QUndoStack& stack, bool again) {
+    showNotice(Kind::Done, again ? tr("Done again: %1.").arg(stack.undoText()) : tr("Undone: %1.").arg(stack.redoText()));
     offer(tr("Redo"), [&stack] { stack.redo(); });
     passes_ = true;
     leaves_.start();

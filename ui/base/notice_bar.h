@@ -44,9 +44,9 @@ public:
     void offerUndo(QUndoStack& stack);
     /// Names what the newest step of the stack removed, with a button that brings it back, and `more` sentences.
     void showRemoved(QUndoStack& stack, const QString& what, const QString& more = {});
-    /// Names the step that was undone last, with a button that does it again. It leaves by itself, unless the pointer or the focus is on
-    /// it.
-    void showUndone(QUndoStack& stack);
+    /// Names the step that was undone last, or the one that was done `again`, with a button that does the next one again. It leaves by
+    /// itself, unless the pointer or the focus is on it.
+    void showUndone(QUndoStack& stack, bool again = false);
     [[nodiscard]] QString text() const;
     /// Hides the Copy button; for windows with large buttons.
     void setBrief(bool on);

@@ -53,14 +53,20 @@ void Comparing::goToRegion(int by) {
     const std::vector<std::uint32_t> cells = cellsOf(kinds, region);
     views_.cloud().lookAtCells(cells);
     outlineRegion(cells);
-    legend_.showRegion(tr("region %1 of %2: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m")
+    legend_.showRegion((n == 0 ? tr("region %1 of %2, the largest: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m")
+                               : tr("region %1 of %2: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m"))
                            .arg(n + 1)
                            .arg(count)
                            .arg(region.farther ? tr("farther") : tr("nearer"))
                            .arg(region.byM, 0, 'f', 2)
                            .arg(shownTolerance(region.toleranceM, 2), 0, 'f', 2)
                            .arg(region.areaM2, 0, 'f', 2)
-                           .arg(region.rangeM, 0, 'f', 2));
+                           .arg(region.rangeM, 0, 'f', 2),
+                       QString("%1/%2 <span style='color:%3'>■</span> %4%5 m")
+                           .arg(n + 1)
+                           .arg(count)
+                           .arg(changeColour(region.farther ? ChangeRow::Farther : ChangeRow::Nearer).name(), region.farther ? "+" : "−")
+                           .arg(region.byM, 0, 'f', 2));
 }
 
 /// Without cells it takes the outline away, unless that is of a rock by now.

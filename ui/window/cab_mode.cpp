@@ -133,6 +133,9 @@ void CabMode::connectSide() {
             [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
     connect(&side, &NumbersSide::entryStepRequested, this, &CabMode::step);
+    connect(&side, &NumbersSide::nameRequested, this, [this] {
+        if (numbers().named) window_.viewer().targets.askNameOf(window_.viewer().targets.active()->number);
+    });
 }
 
 /// The tool bar, which has the prompts, is hidden here.
@@ -176,9 +179,10 @@ void CabMode::nameUndone() {
     QUndoStack& undo = window_.viewer().undo;
     connect(&undo, &QUndoStack::indexChanged, this, [this, &undo, last = undo.index(), count = undo.count()](int index) mutable {
         const bool undone = index == last - 1 && undo.count() == count; // a step of another scan leaves the stack instead
+        const bool redone = index == last + 1 && undo.count() == count && undo.canRedo();
         last = index;
         count = undo.count();
-        if (on_ && undone && !undo.property(kDrops).toBool()) window_.viewer().notice.showUndone(undo);
+        if (on_ && (undone || redone) && !undo.property(kDrops).toBool()) window_.viewer().notice.showUndone(undo, redone);
     });
 }
 

@@ -337,7 +337,9 @@ TargetNumbers CabMode::numbers() const {
     values.measures = static_cast<int>(targets.notebook().measures.size());
     values.measuring = window_.viewer().measures.kind().has_value();
     if (chosen || rock != nullptr || target == nullptr) return values;
-    values.title = target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20);
+    values.title = (target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20)) +
+                   QString::fromUtf8("\u00a0✎"); // a tap on it asks for the name
+    values.named = true;
     values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
     const auto known = targets.known().targets.find(target->cell);
     if (known == targets.known().targets.end()) return values;

@@ -28,7 +28,7 @@ bool MainWindow::mayClose(bool byHand) {
     box.setInformativeText(records  ? tr("Closing ends the recording. What was recorded so far remains in its file.")
                            : writes ? tr("Closing waits until it is complete.")
                                     : tr("To leave cab mode only, cancel, then hold the button “Hold to leave” for one second."));
-    QPushButton* end = box.addButton(records ? tr("End the Recording and Close") : tr("Close"), QMessageBox::DestructiveRole);
+    QPushButton* end = box.addButton(records ? tr("End the Recording and Close") : tr("Close EdgeScan"), QMessageBox::DestructiveRole);
     end->setObjectName("end-and-close");
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();

@@ -32,10 +32,10 @@ void offerBack(Viewer& v, const Picture& left) {
         return true;
     };
     v.undo.push(new Step(stepName("Next Sweep"), LeftSweep{left.detection->scan, left.source}, std::nullopt, show));
-    v.notice.showNotice(
-        NoticeBar::Kind::Warning,
-        QObject::tr("The next sweep replaced %1, which has targets or measurements. Undo (Ctrl+Z) brings it back with them.")
-            .arg(scanName(left.detection->scan->name)));
+    v.notice.showNotice(NoticeBar::Kind::Warning,
+                        QObject::tr("Undo brings %1 back with its targets and measurements: the next sweep replaced it.")
+                            .arg(scanName(left.detection->scan->name)));
+    v.notice.offerUndo(v.undo);
 }
 
 void followSweeps(Viewer& v) {

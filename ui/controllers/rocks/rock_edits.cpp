@@ -117,7 +117,9 @@ void Rocks::judgeEdit() {
         return;
     }
     if (!changes.lost.empty()) return notice_.showHint(words); // until the next step, which may be its undo
-    if (!words.isEmpty()) notice_.showNotice(NoticeBar::Kind::Done, words);
+    if (words.isEmpty()) return;
+    notice_.showNotice(NoticeBar::Kind::Done, words);
+    if (isNewestStep()) notice_.offerUndo(undo_);
 }
 
 void Rocks::mergeSelected() {

@@ -147,6 +147,7 @@ NumbersSide::NumbersSide(QWidget* parent)
     for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, warned_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
+    title_->installEventFilter(this);
     auto* head = new QHBoxLayout;
     head->addWidget(previous_);
     head->addWidget(title_, 1);
@@ -241,6 +242,11 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     fillRows(*coordinates_, coordinateLabels_, numbers.coordinates, true);
     fillRows(*rows_, rowLabels_, numbers.rows, false);
     fitHeight();
+}
+
+bool NumbersSide::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == title_ && event->type() == QEvent::MouseButtonRelease) emit nameRequested();
+    return QWidget::eventFilter(watched, event);
 }
 
 /// Smaller letters, if a word is wider than the room between the arrows.

@@ -30,6 +30,7 @@ struct TargetNumbers {
     std::vector<std::pair<QString, QString>> rows{};
     int targets = 0;        ///< of the scan
     int measures = 0;       ///< of the scan: the arrows go over targets and measurements
+    bool named = false;     ///< a tap on the title asks for a name
     bool measuring = false; ///< a tap is an end of a measurement
     QString distanceName{}; ///< "Throat Width"; empty: "Distance"
 };
@@ -67,11 +68,14 @@ public:
 signals:
     /// The operator wants the next (1) or previous (-1) target or measurement.
     void entryStepRequested(int by);
+    /// A tap on the title.
+    void nameRequested();
     void stepped(const QString& key, int steps);
     void stepEnded();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void fitTitle();

@@ -47,13 +47,15 @@ void ZoomButtons::setOver(QWidget& view, QWidget& corner) {
         if (each != nullptr) each->removeEventFilter(this);
     }
     corner_ = &corner;
-    setParent(&view);
+    const bool wanted = wanted_;
+    setParent(&view); // hides it
+    wanted_ = wanted;
     for (QWidget* each : {&view, &corner}) each->installEventFilter(this);
     place();
 }
 
 void ZoomButtons::setVisible(bool on) {
-    constexpr int kLeastHeight = 330; // px
+    constexpr int kLeastHeight = 370; // px
     wanted_ = on;
     ViewPlate::setVisible(on && parentWidget() != nullptr && parentWidget()->height() >= kLeastHeight);
 }

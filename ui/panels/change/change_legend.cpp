@@ -198,7 +198,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     foot->addLayout(buttons);
     for (QToolButton* button : {fold_, previous_, next_, end_}) {
         button->setFocusPolicy(Qt::TabFocus);
-        buttons->addWidget(button);
+        buttons->addWidget(button, 0, Qt::AlignBottom); // where it is when the legend unfolds
         if (button == fold_) buttons->addWidget(summary_);
     }
     buttons->addStretch(1); // they stay where they are when the plate gets wider
@@ -308,8 +308,10 @@ void ChangeLegend::fit() {
     next_->setText(next_->toolTip());
     const auto buttonsWide = [this] {
         int wide = 0;
+        // With room for any region: End stays under the finger.
+        summary_->setMinimumWidth(summary_->fontMetrics().horizontalAdvance(QString::fromUtf8("%1/%1 ■ +88.88 m").arg(regions_)));
         for (const QWidget* each : std::initializer_list<const QWidget*>{fold_, summary_, previous_, next_, end_})
-            wide += each->isVisibleTo(this) ? each->sizeHint().width() + kBetweenButtons : 0;
+            wide += each->isVisibleTo(this) ? std::max(each->sizeHint().width(), each->minimumWidth()) + kBetweenButtons : 0;
         return wide;
     };
     summary_->setFont(QFont());                         // that of the plate
@@ -362,7 +364,7 @@ void ChangeLegend::showRows() {
     }
     const ShownOfTwo shown = flipped_ ? ShownOfTwo::A : rowsShown_ ? ShownOfTwo::Difference : ShownOfTwo::B;
     for (std::size_t n = 0; n < shown_.size(); ++n) {
-        shown_[n]->setVisible(compared_ && (!brief_ || flipped_)); // a cab has the menu A/B; over A it has the way back in sight
+        shown_[n]->setVisible(compared_ && !isOneLine());
         shown_[n]->setMinimumHeight(brief_ ? kForGloves : 0);
         shown_[n]->setChecked(n == static_cast<std::size_t>(shown));
     }
@@ -375,15 +377,15 @@ void ChangeLegend::showRows() {
     overRocks_->setVisible(open && overRocksOn_);
 }
 
-/// With what the two colours mean.
+/// The region that was visited last, with what the two colours mean.
 QString ChangeLegend::summaryText() const {
     const auto meaning = [](ChangeRow row, const QString& words) {
         return QString("<span style='color:%1'>■</span>&nbsp;%2").arg(changeColour(row).name(), QString(words).replace(' ', "&nbsp;"));
     };
     const QString more = ofTwoScans_ ? tr("nearer") : nameOf(ChangeRow::Gained),
                   less = ofTwoScans_ ? tr("farther") : nameOf(ChangeRow::Lost);
-    return tr("Changes: %1").arg(countText(regions_)).replace(' ', "&nbsp;") + "<br>" + meaning(ChangeRow::Gained, more) + "&nbsp;&nbsp;" +
-           meaning(ChangeRow::Lost, less);
+    const QString head = regionBrief_.isEmpty() ? tr("Changes: %1").arg(countText(regions_)).replace(' ', "&nbsp;") : regionBrief_;
+    return head + "<br>" + meaning(ChangeRow::Gained, more) + "<br>" + meaning(ChangeRow::Lost, less);
 }
 
 bool ChangeLegend::isOneLine() const { return brief_ && compared_ && rowsShown_ && regions_ > 0 && !flipped_ && fold_->isChecked(); }
@@ -404,8 +406,7 @@ void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
 
 void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;
-    const QString toSee = brief_ ? '\n' + tr("to see it: A/B, %1").arg(QObject::tr("Show &A").remove('&')) : QString();
-    setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_) + toSee);
+    setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_));
     showRows();
     fit();
 }
@@ -415,9 +416,11 @@ void ChangeLegend::showOverRocks(bool on) {
     showRows();
 }
 
-void ChangeLegend::showRegion(const QString& words) {
-    region_->setVisible(!words.isEmpty() && !isOneLine());
+void ChangeLegend::showRegion(const QString& words, const QString& brief) {
+    regionBrief_ = brief;
     setWords(*region_, words);
+    showRows();
+    fit();
 }
 
 QString ChangeLegend::counted(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].count->text(); }

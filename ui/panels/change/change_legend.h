@@ -37,8 +37,8 @@ public:
     void showFlipped(bool flipped);
     /// On: the cloud does not show the changes, because rocks cover them.
     void showOverRocks(bool on);
-    /// Text about a region; empty = no text.
-    void showRegion(const QString& words);
+    /// Text about a region, and a short one, in html, for a folded legend; empty = no text.
+    void showRegion(const QString& words, const QString& brief = {});
     [[nodiscard]] QCheckBox* row(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].box; }
     [[nodiscard]] QString counted(ChangeRow row) const;
     [[nodiscard]] QString howText() const;
@@ -81,7 +81,8 @@ private:
     QLabel* distances_;
     QToolButton *fold_, *previous_, *next_, *end_;
     std::array<QToolButton*, 3> shown_{}; // one per ShownOfTwo
-    std::map<QLabel*, QString> words_;    // before they are broken into lines
+    QString regionBrief_;
+    std::map<QLabel*, QString> words_; // before they are broken into lines
     QString before_, howWords_;
     bool hasDistances_ = false, overRocksOn_ = false;
     bool flipped_ = false;

@@ -340,7 +340,7 @@ void ImageView::drawTexts(QPainter& painter) const {
     drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_);
     if (!picture_.empty() && !viewPort_->fitted())
         drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignBottom,
-                  tr("Zoomed %1 × · Fit (R) shows all").arg(viewPort_->magnification(), 0, 'f', 1));
+                  tr("Zoomed %1 × · Fit shows all").arg(viewPort_->magnification(), 0, 'f', 1));
 }
 
 } // namespace edgescan::ui
