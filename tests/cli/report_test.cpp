@@ -77,7 +77,7 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
                                 .cell = 25 * 90 + 40,
                                 .pinnedUtc = "2026-11-21T08:00:00Z",
                                 .asPinned = {{"distance", "5.1 m"}}});
-    notebook.measures.push_back({inspect::MeasureKind::Distance, {10 * 90 + 20, 40 * 90 + 70}});
+    notebook.measures.push_back({.kind = inspect::MeasureKind::Distance, .cells = {10 * 90 + 20, 40 * 90 + 70}, .number = 2});
     std::ofstream(targets) << inspect::notebookText(notebook, inspect::notebookScan(*opened));
     const std::string flags =
         "report " + now.string() + " -o " + page.string() + " --targets " + targets.string() + " --before " + before.string();

@@ -27,7 +27,7 @@ inline inspect::ViewerState exampleSession(const std::filesystem::path& path) {
     target.pinnedUtc = "2026-11-21T07:00:00Z";
     target.asPinned = {{"Cell", "line 0, beam 77"}};
     state.targets.notebook.targets.push_back(target);
-    state.targets.notebook.measures.push_back({inspect::MeasureKind::Distance, {77, 1277}});
+    state.targets.notebook.measures.push_back({.kind = inspect::MeasureKind::Distance, .cells = {77, 1277}, .number = 1});
     state.targets.active = 77;
     state.selection.selected = {{5, 3}, {2000, 1}};
     state.selection.hidden = {{0, 2}, {119999, 1}};

@@ -214,7 +214,7 @@ inline std::string smallNotebook() {
     inspect::Notebook notebook;
     notebook.targets = {{1, "keystone", 5, true, "2026-11-21T08:00:00Z", {{"Distance", "4.2 m"}}},
                         {2, "", 60, false, "2026-11-21T08:01:00Z", {}}};
-    notebook.measures = {{inspect::MeasureKind::Distance, {5, 60}}};
+    notebook.measures = {{.kind = inspect::MeasureKind::Distance, .cells = {5, 60}, .number = 1}};
     return inspect::notebookText(notebook, {std::string(64, 'a'), "bell", 6, 11});
 }
 

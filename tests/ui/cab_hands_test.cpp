@@ -220,10 +220,10 @@ private slots:
         QCOMPARE(menu->actions().size(), 3); // the first closes it
         const QString words = menu->actions()[1]->text();
         QVERIFY2(words.startsWith("Remove: Target 1 · ") && words.contains(" m") && words.contains("x "), qPrintable(words));
-        QVERIFY2(menu->actions()[2]->text().startsWith("Remove: Distance"), qPrintable(menu->actions()[2]->text()));
+        QVERIFY2(menu->actions()[2]->text().startsWith("Remove: M1 Distance"), qPrintable(menu->actions()[2]->text()));
         choose(menu, 2);
         QTRY_VERIFY(on.viewer.targets.notebook().measures.empty());
-        QVERIFY(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("Removed: Distance"));
+        QVERIFY(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("Removed: M1 Distance"));
         menu = opened(remove);
         choose(menu, 1);
         QTRY_VERIFY(on.viewer.targets.notebook().targets.empty() && !remove->isEnabled());

@@ -35,6 +35,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTimer>
@@ -81,7 +82,7 @@ class TargetsTest : public QObject {
     // The cell that a click there means.
     static std::uint32_t meantUnder(WindowFixture& on, int line, int beam) { return on.viewer.views.meant(cellUnder(on, line, beam)).cell; }
     // The label of a measurement without the sign that an end is behind the surface under its line.
-    static QString lengthIn(QString label) { return label.remove(QString::fromUtf8("▲ ")); }
+    static QString lengthIn(QString label) { return label.remove(QRegularExpression(QString::fromUtf8("^(▲ )?M\\d+ "))); }
     // A plate 50 mm in front of a wall, 10 m away.
     static Scan plateScan() {
         Scan scan = test::makeScan(41, 41, [](int, int) { return 1000.0F; });
@@ -739,7 +740,7 @@ private slots:
         click(on.viewer.views.gray(), 20, 20);
         click(on.viewer.views.gray(), 20, 21);
         QVERIFY(known(on));
-        QCOMPARE(on.viewer.views.gray().marks().measures[0].label, QString("< 89 mm"));
+        QCOMPARE(on.viewer.views.gray().marks().measures[0].label, QString("M1 < 89 mm"));
         QVERIFY2(on.viewer.targetsPanel.measures()->item(0)->text().contains("< 89 mm"),
                  qPrintable(on.viewer.targetsPanel.measures()->item(0)->text()));
     }

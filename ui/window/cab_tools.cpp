@@ -289,7 +289,7 @@ TargetNumbers CabMode::ofMeasure(std::size_t place) const {
     const auto& measures = window_.viewer().targets.notebook().measures;
     const MeasureWords words = window_.viewer().targets.wordsOf(measures[place]);
     TargetNumbers values;
-    values.title = tr("Measured");
+    values.title = exactText(inspect::measureName(measures[place]));
     values.place = tr("%1 of %2").arg(place + 1).arg(measures.size());
     values.distanceName = words.kind;
     const bool one = words.value.count("±") == 1; // several lengths have one each

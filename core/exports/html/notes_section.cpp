@@ -71,7 +71,7 @@ std::string measureRow(const edges::Detection& detection, const RangeNoise& nois
     std::string cells;
     for (const std::uint32_t cell : measure.cells) cells += (cells.empty() ? "" : "<br>") + cellText(*detection.scan, cell);
     const auto measured = inspect::measureStored(*detection.scan, noise, measure);
-    return "<tr><td>" + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
+    return "<tr><td>" + inspect::measureName(measure) + " " + htmlText(inspect::traitsOf(measure.kind).label) + "</td><td>" +
            (measured ? htmlText(inspect::measureText(*measured)) : "its cells hold no points now") + "</td><td>" +
            (measured ? htmlText(inspect::measureBasis(*measured)) : "") + "</td><td>" + cells + "</td></tr>\n";
 }
@@ -102,7 +102,9 @@ std::string notesPicture(const edges::Detection& detection, const RangeNoise& no
             lines.push_back({a.x(), a.y(), b.x(), b.y()});
             middle += (a + b) / 2 / static_cast<double>(links.size());
         }
-        if (measured) texts.push_back({(measured->isWarned() ? "▲ " : "") + inspect::measureText(*measured), middle.x(), middle.y()});
+        if (!measured) continue;
+        const std::string text = (measured->isWarned() ? "▲ " : "") + inspect::measureName(measure) + " " + inspect::measureText(*measured);
+        texts.push_back({text, middle.x(), middle.y()});
     }
     std::size_t leftOut = 0;
     const std::string numbers = pictureNumbers(width, height, texts, leftOut, lines);

@@ -104,6 +104,7 @@ StoredMeasure measureFrom(JsonFields& fields, const NotebookScan& scan) {
     measure.cells = cellsFrom(fields, "cells", measure.kind, scan);
     if (fields.has("clicked")) measure.clicked = cellsFrom(fields, "clicked", measure.kind, scan);
     if (measure.kind == MeasureKind::Section) measure.shares = sharesFrom(fields);
+    if (fields.has("number")) measure.number = static_cast<int>(fields.wholeNumber("number", 1, 1'000'000));
     return measure;
 }
 
@@ -130,6 +131,10 @@ int nextNumber(const Notebook& notebook) {
     for (const PinnedTarget& target : notebook.targets) most = std::max(most, target.number);
     return most + 1;
 }
+
+int nextMeasureNumber(const Notebook& notebook) { return notebook.measures.empty() ? 1 : notebook.measures.back().number + 1; }
+
+std::string measureName(const StoredMeasure& measure) { return "M" + std::to_string(measure.number); }
 
 NotebookScan notebookScan(const Scan& scan) { return {scan.sha256, scan.name, scan.lines(), scan.beams()}; }
 
@@ -158,6 +163,8 @@ std::string notebookText(const Notebook& notebook, const NotebookScan& scan) {
         measures.push_back({{"kind", traitsOf(measure.kind).key}, {"cells", cellsJson(measure.cells, scan.beams)}});
         if (!measure.clicked.empty()) measures.back()["clicked"] = cellsJson(measure.clicked, scan.beams);
         if (!measure.shares.empty()) measures.back()["shares"] = measure.shares;
+        if (measure.number > 0 && measure.number != static_cast<int>(measures.size()))
+            measures.back()["number"] = measure.number; // an earlier version refuses it
     }
     const Json whole{{"format", kNotebookFormat},
                      {"scan", {{"sha256", scan.sha256}, {"name", scan.name}, {"lines", scan.lines}, {"beams", scan.beams}}},
@@ -182,7 +189,10 @@ Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& sca
         each.done();
     }
     for (JsonFields& each : fields.objects("measures")) {
-        notebook.measures.push_back(measureFrom(each, scan));
+        StoredMeasure measure = measureFrom(each, scan);
+        if (measure.number == 0) measure.number = static_cast<int>(notebook.measures.size()) + 1;
+        if (measure.number < nextMeasureNumber(notebook)) each.refuse("number", "must be larger than the one before");
+        notebook.measures.push_back(std::move(measure));
         each.done();
     }
     if (notebook.targets.size() > kMostTargets || notebook.measures.size() > kMostMeasures)

@@ -38,6 +38,7 @@ struct StoredMeasure {
     std::vector<std::uint32_t> cells;
     std::vector<std::uint32_t> clicked{}; ///< the cells of the clicks; empty if all of them are `cells`
     std::vector<double> shares{};         ///< for Section only, see measureCells()
+    int number = 0;                       ///< 1 or more, in the order of measuring; it stays when another measurement is removed
 
     bool operator==(const StoredMeasure&) const = default;
 };
@@ -53,8 +54,11 @@ struct Notebook {
     [[nodiscard]] bool empty() const { return targets.empty() && measures.empty(); }
 };
 
-/// The next number: one more than the largest existing one.
+/// The next number of a target, or of a measurement: one more than the largest existing one.
 [[nodiscard]] int nextNumber(const Notebook& notebook);
+[[nodiscard]] int nextMeasureNumber(const Notebook& notebook);
+/// "M2": how it is named in lists, views and reports.
+[[nodiscard]] std::string measureName(const StoredMeasure& measure);
 
 /// The scan that a notebook belongs to: in another scan its cells would be other places.
 struct NotebookScan {
@@ -69,7 +73,8 @@ struct NotebookScan {
 
 /// {"format": "edgescan-targets/1", "scan": {...}, "targets": [...], "measures": [...]}
 [[nodiscard]] std::string notebookText(const Notebook& notebook, const NotebookScan& scan);
-/// Error: damaged text, another format or scan, duplicate numbers, cells that do not exist, too many entries, unknown keys.
+/// Error: damaged text, another format or scan, duplicate numbers or measurements out of their order, cells that do not exist, too many
+/// entries, unknown keys.
 Result<Notebook> notebookFromText(std::string_view text, const NotebookScan& scan, const std::string& where);
 
 } // namespace edgescan::inspect

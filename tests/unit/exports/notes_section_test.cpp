@@ -47,15 +47,15 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
 
     // The picture has the name of the target, and a measurement as a line with its value.
     notebook.targets[0].name = "A < B";
-    notebook.measures.push_back({inspect::MeasureKind::Distance, {10 * 90 + 20, 30 * 90 + 60}});
+    notebook.measures.push_back({.kind = inspect::MeasureKind::Distance, .cells = {10 * 90 + 20, 30 * 90 + 60}, .number = 2});
     const std::string both = section(scan);
     EXPECT_NE(both.find(">1 A &lt; B</text>"), std::string::npos);
     EXPECT_NE(both.find("<line x1=\"20.5\" y1=\"10.5\" x2=\"60.5\" y2=\"30.5\" stroke"), std::string::npos);
     const auto length = inspect::measureStored(scan, inspect::noiseOf(*placed), notebook.measures[0]);
     ASSERT_TRUE(length);
-    EXPECT_NE(
-        both.find("x=\"40.5\" y=\"20.5\" class=\"small\">" + std::string(length->isWarned() ? "▲ " : "") + inspect::measureText(*length)),
-        std::string::npos);
+    EXPECT_NE(both.find("x=\"40.5\" y=\"20.5\" class=\"small\">" + std::string(length->isWarned() ? "▲ " : "") + "M2 " +
+                        inspect::measureText(*length)),
+              std::string::npos);
 
     notebook.targets[0].cell = 60 * 90; // no cell of this scan
     EXPECT_NE(section(scan).find("no cell of this scan"), std::string::npos);

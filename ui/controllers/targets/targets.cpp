@@ -207,6 +207,7 @@ void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
     }
     inspect::Notebook after = notebook_;
     after.measures.push_back(measure);
+    after.measures.back().number = inspect::nextMeasureNumber(notebook_);
     change(stepName("Measure"), std::move(after));
     emit pinned();
     chooseMeasure(notebook_.measures.size() - 1);

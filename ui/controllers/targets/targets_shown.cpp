@@ -20,7 +20,7 @@ namespace edgescan::ui {
 namespace {
 
 /// "M2": next to the others at one place, and in the list.
-QString briefOf(std::size_t measure) { return "M" + QString::number(measure + 1); }
+QString briefOf(const inspect::StoredMeasure& measure) { return exactText(inspect::measureName(measure)); }
 
 /// The click that an end of a measurement comes from, if it is where such a click is measured.
 std::optional<inspect::MeantCell> clickAtEnd(const Scan& scan, const inspect::StoredMeasure& measure, std::size_t n) {
@@ -116,13 +116,14 @@ CellMarks Targets::marks() const {
         const bool warned = now != nullptr && (now->isWarned() || mountingAssumed(*known_.picture->detection->scan) ||
                                                isDoubtful(*known_.picture->detection->scan, measure));
         const bool ofSection = measure.kind == inspect::MeasureKind::Section; // its points are shown at the nearest cells
-        marks.measures.push_back({ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
-                                            : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
-                                  inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
-                                  (warned ? "▲ " : "") + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
-                                  {measure.clicked.begin(), measure.clicked.end()},
-                                  n == chosen_,
-                                  briefOf(n)});
+        marks.measures.push_back(
+            {ofSection ? std::vector<std::size_t>{measure.cells[0], measure.cells[2]}
+                       : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
+             inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
+             (warned ? "▲ " : "") + briefOf(measure) + " " + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
+             {measure.clicked.begin(), measure.clicked.end()},
+             n == chosen_,
+             briefOf(measure)});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
     marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
@@ -152,7 +153,7 @@ std::vector<QString> Targets::measuresInWords() const {
     std::vector<QString> all;
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const MeasureWords words = wordsOf(measure);
-        all.push_back(words.kind + "  " + words.value);
+        all.push_back(briefOf(measure) + "  " + words.kind + "  " + words.value);
     }
     return all;
 }
@@ -177,7 +178,7 @@ void Targets::show() {
     lines.clear();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const MeasureWords words = wordsOf(measure);
-        QString line = briefOf(lines.size()) + "  " + words.value + "\n" + words.kind; // the value is never shortened
+        QString line = briefOf(measure) + "  " + words.value + "\n" + words.kind; // the value is never shortened
         if (words.warnings.size() == 1) line += " · " + words.warnings.front();
         if (words.warnings.size() > 1) line += " · ▲ " + tr("%1 warnings").arg(words.warnings.size());
         lines.push_back({line, (words.warnings + words.remarks).join('\n'), lines.size() == chosen_});

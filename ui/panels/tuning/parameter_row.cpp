@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -83,7 +84,7 @@ ParameterRow::ParameterRow(const edges::Parameter& parameter, QGridLayout& grid,
     label_->setToolTip(limitsText(parameter));
     label_->setWordWrap(true); // for a narrow dock
     label_->installEventFilter(this);
-    grid.addWidget(label_, row, 0);
+    if (parameter.choices.empty() || numericChoices()) grid.addWidget(label_, row, 0);
     if (parameter.choices.empty())
         addNumber(grid, row, parent);
     else
@@ -157,8 +158,11 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
         if (index >= 0) changeTo(parameter_.choices[static_cast<std::size_t>(index)].value);
     });
     choice_->setMinimumContentsLength(8);
-    if (!numericChoices()) {
-        grid.addWidget(choice_, row, 1, 1, 3);
+    if (!numericChoices()) { // its names are long: they begin where its own label ends
+        auto* line = new QHBoxLayout;
+        line->addWidget(label_);
+        line->addWidget(choice_, 1);
+        grid.addLayout(line, row, 0, 1, 4);
         return;
     }
     slider_ = new QSlider(Qt::Horizontal, parent);

@@ -189,7 +189,8 @@ TEST(NearSide, AMixedPixelMeansTheSurfaceInFront) {
     EXPECT_EQ(meant.reason, SnapReason::MixedPixel);
 }
 
-// An echo of dust two metres in front of a wall is not a surface that a click means, next to the rim of a plate and in the middle of the wall.
+// An echo of dust two metres in front of a wall is not a surface that a click means, next to the rim of a plate and in the middle of the
+// wall.
 TEST(NearSide, AClickOnDustMeansWhatIsBehindIt) {
     Scan scan = test::makeScan(30, 30, [](int, int j) { return j < 15 ? 5000.0 : 8000.0; });
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(scan.rangeMm.index(i, j)); };

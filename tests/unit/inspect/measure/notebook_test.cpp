@@ -21,6 +21,8 @@ Notebook someNotebook() {
     notebook.measures.push_back({MeasureKind::Angle, {5, 6, 7}});
     notebook.measures.push_back({MeasureKind::Distance, {31, 40}, {32, 40}});
     notebook.measures.push_back({MeasureKind::Section, {31, 32, 70, 100}, {}, {0.25, 0.4375}});
+    for (StoredMeasure& measure : notebook.measures) measure.number = nextMeasureNumber({{}, {notebook.measures.data(), &measure}});
+    notebook.measures.back().number = 7; // others were removed
     notebook.targets.back().clicked = 598;
     notebook.targets.back().note = "watch \xE2\x96\xB2 it";
     return notebook;
@@ -32,6 +34,9 @@ TEST(Notebook, IsReadBackAsItWasWritten) {
     EXPECT_EQ(*read, someNotebook());
     EXPECT_EQ(nextNumber(*read), 8);
     EXPECT_EQ(nextNumber({}), 1);
+    EXPECT_EQ(nextMeasureNumber(*read), 8);
+    EXPECT_EQ(nextMeasureNumber({}), 1);
+    EXPECT_EQ(measureName(read->measures.back()), "M7");
 }
 
 TEST(Notebook, OfAnotherScanIsRefused) {
@@ -91,6 +96,8 @@ TEST(Notebook, HostileContentIsRefusedWithASentence) {
         }
     });
     refused([](Json& j) { j["measures"][0]["kind"] = "volume"; });
+    refused([](Json& j) { j["measures"][0]["number"] = 2; }); // that of the next one
+    refused([](Json& j) { j["measures"][3]["number"] = 0; });
     refused([](Json& j) { j["measures"][0]["cells"].erase(0); });
     refused([](Json& j) { j["measures"][0]["cells"][0] = {0, 30}; });
     refused([](Json& j) { j["scan"].erase("lines"); });
