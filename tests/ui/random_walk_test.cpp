@@ -1,9 +1,13 @@
-// Random events in the real window: every action, slider, list, key and view, in random order. The program must not crash, hang or leak.
-// EDGESCAN_WALK: number of events (10000 for a long walk), EDGESCAN_WALK_SEED: another walk.
+// Random events in the real window: every action, button, menu, table, slider, list, key and view, in random order, with a file and with a
+// scanner. The program must not crash, hang or leak. EDGESCAN_WALK: number of events (10000 for a long walk), EDGESCAN_WALK_SEED: another
+// walk.
+#include "core/scanner/emulator/emulator.h"
+#include "core/scanner/emulator/telegram.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/window/cab_mode.h"
 
+#include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAction>
 #include <QCheckBox>
@@ -77,12 +81,26 @@ class RandomWalkTest : public QObject {
     // Actions that would end the walk, affect the machine or rightly take long.
     static bool isLeftOut(const QAction& action) {
         const QString text = QString(action.text()).remove('&');
-        static const QStringList left{"Quit", "Open Demo", "Connect", "Record", "Keep Last Minute", "Full Screen"};
-        const bool named = std::any_of(left.begin(), left.end(), [&](const QString& one) { return text.startsWith(one); });
-        return named || text.isEmpty() || action.menu() != nullptr || action.isSeparator() || !action.isEnabled();
+        return isLeftOut(text) || text.isEmpty() || action.menu() != nullptr || action.isSeparator() || !action.isEnabled();
     }
-    static void closeDialogs() {
+    static bool isLeftOut(const QString& text) {
+        static const QStringList left{"Quit", "Close EdgeScan", "Open Demo", "Connect", "Record", "Keep Last Minute", "Full Screen"};
+        return std::any_of(left.begin(), left.end(), [&](const QString& one) { return text.startsWith(one); });
+    }
+    // Every second time an entry of an open menu is chosen first. Entries open dialogs, which are closed without an answer.
+    void closeDialogs() {
         while (QWidget* popup = QApplication::activePopupWidget()) {
+            auto* menu = qobject_cast<QMenu*>(popup);
+            QList<QAction*> entries;
+            if (menu != nullptr && below(2) == 0) {
+                for (QAction* action : menu->actions()) {
+                    if (!isLeftOut(*action)) entries << action;
+                }
+            }
+            if (QAction* entry = anyOf(entries)) { // after the event that closes the menu, because it may open a dialog
+                last_ = "entry " + entry->text();
+                QMetaObject::invokeMethod(entry, &QAction::trigger, Qt::QueuedConnection);
+            }
             if (!popup->close()) break;
         }
         if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) dialog->reject();
@@ -106,8 +124,9 @@ class RandomWalkTest : public QObject {
         for (QAction* action : on.window.findChildren<QAction*>()) {
             if (!isLeftOut(*action)) actions << action;
         }
-        if (QAction* action =
-                freshOf("action", actions, [](const QAction& one) { return one.objectName().isEmpty() ? one.text() : one.objectName(); }))
+        if (QAction* action = freshOf("action", actions, [](const QAction& one) {
+                return one.objectName().isEmpty() ? one.text().section(':', 0, 0) : one.objectName();
+            }))
             action->trigger();
     }
     void useMouse(WindowFixture& on) {
@@ -132,8 +151,12 @@ class RandomWalkTest : public QObject {
     }
     void useWidget(WindowFixture& on) {
         const auto name = [](const QWidget& widget) { return nameOf(widget); };
-        const std::size_t what = below(3);
-        if (auto* slider = what == 0 ? freshOf("slider", usableOf<QAbstractSlider>(on), name) : nullptr) {
+        const std::size_t what = below(5);
+        if (auto* button = what == 3 ? freshOf("button", buttonsOf(on), name) : nullptr) {
+            QTest::mouseClick(button, Qt::LeftButton);
+        } else if (auto* table = what == 4 ? freshOf("table", usableOf<QAbstractItemView>(on), name) : nullptr) {
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, placeIn(*table->viewport()));
+        } else if (auto* slider = what == 0 ? freshOf("slider", usableOf<QAbstractSlider>(on), name) : nullptr) {
             slider->setValue(slider->minimum() +
                              static_cast<int>(below(static_cast<std::size_t>(slider->maximum() - slider->minimum()) + 1)));
         } else if (auto* list = what == 1 ? freshOf("list", usableOf<QComboBox>(on), name) : nullptr) {
@@ -143,9 +166,32 @@ class RandomWalkTest : public QObject {
             box->click();
         }
     }
+    static QList<QAbstractButton*> buttonsOf(const WindowFixture& on) {
+        QList<QAbstractButton*> buttons;
+        for (QAbstractButton* button : usableOf<QAbstractButton>(on)) {
+            if (qobject_cast<QCheckBox*>(button) == nullptr && !isLeftOut(QString(button->text()).remove('&'))) buttons << button;
+        }
+        return buttons;
+    }
+    // Connects to the scanner, or records from it; a button of the window stops both.
+    void useScanner(WindowFixture& on) {
+        Live& live = on.viewer.live;
+        if (live.scanner().connected()) {
+            last_ = "record";
+            live.record(!live.scanner().recording());
+            return;
+        }
+        last_ = "connect";
+        scanner::SweepSettings sweep;
+        sweep.expectedLines = below(2) == 0 ? 0 : 60;
+        sweep.degPerLine = 3;
+        live.connectTo("127.0.0.1", emulated_->port(), sweep);
+    }
     void step(WindowFixture& on) {
         const std::size_t what = below(100);
-        if (what < 30)
+        if (emulated_ && below(20) == 0)
+            useScanner(on);
+        else if (what < 30)
             trigger(on);
         else if (what < 60)
             useMouse(on);
@@ -174,8 +220,23 @@ class RandomWalkTest : public QObject {
         return text.mid(2);
     }
 
+    std::unique_ptr<scanner::EmulatedScanner> emulated_;
     QString last_;
     std::map<QString, std::set<QString>> met_, used_;
+
+    // A small sweep again and again, two a second.
+    bool serve() {
+        sim::SimulationSettings settings;
+        settings.lines = 60;
+        settings.beams = 120;
+        auto telegrams = scanner::telegramsOf(sim::simulate(settings)->scan);
+        if (!telegrams) return false;
+        scanner::EmulatedScannerSettings speed;
+        speed.linesPerSecond = 120;
+        auto emulated = scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), speed);
+        if (emulated) emulated_ = std::move(*emulated);
+        return bool(emulated);
+    }
 
 private slots:
     void initTestCase() {
@@ -193,17 +254,27 @@ private slots:
         scans_.push_back((folder_ / "broken.json").string());
     }
 
+    void nothingFallsOver_data() {
+        QTest::addColumn<bool>("live");
+        QTest::newRow("file") << false;
+        QTest::newRow("scanner") << true;
+    }
     void nothingFallsOver() {
+        QFETCH(bool, live);
+        met_.clear();
+        used_.clear();
         const int asked = qEnvironmentVariableIntValue("EDGESCAN_WALK");
         const int events = asked > 0 ? asked : 400;
         dice_.seed(static_cast<unsigned>(std::max(1, qEnvironmentVariableIntValue("EDGESCAN_WALK_SEED"))));
         QApplication::setQuitOnLastWindowClosed(false);
         WindowFixture on;
         on.window.resize(1280, 800);
+        on.viewer.live.setRecordingFolder(QString::fromStdString((folder_ / "recordings").string()));
+        if (live) QVERIFY(serve());
         QVERIFY(on.showWith(scans_.front()) && on.activate());
         // Menus and dialogs have their own event loops: closed by a timer.
         QTimer closer;
-        QObject::connect(&closer, &QTimer::timeout, this, [] { closeDialogs(); });
+        QObject::connect(&closer, &QTimer::timeout, this, [this] { closeDialogs(); });
         closer.start(30);
         std::vector<double> memory, slowest;
         for (int n = 0; n < events; ++n) {
@@ -221,6 +292,8 @@ private slots:
         }
         closer.stop();
         closeDialogs();
+        if (on.viewer.live.scanner().connected()) on.viewer.live.scanner().disconnectScanner();
+        emulated_.reset();
         // The window still works.
         for (QDialog* dialog : on.window.findChildren<QDialog*>()) dialog->close();
         QVERIFY(eventually([&] { return !on.viewer.engine.working(); }));
