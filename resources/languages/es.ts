@@ -455,7 +455,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
-<message><source>Held: %1. Press Follow.</source><translation>Retenido: %1. Pulse Seguir.</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
@@ -1732,7 +1731,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desactivado)</translation></message>
 <message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
-<message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
+<message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vecinas</translation></message>
 <message><source>8 neighbours</source><translation>8 vecinas</translation></message>
 <message><source>as measured</source><translation>según lo medido</translation></message>

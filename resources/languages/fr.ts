@@ -455,7 +455,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
-<message><source>Held: %1. Press Follow.</source><translation>Figé : %1. Appuyez sur Suivre.</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
@@ -1732,7 +1731,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Logarithmic</source><translation>Logarithmique</translation></message>
 <message><source>1 (off)</source><translation>1 (désactivé)</translation></message>
 <message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
-<message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
+<message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 voisines</translation></message>
 <message><source>8 neighbours</source><translation>8 voisines</translation></message>
 <message><source>as measured</source><translation>tel que mesuré</translation></message>

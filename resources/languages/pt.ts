@@ -455,7 +455,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
-<message><source>Held: %1. Press Follow.</source><translation>Retido: %1. Carregue em Seguir.</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
@@ -1732,7 +1731,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desligado)</translation></message>
 <message><source>L1  |gx| + |gy|</source><translation>L1  |gx| + |gy|</translation></message>
-<message><source>L2  sqrt(gx² + gy²)</source><translation>L2  sqrt(gx² + gy²)</translation></message>
+<message><source>L2  sqrt(gx² + gy²)</source><translation>L2 √(gx² + gy²)</translation></message>
 <message><source>4 neighbours</source><translation>4 vizinhas</translation></message>
 <message><source>8 neighbours</source><translation>8 vizinhas</translation></message>
 <message><source>as measured</source><translation>conforme medido</translation></message>

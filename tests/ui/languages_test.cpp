@@ -544,7 +544,7 @@ private slots:
     // No line ends before the colon, and one target is not several.
     void frenchSpacesAndSingularsAreRight() {
         QVERIFY(useLanguage("fr", QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
-        QCOMPARE(QObject::tr("Held: %1. Press Follow."), QString("Figé") + QChar(0x00A0) + ": %1. Appuyez sur Suivre.");
+        QCOMPARE(QObject::tr("On the screen: %1"), QString("À l'écran") + QChar(0x00A0) + ": %1");
         QCOMPARE(targetCount(1), QString("1 cible"));
         QCOMPARE(targetCount(2), QString("2 cibles"));
         useLanguage("en");

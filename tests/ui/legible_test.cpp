@@ -96,7 +96,7 @@ private slots:
             auto& cloud = on.viewer.views.cloud();
             const auto* overlay = cloud.findChild<CloudOverlay*>();
             QVERIFY(overlay != nullptr);
-            on.viewer.views.setNote("Held: sweep 1. Press Follow to go on with the scanner.");
+            on.viewer.views.setAsked("Distance: click the two ends of the length that you look for.");
             on.viewer.notice.showNotice(NoticeBar::Kind::Warning,
                                         "Sweep 1 has ended.\nIts mounting is assumed.\nA third line.\nA fourth one.");
             const auto covered = [&] {
@@ -253,7 +253,7 @@ private slots:
         cloud.setCaption(words);
         for (const int width : {1280, 1600, 1920}) {
             resizeTo(on.window, {width, 800});
-            on.viewer.views.setNote(words + QString::number(width));
+            on.viewer.views.setAsked(words + QString::number(width));
             QTRY_VERIFY(cube->isVisible() && !overlay->labels()[0].isNull() && overlay->labels()[1].top() > overlay->labels()[0].bottom());
             for (const QRect& label : overlay->labels()) QVERIFY2(!label.intersects(cube->geometry()), qPrintable(QString::number(width)));
         }

@@ -58,20 +58,33 @@ void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QS
     painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
 }
 
-void drawStaleOverlay(QPainter& painter, const QRect& place, const QString& why) {
-    if (why.isEmpty()) return;
+void drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame) {
+    if (!frame.colour.isValid()) return;
+    constexpr int kBorder = 4, kHatch = 32; // px
     painter.save();
-    painter.fillRect(place, QColor(104, 104, 104, 170));
-    QFont large = painter.font();
-    large.setBold(true);
-    large.setPointSizeF(large.pointSizeF() * 2.0);
-    painter.setFont(large);
-    const QRect box = painter.boundingRect(place, Qt::AlignCenter | Qt::TextWordWrap, why).adjusted(-12, -6, 12, 6);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 200));
-    painter.drawRect(box);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, why);
+    painter.setClipRect(place);
+    painter.setBrush(Qt::NoBrush);
+    if (!frame.words.isEmpty()) {
+        QColor thin = frame.colour;
+        thin.setAlpha(160);
+        painter.setPen(QPen(thin, 3.0));
+        for (int x = place.left() - place.height(); x < place.right(); x += kHatch)
+            painter.drawLine(x, place.bottom(), x + place.height(), place.top());
+    }
+    painter.setPen(QPen(frame.colour, kBorder, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawRect(place.adjusted(kBorder / 2, kBorder / 2, -kBorder / 2, -kBorder / 2));
+    if (!frame.words.isEmpty()) {
+        QFont large = painter.font();
+        large.setBold(true);
+        large.setPointSizeF(large.pointSizeF() * 2.0);
+        painter.setFont(large);
+        const QRect box = painter.boundingRect(place, Qt::AlignCenter | Qt::TextWordWrap, frame.words).adjusted(-12, -6, 12, 6);
+        painter.setPen(QPen(frame.colour, 2.0));
+        painter.setBrush(QColor(27, 29, 31));
+        painter.drawRect(box);
+        painter.setPen(Qt::white);
+        painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, frame.words);
+    }
     painter.restore();
 }
 

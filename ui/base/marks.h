@@ -30,7 +30,12 @@ void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QS
 /// The box that drawTipAt() covers.
 [[nodiscard]] QRect tipBox(const QFontMetrics& metrics, const QRect& place, const QPoint& at, const QString& text);
 
-/// A grey overlay over `place`, with the reason in large letters. Draws nothing if `why` is empty.
-void drawStaleOverlay(QPainter& painter, const QRect& place, const QString& why);
+/// A border of 4 px in the colour of the source's badge, round a picture that does not follow the scanner.
+struct PictureFrame {
+    QColor colour{}; ///< invalid: no frame
+    QString words{}; ///< "STALE 3 s": in large letters, on a hatch over the whole picture; empty: only the border
+    bool operator==(const PictureFrame&) const = default;
+};
+void drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame);
 
 } // namespace edgescan::ui

@@ -27,6 +27,9 @@
 namespace edgescan::ui {
 namespace {
 
+// The colours of the badges HELD, STALE and LOST, as bright as lines over a dark view need.
+const QColor kHeldFrame(91, 141, 214), kStaleFrame(213, 154, 0), kLostFrame(224, 88, 79);
+
 scanner::SweepSettings rememberedSweep(const Preferences& preferences) {
     const auto json = parseJson(preferences.text("live/sweep").toStdString(), "viewer.ini", kSettingsJson);
     scanner::SweepMetadata metadata;
@@ -203,10 +206,10 @@ void Live::showHealth() {
                       : held || otherSweep ? HealthStrip::Picture::Held
                                            : HealthStrip::Picture::Follows,
                       own ? note(held) : QString());
-    views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
-    const QString note = // a cab says it in its head
-        held && !panel_.brief() ? tr("Held: %1. Press Follow.").arg(scanName(shown->detection->scan->name, 60)) : QString();
-    if (std::exchange(heldNote_, note) != note) views_.setNote(note);
+    const bool lost = scanner_.health().liveness == files::Liveness::Lost;
+    views_.setPictureFrame(scanner_.showsStale() ? PictureFrame{lost ? kLostFrame : kStaleFrame, coreWords(scanner_.health().badge)}
+                           : held                ? PictureFrame{kHeldFrame}
+                                                 : PictureFrame{});
     views_.setShapeNote(shapeNote());
 }
 

@@ -80,7 +80,6 @@ private:
     QString recordingFolder_;
     std::string topic_, joint_; // that the operator chose of the robot at the address below
     QString topicOf_;
-    QString heldNote_;
     std::uint64_t growingStream_ = 0; // stream of the previous picture, while its scan grew
 };
 

@@ -5,6 +5,7 @@
 #include "core/inspect/measure/near_side.h"
 #include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
+#include "ui/base/marks.h"
 #include "ui/engine/linked_views/scene.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/views/cloud/camera_motion.h"
@@ -91,12 +92,12 @@ public:
     /// x = beam, y = line.
     [[nodiscard]] QPoint placeOf(std::size_t cell) const;
 
-    void setNote(const QString& note);
-    /// What a tool waits for, before the note; empty: no tool.
+    /// What a tool waits for; empty: no tool.
     void setAsked(const QString& words);
-    /// In the cloud below the note; images have no shape.
+    /// In the cloud below it; images have no shape.
     void setShapeNote(const QString& note);
-    void setStale(const QString& why);
+    /// Of all views: the picture does not follow the scanner.
+    void setPictureFrame(const PictureFrame& frame);
     /// The caption of a scene is shown once: in the cloud, or in `image` while only that one is on the screen (null: the cloud).
     void setCaptionIn(const ImageView* image);
     void setEdgesOverImage(bool on);
@@ -188,7 +189,7 @@ private:
     std::optional<std::size_t> pinned_;
     Tool tool_ = Tool::Pin;
     bool pinsOnClick_ = true;
-    QString note_, asked_, shapeNote_;
+    QString asked_, shapeNote_;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved it
     bool fitted_ = false;     // to the whole sweep
     bool windowKept_ = false;

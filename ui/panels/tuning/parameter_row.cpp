@@ -160,7 +160,7 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     choice_->setMinimumContentsLength(8);
     if (!numericChoices()) { // its names are long: they begin where its own label ends
         auto* line = new QHBoxLayout;
-        line->setSpacing(8);
+        line->setSpacing(6);
         line->addWidget(label_);
         line->addWidget(choice_, 1);
         grid.addLayout(line, row, 0, 1, 4);

@@ -36,7 +36,7 @@ void CloudOverlay::setMarks(const OverlayMarks& marks) {
 }
 
 QRect CloudOverlay::covered(const OverlayMarks& marks) const {
-    const bool words = !marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.caption.isEmpty() || !marks.stale.isEmpty();
+    const bool words = !marks.centreText.isEmpty() || !marks.note.isEmpty() || !marks.caption.isEmpty() || marks.frame.colour.isValid();
     if (words || !marks.marks.empty() || !marks.dragged.isEmpty() || marks.way) return rect();
     const double reach = kRing + 4.0;
     QRectF area;
@@ -102,7 +102,7 @@ void CloudOverlay::paintEvent(QPaintEvent* /*event*/) {
         painter.drawPolygon(QPolygonF(QVector<QPointF>{to->p2(), to->p1() + side, to->p1() - side}));
         painter.setBrush(Qt::NoBrush);
     }
-    drawStaleOverlay(painter, rect(), marks_.stale);
+    drawPictureFrame(painter, rect(), marks_.frame);
     const QRect inner = rect().adjusted(kLabelMargin + 6, kLabelMargin + 3 + marks_.topTaken, -kLabelMargin - 6, -kLabelMargin - 3);
     const auto* cube = parentWidget()->findChild<QWidget*>("view-cube", Qt::FindDirectChildrenOnly);
     const auto labels = drawLabels(painter, inner, marks_.note, marks_.caption, marks_.captionRoom,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/base/cell_marks.h"
+#include "ui/base/marks.h"
 
 #include <QLineF>
 #include <QPointF>
@@ -27,13 +28,13 @@ struct OverlayMarks {
     QString caption;              ///< top right ...
     int captionRoom = 0;          ///< ... at this distance from the right edge, pixels, because another widget is in the corner
     int topTaken = 0;             ///< height of the bar that covers the top of the view, pixels: texts are below it
-    QString stale;                ///< reason for the grey overlay over an outdated picture; empty: no overlay
+    PictureFrame frame;           ///< of a picture that does not follow the scanner
     ScreenMarks marks;            ///< targets and measurements
     QPolygonF dragged;            ///< outline of the selection that the operator is drawing
 
     bool operator==(const OverlayMarks&) const = default;
     [[nodiscard]] bool empty() const {
-        return !ring && !ray && !way && !tipAt && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && stale.isEmpty() &&
+        return !ring && !ray && !way && !tipAt && centreText.isEmpty() && note.isEmpty() && caption.isEmpty() && !frame.colour.isValid() &&
                marks.empty() && dragged.isEmpty();
     }
 };

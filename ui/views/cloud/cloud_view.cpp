@@ -287,10 +287,8 @@ void CloudView::setTopTaken(int pixels) {
     if (std::exchange(topTaken_, pixels) != pixels) updateOverlay();
 }
 
-void CloudView::setStale(const QString& why) {
-    if (why == stale_) return;
-    stale_ = why;
-    updateOverlay();
+void CloudView::setPictureFrame(const PictureFrame& frame) {
+    if (std::exchange(pictureFrame_, frame) != frame) updateOverlay();
 }
 
 void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
@@ -304,7 +302,7 @@ void CloudView::setMarkedCell(std::optional<std::uint32_t> cell) {
 void CloudView::updateOverlay() {
     OverlayMarks marks;
     marks.topTaken = topTaken_;
-    marks.stale = stale_;
+    marks.frame = pictureFrame_;
     marks.tip = tip_;
     // A narrow view has the first words of it: "44 rocks, candidate".
     marks.caption = width() < kNarrowView ? caption_.section(" - ", 0, 0) : caption_;

@@ -3,6 +3,7 @@
 
 #include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
+#include "ui/base/marks.h"
 #include "ui/base/touch.h"
 #include "ui/views/cloud/camera_motion.h"
 #include "ui/views/cloud/cloud_geometry.h"
@@ -100,14 +101,13 @@ public:
     /// The marked cell: a ring at the point and the laser ray to it; dashed if other points hide the point.
     void setMarkedCell(std::optional<std::uint32_t> cell);
     [[nodiscard]] std::optional<std::uint32_t> markedCell() const { return marked_; }
-    /// Text over the picture: "no scan open", "stale" ... Empty = the view's own text ("no scan open", "no point to show").
+    /// Text over the picture: "no scan open" ... Empty = the view's own text ("no scan open", "no point to show").
     void setNote(const QString& note);
     /// Texts are drawn below the upper `pixels`, which another widget covers.
     void setTopTaken(int pixels);
     /// What a tool draws, widget pixels; empty: nothing.
     void setDrawn(const QPolygonF& line);
-    /// Draws a grey overlay with this reason over an outdated picture. Empty = no overlay.
-    void setStale(const QString& why);
+    void setPictureFrame(const PictureFrame& frame);
     /// A short text next to the marked cell. Empty = no text.
     void setTip(const QString& text);
     [[nodiscard]] const QString& tip() const { return tip_; }
@@ -116,7 +116,7 @@ public:
     [[nodiscard]] const QString& caption() const { return caption_; }
     /// Width of a widget in that corner, pixels from the right edge; 0: the corner is free.
     void setCaptionMargin(int pixels);
-    [[nodiscard]] const QString& stale() const { return stale_; }
+    [[nodiscard]] const PictureFrame& pictureFrame() const { return pictureFrame_; }
     /// Replaces targets and measurements.
     void setMarks(CellMarks marks);
     [[nodiscard]] const CellMarks& marks() const { return marks_; }
@@ -309,7 +309,8 @@ private:
     QColor background_{48, 48, 48};
     EdgeColours edgeColours_ = kUsualColours;
     MousePreset mousePreset_ = MousePreset::Default;
-    QString note_, stale_, tip_, caption_;
+    QString note_, tip_, caption_;
+    PictureFrame pictureFrame_;
     int captionRoom_ = 0, topTaken_ = 0;
 
     DragAction drag_ = DragAction::None;

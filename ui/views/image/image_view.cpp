@@ -153,10 +153,8 @@ void ImageView::setNote(const QString& note) {
     update();
 }
 
-void ImageView::setStale(const QString& why) {
-    if (why == stale_) return;
-    stale_ = why;
-    update();
+void ImageView::setPictureFrame(const PictureFrame& frame) {
+    if (std::exchange(pictureFrame_, frame) != frame) update();
 }
 
 void ImageView::setBackground(const QColor& colour) {
@@ -210,7 +208,7 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     }
     if (!selection_.empty()) drawPyramid(painter, selection_);
     drawMarks(painter);
-    drawStaleOverlay(painter, rect(), stale_);
+    drawPictureFrame(painter, rect(), pictureFrame_);
     drawTexts(painter);
     drawTip(painter);
 }

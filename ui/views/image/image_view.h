@@ -3,6 +3,7 @@
 
 #include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
+#include "ui/base/marks.h"
 #include "ui/base/touch.h"
 #include "ui/views/image/pyramid.h"
 #include "ui/views/image/viewport.h"
@@ -88,15 +89,14 @@ public:
     void setTitle(const QString& title);
     /// Pixels at the top right that another widget covers: the texts avoid them.
     void setTaken(int pixels);
-    /// Short text over the picture: "preview", "stale", "no scan open". Empty = no text.
+    /// Short text over the picture: "preview", "no scan open". Empty = no text.
     void setNote(const QString& note);
     /// Texts are drawn below the upper `pixels`, which another widget covers.
     void setTopTaken(int pixels);
     [[nodiscard]] const QString& note() const { return note_; }
     void setBackground(const QColor& colour);
-    /// Draws a grey overlay with this reason ("STALE 3 s") over an outdated picture. Empty = no overlay.
-    void setStale(const QString& why);
-    [[nodiscard]] const QString& stale() const { return stale_; }
+    void setPictureFrame(const PictureFrame& frame);
+    [[nodiscard]] const PictureFrame& pictureFrame() const { return pictureFrame_; }
 
     /// The cell under a widget position; empty outside the image.
     [[nodiscard]] std::optional<QPoint> cellAt(QPointF pixel) const;
@@ -167,7 +167,8 @@ private:
     std::optional<QPoint> marked_, crosshair_, hoveredCell_;
     std::optional<QRect> box_;
     EdgeTrail trail_;
-    QString title_, note_, stale_;
+    QString title_, note_;
+    PictureFrame pictureFrame_;
     int topTaken_ = 0;
     int taken_ = 0;
     std::vector<QRect> lost_;
