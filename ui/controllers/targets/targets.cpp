@@ -24,7 +24,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kSameStartS = 1.0; // s: sweeps of one scanner start later than that after each other
+constexpr double kSameStartS = 0.3; // s: sweeps of one scanner start later than that after each other
 
 } // namespace
 
@@ -120,7 +120,7 @@ void Targets::followPicture() {
     if (key != key_) {
         const std::size_t before = stored_ ? notebook_.targets.size() + notebook_.measures.size() : 0;
         if (!key_.isEmpty() && !stored_ && !notebook_.empty())
-            sweeps_[key_] = {inspect::scanHead(*scan_), scan_->beams(), startOfScan(*scan_).value_or(0.0)};
+            sweeps_[key_] = {inspect::scanHead(*scan_), scan_->beams(), startOfScan(*scan_).value_or(0.0), stream_};
         if (!key_.isEmpty()) others_[key_] = std::move(notebook_);
         key_ = key;
         looksForSweep_ = true;
@@ -145,6 +145,7 @@ void Targets::followPicture() {
         if (!notebook_.empty()) emit pinned();
     }
     scan_ = engine_.picture()->detection->scan;
+    stream_ = engine_.picture()->source.stream;
     findSweep();
     ask();
     show();
@@ -155,7 +156,7 @@ void Targets::findSweep() {
     if (!looksForSweep_ || !notebook_.empty() || sweeps_.contains(key_)) return;
     bool later = false; // a replayed sweep has too few lines yet
     for (const auto& [key, sweep] : sweeps_) {
-        if (scan_->beams() != sweep.beams) continue;
+        if (scan_->beams() != sweep.beams || stream_ == sweep.stream) continue; // the next sweep of a scanner is another
         later = later || scan_->lines() < sweep.head.lines;
         if (std::abs(startOfScan(*scan_).value_or(0.0) - sweep.startS) > kSameStartS ||
             inspect::scanHead(*scan_, sweep.head.lines) != sweep.head)

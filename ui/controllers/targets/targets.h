@@ -176,10 +176,12 @@ private:
         inspect::ScanHead head;
         int beams = 0;
         double startS = 0.0; // since 1970
+        std::uint64_t stream = 0;
     };
     std::map<QString, Sweep> sweeps_;  // of `others_`: those without a file
     bool looksForSweep_ = false;       // the scan on the screen may be one of them
     std::shared_ptr<const Scan> scan_; // on the screen
+    std::uint64_t stream_ = 0;
     std::vector<TargetMark> beside_;
     MeasureMark draft_;
     QString source_;
