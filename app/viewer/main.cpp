@@ -89,6 +89,10 @@ int main(int argc, char** argv) {
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
     std::vector<char*> qtArguments{argv[0]};
+    if (const auto other = commandOfOtherProgram(argc, argv)) {
+        cli::printError(other->error);
+        return other->code;
+    }
     if (const auto ended = cli::parsed(app, argc, argv)) return *ended;
     ParsedCommandLine understood;
     if (const auto refusal = parse(wanted, understood)) {

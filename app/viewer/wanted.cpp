@@ -9,6 +9,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
 namespace edgescan::viewer {
 namespace {
 
@@ -94,6 +99,17 @@ void addFlags(CLI::App& app, CommandLine& wanted) {
                          {"SCAN.EXT.rocks.json", "settings and edits of rocks, next to the scan"},
                          {"SCAN.EXT.pose.json", "pose of the scan, next to it"}},
                         {}});
+}
+
+std::optional<Refusal> commandOfOtherProgram(int argc, char** argv) {
+    constexpr std::array<std::string_view, 16> kCommands{"info",    "why",       "thumbnail", "detect", "rocks", "report",
+                                                         "convert", "batch",     "compare",   "verify", "audit", "record",
+                                                         "replay",  "calibrate", "simulate",  "emulate"};
+    if (argc < 2 || std::ranges::find(kCommands, std::string_view(argv[1])) == kCommands.end()) return std::nullopt;
+    std::error_code none;
+    if (std::filesystem::exists(argv[1], none)) return std::nullopt;
+    const std::string command = std::string("edgescan-cli ") + argv[1];
+    return Refusal{Error{"this is a command of edgescan-cli", argv[1], "type " + command + " --help"}, cli::kWrongUsage};
 }
 
 std::optional<Refusal> parse(const CommandLine& wanted, ParsedCommandLine& understood) {

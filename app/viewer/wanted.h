@@ -48,6 +48,9 @@ struct Refusal {
     int code;
 };
 
+/// If the first word is a command of edgescan-cli and not a file: what to type instead.
+[[nodiscard]] std::optional<Refusal> commandOfOtherProgram(int argc, char** argv);
+
 /// Empty if the flags are valid. Opens nothing.
 [[nodiscard]] std::optional<Refusal> parse(const CommandLine& wanted, ParsedCommandLine& understood);
 

@@ -109,9 +109,8 @@ std::string csvSection(const Section& section, const Scan& scan, CoordinateFrame
                 text += ',';
                 appendFixed(text, number, 4);
             }
-            const char* edge = !vertex.edge ? "" : vertex.kind == edges::DepthEdge::None ? "edge" : edges::edgeClassName(vertex.kind);
-            text += "," + std::to_string(vertex.cell / beams) + "," + std::to_string(vertex.cell % beams) + "," + edge + "," +
-                    (vertex.rock != 0 ? std::to_string(vertex.rock) : "") + "\n";
+            text += "," + std::to_string(vertex.cell / beams) + "," + std::to_string(vertex.cell % beams) + "," +
+                    edges::edgeName(vertex.edge, vertex.kind) + "," + (vertex.rock != 0 ? std::to_string(vertex.rock) : "") + "\n";
         }
     }
     return text;

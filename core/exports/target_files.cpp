@@ -34,10 +34,7 @@ bool hasPlace(const Scan& scan, const PinnedTarget& target) {
     return target.cell < scan.cells() && scan.state[target.cell] == CellState::Valid;
 }
 
-std::string edgeWord(const edges::Probe& probe) {
-    if (!probe.edge) return {};
-    return probe.kind == edges::DepthEdge::None ? "edge" : edges::edgeClassName(probe.kind);
-}
+std::string edgeOf(const edges::Probe& probe) { return edges::edgeName(probe.edge, probe.kind); }
 
 std::string csvTargets(const edges::Detection& detection, const TargetList& targets, CoordinateFrame frame) {
     const Scan& scan = *detection.scan;
@@ -60,7 +57,7 @@ std::string csvTargets(const edges::Detection& detection, const TargetList& targ
         const auto beams = static_cast<std::uint32_t>(scan.beams());
         const bool exists = target.cell < scan.cells();
         text += "," + std::to_string(target.cell / beams) + "," + std::to_string(target.cell % beams) + "," +
-                (exists ? edgeWord(edges::probeCell(detection, target.cell)) : "") + "," + csvCell(target.pinnedUtc) + "\n";
+                (exists ? edgeOf(edges::probeCell(detection, target.cell)) : "") + "," + csvCell(target.pinnedUtc) + "\n";
     }
     return text;
 }

@@ -274,7 +274,9 @@
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Listo</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
+<message><source>Open</source><translation>Abrir</translation></message>
 <message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
+<message><source>No program of this computer opened %1.</source><translation>Ningún programa de este equipo abrió %1.</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Removed: %1.</source><translation>Quitado: %1.</translation></message>
 <message><source>Done again: %1.</source><translation>Rehecho: %1.</translation></message>
@@ -296,7 +298,6 @@
 <message><source>right-click &gt; hold a finger on | clicked &gt; tapped | clicks &gt; taps | click &gt; tap</source><translation>haga clic derecho en &gt; mantenga el dedo en | haga clic en ella &gt; tóquela | haga clic en &gt; toque | haga clic &gt; toque | hacer clic en &gt; tocar | en la que hizo clic &gt; que tocó | clics &gt; toques | clic &gt; toque</translation></message>
 <message><source>OK</source><translation>Aceptar</translation></message>
 <message><source>Save</source><translation>Guardar</translation></message>
-<message><source>Open</source><translation>Abrir</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Sí</translation></message>
 <message><source>&amp;No</source><translation>&amp;No</translation></message>
 <message><source>Apply</source><translation>Aplicar</translation></message>
@@ -537,7 +538,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Export</source><translation>Exportar</translation></message>
 <message><source>Save screenshot</source><translation>Guardar la captura de pantalla</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagen PNG (*.png)</translation></message>
-<message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
+<message><source>a picture of the window</source><translation>una imagen de la ventana</translation></message>
 <message><source>All supported (%1)</source><translation>Todos los formatos admitidos (%1)</translation></message>
 <message><source>All files (*)</source><translation>Todos los archivos (*)</translation></message>
 <message><source>Open scan</source><translation>Abrir un escaneo</translation></message>
@@ -873,6 +874,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Archivo del robot: %1; queda todo menos su motor.</translation></message>
 <message><source>S&amp;top</source><translation>&amp;Detener</translation></message>
 <message><source>working …</source><translation>trabajando …</translation></message>
+<message><source>Saved %1.</source><translation>Guardado %1.</translation></message>
 <message><source>Save the file first: a record names the file from which a place was computed</source><translation>Guarde primero el archivo: un registro nombra el archivo con que se calculó un lugar</translation></message>
 <message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Abre de nuevo el escaneo con este archivo; Ctrl+Z lo deshace</translation></message>
 <message><source>No command has these words, or it cannot be used now.</source><translation>Ningún comando tiene estas palabras, o no se puede usar ahora.</translation></message>
@@ -898,7 +900,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Numbers count from the scanner, along its own axes.</source><translation>Los números cuentan desde el escáner, a lo largo de sus propios ejes.</translation></message>
 <message><source>Small numbers: metres east, north and up from an origin near the scan. To get mine coordinates, add the origin, which is in the header or in the record of the file.</source><translation>Números pequeños: metros al este, al norte y hacia arriba desde un origen cercano al escaneo. Para tener coordenadas de mina, sume el origen, que está en el encabezado o en el registro del archivo.</translation></message>
 <message><source>Each point has its whole Easting, Northing and RL, as on the plans of the mine.</source><translation>Cada punto tiene su Este, Norte y RL completos, como en los planos de la mina.</translation></message>
-<message><source>The same small numbers as local metres, because %1 programs round whole coordinates. EdgeScan adds the origin when it opens the file; other programs do not.</source><translation>Los mismos números pequeños que los metros locales, porque los programas de %1 redondean las coordenadas completas. EdgeScan suma el origen al abrir el archivo; otros programas no.</translation></message>
+<message><source>The column elevation_m is the RL.</source><translation>La columna elevation_m es la RL.</translation></message>
+<message><source>The file holds metres from an origin near the scan, because %1 programs round mine coordinates. EdgeScan adds the origin of the header when it opens the file; other programs show the small numbers.</source><translation>El archivo contiene metros desde un origen cerca del escaneo, porque los programas de %1 redondean las coordenadas de mina. EdgeScan suma el origen de la cabecera al abrir el archivo; otros programas muestran los números pequeños.</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordenadas de la mina: E, N, RL</translation></message>
 <message><source>Local metres from an origin in the mine grid</source><translation>Metros locales desde un origen en coordenadas de la mina</translation></message>
@@ -942,6 +945,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
 <message><source>For&amp;get</source><translation>&amp;Olvidar</translation></message>
 <message><source>From Fi&amp;le…</source><translation>De un &amp;archivo…</translation></message>
+<message><source>✕ missing</source><translation>✕ falta</translation></message>
 <message><source>Nominal mounting</source><translation>Montaje nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>Click a row to see it. Adopt takes it. Close restores the former settings.</source><translation>Haga clic en una fila para verla. Adoptar la toma. Cerrar restaura los ajustes anteriores.</translation></message>
@@ -1045,10 +1049,11 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>across the lines</source><translation>a través de las líneas</translation></message>
 <message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1: %2 m de ancho, %3 m de fondo, lo cercano está abajo</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: puntos más allá</translation></message>
+<message><source>Numbers</source><translation>Números</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>¿Por qué esta celda es un borde, o no?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Los puntos a través de la celda, y una recta por los más cercanos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>¿Por qué el borde de al lado?</translation></message>
-<message><source>Why the edge %1 cells away?</source><translation>¿Por qué el borde a %1 celdas?</translation></message>
 <message><source>on</source><translation>activado</translation></message>
 <message><source>off</source><translation>desactivado</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>Las letras fuera de un campo son teclas; estas cambiaron: %1.</translation></message>
@@ -1069,6 +1074,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>sweep %1: %2</source><translation>barrido %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Líneas cuyos telegramas no llegaron: guiones en las imágenes</translation></message>
+<message><source>Port</source><translation>Puerto</translation></message>
 <message><source>Scanner</source><translation>Escáner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Al escáner solo se le envían lecturas y una suscripción</translation></message>
 <message><source>Record</source><translation>Grabar</translation></message>
@@ -1104,7 +1110,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Encoder counts per degree</source><translation>Cuentas del encoder por grado</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Mayús diez</translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation>GRABADO %1 · línea %2/%3</translation></message>
+<message><source>RECORDED · line %2/%3 at %1</source><translation>GRABADO · línea %2/%3 a %1</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · barrido %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1; mensajes: %2, por segundo: %3</translation></message>
@@ -1280,6 +1286,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>allí no se midió nada; medido en la celda más cercana</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>no se midió nada a menos de %1 celdas</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ también hay una superficie más cercana a menos de %1 celdas: amplíe si era esa</translation></message>
+<message><source>no edge</source><translation>sin borde</translation></message>
+<message><source>edge</source><translation>borde</translation></message>
 <message><source>± not known</source><translation>± desconocido</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1298,10 +1306,12 @@ RL %3 m</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>La medición elegida</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
-<message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, en escala logarítmica. Rayado: el tramo más ancho en que desaparece un quinto de ellas como máximo. La línea vertical es el umbral en uso.</translation></message>
+<message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, del menor al mayor en escala logarítmica. Rayado: el tramo más ancho en que desaparece un quinto de ellas como máximo. La línea vertical es el umbral en uso.</translation></message>
 <message><source>counting the edge cells …</source><translation>contando las celdas de borde …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 celdas de borde</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varía poco de %1 a %2</translation></message>
+<message><source>top: %1</source><translation>arriba: %1</translation></message>
+<message><source>bottom: %1</source><translation>abajo: %1</translation></message>
 <message><source>Without %1:</source><translation>Sin %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sin %1 clases:</translation></message>
 <message><source>other classes take the cells</source><translation>otras clases toman las celdas</translation></message>
@@ -1331,11 +1341,17 @@ RL %3 m</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
 <message><source>default</source><translation>predeterminado</translation></message>
+<message><source>For most scans of rock</source><translation>Para casi todo escaneo de roca</translation></message>
 <message><source>log</source><translation>logarítmico</translation></message>
+<message><source>Steps in percent of the range</source><translation>Saltos en % de la distancia</translation></message>
 <message><source>thesis</source><translation>tesis</translation></message>
+<message><source>To compare with the thesis</source><translation>Para comparar con la tesis</translation></message>
 <message><source>window</source><translation>ventana</translation></message>
+<message><source>The thesis, with more contrast</source><translation>La tesis, con más contraste</translation></message>
 <message><source>smooth-walls</source><translation>paredes lisas</translation></message>
+<message><source>For flat walls with low steps</source><translation>Paredes planas, saltos bajos</translation></message>
 <message><source>default-3</source><translation>predeterminado 3</translation></message>
+<message><source>To compare with version 3</source><translation>Para comparar con la versión 3</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
 <message><source>Save…</source><translation>Guardar…</translation></message>
@@ -1349,6 +1365,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Umbral superior  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
+<message><source>From a file</source><translation>De un archivo</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
@@ -1378,7 +1395,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Pinned:</source><translation>Fijado:</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE TOLERANCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
-<message><source>measured %1</source><translation>medido %1</translation></message>
+<message><source>first line %1</source><translation>primera línea %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
 <message><source>%1 points</source><translation>%1 puntos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado del equipo</translation></message>
@@ -1898,7 +1915,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>barrido %1 del tópico, contado desde 0; el tópico contiene %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>barrido %1, contado desde 0</translation></message>
 <message><source>Beams and lines</source><translation>Haces y líneas</translation></message>
-<message><source>edge</source><translation>borde</translation></message>
 <message><source>the threshold %1</source><translation>el umbral %1</translation></message>
 <message><source>the lower threshold %1</source><translation>el umbral inferior %1</translation></message>
 <message><source>the upper threshold %1</source><translation>el umbral superior %1</translation></message>

@@ -274,7 +274,9 @@
 <message><source>Note</source><translation>Remarque</translation></message>
 <message><source>Done</source><translation>Terminé</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
+<message><source>Open</source><translation>Ouvrir</translation></message>
 <message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
+<message><source>No program of this computer opened %1.</source><translation>Aucun programme de cet ordinateur n'a ouvert %1.</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
 <message><source>Done again: %1.</source><translation>Refait : %1.</translation></message>
@@ -296,7 +298,6 @@
 <message><source>right-click &gt; hold a finger on | clicked &gt; tapped | clicks &gt; taps | click &gt; tap</source><translation>clic droit sur &gt; doigt posé sur | ce clic &gt; cet appui | clics &gt; appuis | clic &gt; appui | cliquez sur &gt; touchez | cliquez &gt; touchez | cliquer sur &gt; toucher | cliquée &gt; touchée | cliqué &gt; touché</translation></message>
 <message><source>OK</source><translation>OK</translation></message>
 <message><source>Save</source><translation>Enregistrer</translation></message>
-<message><source>Open</source><translation>Ouvrir</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Oui</translation></message>
 <message><source>&amp;No</source><translation>&amp;Non</translation></message>
 <message><source>Apply</source><translation>Appliquer</translation></message>
@@ -537,7 +538,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Export</source><translation>Exporter</translation></message>
 <message><source>Save screenshot</source><translation>Enregistrer la capture d'écran</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Image PNG (*.png)</translation></message>
-<message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
+<message><source>a picture of the window</source><translation>une image de la fenêtre</translation></message>
 <message><source>All supported (%1)</source><translation>Tous les formats pris en charge (%1)</translation></message>
 <message><source>All files (*)</source><translation>Tous les fichiers (*)</translation></message>
 <message><source>Open scan</source><translation>Ouvrir un scan</translation></message>
@@ -873,6 +874,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Fichier du robot : %1 ; tout reste sauf son moteur.</translation></message>
 <message><source>S&amp;top</source><translation>&amp;Interrompre</translation></message>
 <message><source>working …</source><translation>en cours …</translation></message>
+<message><source>Saved %1.</source><translation>Enregistré %1.</translation></message>
 <message><source>Save the file first: a record names the file from which a place was computed</source><translation>Enregistrez d'abord le fichier : un compte rendu nomme le fichier qui a servi à calculer une position</translation></message>
 <message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Rouvre le scan avec ce fichier ; Ctrl+Z l'annule</translation></message>
 <message><source>No command has these words, or it cannot be used now.</source><translation>Aucune commande n'a ces mots, ou elle n'est pas utilisable maintenant.</translation></message>
@@ -898,7 +900,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Numbers count from the scanner, along its own axes.</source><translation>Les nombres partent du scanner, le long de ses propres axes.</translation></message>
 <message><source>Small numbers: metres east, north and up from an origin near the scan. To get mine coordinates, add the origin, which is in the header or in the record of the file.</source><translation>Petits nombres : mètres vers l'est, le nord et le haut depuis une origine proche du scan. Pour des coordonnées de mine, ajoutez l'origine, qui est dans l'en-tête ou dans l'enregistrement du fichier.</translation></message>
 <message><source>Each point has its whole Easting, Northing and RL, as on the plans of the mine.</source><translation>Chaque point a ses Est, Nord et RL entiers, comme sur les plans de la mine.</translation></message>
-<message><source>The same small numbers as local metres, because %1 programs round whole coordinates. EdgeScan adds the origin when it opens the file; other programs do not.</source><translation>Les mêmes petits nombres que les mètres locaux, car les programmes de %1 arrondissent les coordonnées entières. EdgeScan ajoute l'origine à l'ouverture du fichier ; les autres programmes non.</translation></message>
+<message><source>The column elevation_m is the RL.</source><translation>La colonne elevation_m est la RL.</translation></message>
+<message><source>The file holds metres from an origin near the scan, because %1 programs round mine coordinates. EdgeScan adds the origin of the header when it opens the file; other programs show the small numbers.</source><translation>Le fichier contient des mètres depuis une origine proche du scan, car les programmes de %1 arrondissent les coordonnées de la mine. EdgeScan ajoute l'origine de l'en-tête à l'ouverture du fichier ; les autres programmes montrent les petits nombres.</translation></message>
 <message><source>Coordinates</source><translation>Coordonnées</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordonnées de la mine : E, N, RL</translation></message>
 <message><source>Local metres from an origin in the mine grid</source><translation>Mètres locaux depuis une origine en coordonnées de la mine</translation></message>
@@ -942,6 +945,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Store &amp;As…</source><translation>Enregistrer &amp;sous…</translation></message>
 <message><source>For&amp;get</source><translation>&amp;Oublier</translation></message>
 <message><source>From Fi&amp;le…</source><translation>D'un &amp;fichier…</translation></message>
+<message><source>✕ missing</source><translation>✕ manque</translation></message>
 <message><source>Nominal mounting</source><translation>Montage nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Réglages pour ces marques</translation></message>
 <message><source>Click a row to see it. Adopt takes it. Close restores the former settings.</source><translation>Cliquez une ligne pour la voir. Adopter la prend. Fermer rétablit les réglages d'avant.</translation></message>
@@ -1045,10 +1049,11 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>across the lines</source><translation>en travers des lignes</translation></message>
 <message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1 : %2 m de large, %3 m de profondeur, le proche est en bas</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation> ; ▲ ▼ : points au-delà</translation></message>
+<message><source>Numbers</source><translation>Nombres</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Pourquoi cette cellule est-elle une arête, ou non ?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Les points en travers de la cellule, et une droite par les plus proches de chaque côté.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Pourquoi l'arête voisine ?</translation></message>
-<message><source>Why the edge %1 cells away?</source><translation>Pourquoi l'arête à %1 cellules ?</translation></message>
 <message><source>on</source><translation>activé</translation></message>
 <message><source>off</source><translation>désactivé</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>Les lettres hors d'un champ sont des touches ; celles-ci ont changé : %1.</translation></message>
@@ -1069,6 +1074,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>sweep %1: %2</source><translation>balayage %1 : %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Lignes dont les télégrammes ne sont pas arrivés : des tirets dans les images</translation></message>
+<message><source>Port</source><translation>Port</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Seuls des lectures et un abonnement sont envoyés au scanner</translation></message>
 <message><source>Record</source><translation>Enregistrer</translation></message>
@@ -1104,7 +1110,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Encoder counts per degree</source><translation>Impulsions du codeur par degré</translation></message>
 <message><source>Play</source><translation>Lire</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation>ENREGISTRÉ %1 · ligne %2/%3</translation></message>
+<message><source>RECORDED · line %2/%3 at %1</source><translation>ENREGISTRÉ · ligne %2/%3 à %1</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · balayage %1 sur %2</translation></message>
 <message><source>Pause</source><translation>Pause</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1 ; messages : %2, par seconde : %3</translation></message>
@@ -1280,6 +1286,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>rien n'y a été mesuré ; mesuré à la cellule la plus proche</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>rien n'a été mesuré à moins de %1 cellules</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ une surface plus proche est aussi à moins de %1 cellules : zoomez si c’est elle que vous visiez</translation></message>
+<message><source>no edge</source><translation>pas d'arête</translation></message>
+<message><source>edge</source><translation>arête</translation></message>
 <message><source>± not known</source><translation>± inconnu</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1298,10 +1306,12 @@ RL %3 m</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The selected measurement</source><translation>La mesure choisie</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
-<message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, sur une échelle logarithmique. Hachuré : le plus large intervalle sur lequel un cinquième d'entre elles au plus disparaît. Le trait vertical est le seuil utilisé.</translation></message>
+<message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, du plus petit au plus grand sur une échelle logarithmique. Hachuré : le plus large intervalle sur lequel un cinquième d'entre elles au plus disparaît. Le trait vertical est le seuil utilisé.</translation></message>
 <message><source>counting the edge cells …</source><translation>comptage des cellules d'arête …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 cellules d'arête</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varie peu de %1 à %2</translation></message>
+<message><source>top: %1</source><translation>haut : %1</translation></message>
+<message><source>bottom: %1</source><translation>bas : %1</translation></message>
 <message><source>Without %1:</source><translation>Sans %1 :</translation></message>
 <message><source>Without %1 classes:</source><translation>Sans %1 classes :</translation></message>
 <message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>
@@ -1331,11 +1341,17 @@ RL %3 m</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
 <message><source>default</source><translation>par défaut</translation></message>
+<message><source>For most scans of rock</source><translation>Pour la plupart des scans</translation></message>
 <message><source>log</source><translation>logarithmique</translation></message>
+<message><source>Steps in percent of the range</source><translation>Sauts en % de la distance</translation></message>
 <message><source>thesis</source><translation>thèse</translation></message>
+<message><source>To compare with the thesis</source><translation>Pour comparer à la thèse</translation></message>
 <message><source>window</source><translation>fenêtre</translation></message>
+<message><source>The thesis, with more contrast</source><translation>La thèse, plus contrastée</translation></message>
 <message><source>smooth-walls</source><translation>parois lisses</translation></message>
+<message><source>For flat walls with low steps</source><translation>Parois planes, petits sauts</translation></message>
 <message><source>default-3</source><translation>par défaut 3</translation></message>
+<message><source>To compare with version 3</source><translation>Pour comparer à la version 3</translation></message>
 <message><source>Open…</source><translation>Ouvrir…</translation></message>
 <message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
 <message><source>Save…</source><translation>Enregistrer…</translation></message>
@@ -1349,6 +1365,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Seuil haut  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
 <message><source>• modified</source><translation>• modifié</translation></message>
+<message><source>From a file</source><translation>D'un fichier</translation></message>
 <message><source>computing …</source><translation>calcul en cours …</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
@@ -1378,7 +1395,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Pinned:</source><translation>Épinglée :</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS TOLÉRANCE</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
-<message><source>measured %1</source><translation>mesuré %1</translation></message>
+<message><source>first line %1</source><translation>première ligne %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
 <message><source> · %1 status</source><translation> · %1 état de l'appareil</translation></message>
@@ -1898,7 +1915,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>balayage %1 du topic, compté à partir de 0 ; le topic en contient %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>balayage %1, compté à partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Faisceaux et lignes</translation></message>
-<message><source>edge</source><translation>arête</translation></message>
 <message><source>the threshold %1</source><translation>le seuil %1</translation></message>
 <message><source>the lower threshold %1</source><translation>le seuil bas %1</translation></message>
 <message><source>the upper threshold %1</source><translation>le seuil haut %1</translation></message>

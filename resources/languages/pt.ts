@@ -274,7 +274,9 @@
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Concluído</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
+<message><source>Open</source><translation>Abrir</translation></message>
 <message><source>Open folder</source><translation>Abrir a pasta</translation></message>
+<message><source>No program of this computer opened %1.</source><translation>Nenhum programa deste computador abriu %1.</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Removed: %1.</source><translation>Removido: %1.</translation></message>
 <message><source>Done again: %1.</source><translation>Refeito: %1.</translation></message>
@@ -296,7 +298,6 @@
 <message><source>right-click &gt; hold a finger on | clicked &gt; tapped | clicks &gt; taps | click &gt; tap</source><translation>clique com o botão direito em &gt; mantenha o dedo em | cliques &gt; toques | clique &gt; toque | clicar &gt; tocar | clicou &gt; tocou</translation></message>
 <message><source>OK</source><translation>OK</translation></message>
 <message><source>Save</source><translation>Salvar</translation></message>
-<message><source>Open</source><translation>Abrir</translation></message>
 <message><source>&amp;Yes</source><translation>&amp;Sim</translation></message>
 <message><source>&amp;No</source><translation>&amp;Não</translation></message>
 <message><source>Apply</source><translation>Aplicar</translation></message>
@@ -537,7 +538,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Export</source><translation>Exportar</translation></message>
 <message><source>Save screenshot</source><translation>Salvar a captura de tela</translation></message>
 <message><source>PNG picture (*.png)</source><translation>Imagem PNG (*.png)</translation></message>
-<message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
+<message><source>a picture of the window</source><translation>uma imagem da janela</translation></message>
 <message><source>All supported (%1)</source><translation>Todos os formatos aceitos (%1)</translation></message>
 <message><source>All files (*)</source><translation>Todos os arquivos (*)</translation></message>
 <message><source>Open scan</source><translation>Abrir uma varredura</translation></message>
@@ -873,6 +874,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Robot's file: %1. Only its stepper is replaced.</source><translation>Arquivo do robô: %1; fica tudo menos o seu motor.</translation></message>
 <message><source>S&amp;top</source><translation>&amp;Parar</translation></message>
 <message><source>working …</source><translation>trabalhando …</translation></message>
+<message><source>Saved %1.</source><translation>Salvo %1.</translation></message>
 <message><source>Save the file first: a record names the file from which a place was computed</source><translation>Salve primeiro o arquivo: um registro nomeia o arquivo com que um lugar foi calculado</translation></message>
 <message><source>Opens the scan again with this file. Ctrl+Z undoes it.</source><translation>Abre de novo a varredura com este arquivo; Ctrl+Z desfaz</translation></message>
 <message><source>No command has these words, or it cannot be used now.</source><translation>Nenhum comando tem estas palavras, ou não pode ser usado agora.</translation></message>
@@ -898,7 +900,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Numbers count from the scanner, along its own axes.</source><translation>Os números contam a partir do scanner, ao longo dos seus próprios eixos.</translation></message>
 <message><source>Small numbers: metres east, north and up from an origin near the scan. To get mine coordinates, add the origin, which is in the header or in the record of the file.</source><translation>Números pequenos: metros para leste, norte e cima a partir de uma origem perto da varredura. Para ter coordenadas da mina, some a origem, que está no cabeçalho ou no registro do arquivo.</translation></message>
 <message><source>Each point has its whole Easting, Northing and RL, as on the plans of the mine.</source><translation>Cada ponto tem seu Leste, Norte e RL inteiros, como nas plantas da mina.</translation></message>
-<message><source>The same small numbers as local metres, because %1 programs round whole coordinates. EdgeScan adds the origin when it opens the file; other programs do not.</source><translation>Os mesmos números pequenos dos metros locais, porque os programas de %1 arredondam as coordenadas inteiras. O EdgeScan soma a origem ao abrir o arquivo; outros programas não.</translation></message>
+<message><source>The column elevation_m is the RL.</source><translation>A coluna elevation_m é a RL.</translation></message>
+<message><source>The file holds metres from an origin near the scan, because %1 programs round mine coordinates. EdgeScan adds the origin of the header when it opens the file; other programs show the small numbers.</source><translation>O arquivo contém metros a partir de uma origem perto da varredura, porque os programas de %1 arredondam as coordenadas da mina. O EdgeScan soma a origem do cabeçalho ao abrir o arquivo; outros programas mostram os números pequenos.</translation></message>
 <message><source>Coordinates</source><translation>Coordenadas</translation></message>
 <message><source>Mine grid: Easting, Northing, RL</source><translation>Coordenadas da mina: E, N, RL</translation></message>
 <message><source>Local metres from an origin in the mine grid</source><translation>Metros locais a partir de uma origem em coordenadas da mina</translation></message>
@@ -942,6 +945,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
 <message><source>For&amp;get</source><translation>&amp;Esquecer</translation></message>
 <message><source>From Fi&amp;le…</source><translation>De um &amp;arquivo…</translation></message>
+<message><source>✕ missing</source><translation>✕ falta</translation></message>
 <message><source>Nominal mounting</source><translation>Montagem nominal</translation></message>
 <message><source>Settings for these marks</source><translation>Ajustes para estas marcas</translation></message>
 <message><source>Click a row to see it. Adopt takes it. Close restores the former settings.</source><translation>Clique em uma linha para vê-la. Adotar a toma. Fechar restaura os ajustes anteriores.</translation></message>
@@ -1045,10 +1049,11 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>across the lines</source><translation>através das linhas</translation></message>
 <message><source>%1: %2 m wide, %3 m deep, near is below</source><translation>%1: %2 m de largura, %3 m de profundidade, o próximo está embaixo</translation></message>
 <message><source>; ▲ ▼: points beyond it</source><translation>; ▲ ▼: pontos além dele</translation></message>
+<message><source>Numbers</source><translation>Números</translation></message>
+<message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>Why is this cell an edge or not?</source><translation>Por que esta célula é uma borda, ou não?</translation></message>
 <message><source>The points across the cell, and a line through the nearest of either side.</source><translation>Os pontos através da célula, e uma reta pelos mais próximos de cada lado.</translation></message>
 <message><source>Why the edge next to it?</source><translation>Por que a borda ao lado?</translation></message>
-<message><source>Why the edge %1 cells away?</source><translation>Por que a borda a %1 células?</translation></message>
 <message><source>on</source><translation>ligado</translation></message>
 <message><source>off</source><translation>desligado</translation></message>
 <message><source>Letters outside a field are keys; these changed: %1.</source><translation>As letras fora de um campo são teclas; estas mudaram: %1.</translation></message>
@@ -1069,6 +1074,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>sweep %1: %2</source><translation>varredura %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Linhas cujos telegramas não chegaram: traços nas imagens</translation></message>
+<message><source>Port</source><translation>Porta</translation></message>
 <message><source>Scanner</source><translation>Scanner</translation></message>
 <message><source>EdgeScan sends only read requests and one subscription to the scanner</source><translation>Ao scanner só são enviadas leituras e uma assinatura</translation></message>
 <message><source>Record</source><translation>Gravar</translation></message>
@@ -1104,7 +1110,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Encoder counts per degree</source><translation>Contagens do encoder por grau</translation></message>
 <message><source>Play</source><translation>Reproduzir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>
-<message><source>RECORDED %1 · line %2/%3</source><translation>GRAVADO %1 · linha %2/%3</translation></message>
+<message><source>RECORDED · line %2/%3 at %1</source><translation>GRAVADO · linha %2/%3 em %1</translation></message>
 <message><source> · sweep %1 of %2</source><translation> · varredura %1 de %2</translation></message>
 <message><source>Pause</source><translation>Pausar</translation></message>
 <message><source>%1; messages: %2, per second: %3</source><translation>%1; mensagens: %2, por segundo: %3</translation></message>
@@ -1280,6 +1286,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>nothing was measured there; measured at the nearest cell</source><translation>nada foi medido aí; medido na célula mais próxima</translation></message>
 <message><source>nothing was measured within %1 cells</source><translation>nada foi medido a menos de %1 células</translation></message>
 <message><source>▲ a nearer surface is also within %1 cells: zoom in if that was meant</source><translation>▲ também há uma superfície mais próxima a menos de %1 células: amplie se era essa</translation></message>
+<message><source>no edge</source><translation>sem borda</translation></message>
+<message><source>edge</source><translation>borda</translation></message>
 <message><source>± not known</source><translation>± desconhecido</translation></message>
 <message><source>E %1  N %2
 RL %3 m</source><translation>E %1  N %2
@@ -1298,10 +1306,12 @@ RL %3 m</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>A medição escolhida</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
-<message><source>Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de células de borda em cada limiar, em escala logarítmica. Hachurado: o trecho mais largo em que desaparece no máximo um quinto delas. A linha vertical é o limiar em uso.</translation></message>
+<message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de células de borda em cada limiar, do menor ao maior em escala logarítmica. Hachurado: o trecho mais largo em que desaparece no máximo um quinto delas. A linha vertical é o limiar em uso.</translation></message>
 <message><source>counting the edge cells …</source><translation>contando as células de borda …</translation></message>
 <message><source>%1 edge cells</source><translation>%1 células de borda</translation></message>
 <message><source> · steady from %1 to %2</source><translation> · varia pouco de %1 a %2</translation></message>
+<message><source>top: %1</source><translation>topo: %1</translation></message>
+<message><source>bottom: %1</source><translation>base: %1</translation></message>
 <message><source>Without %1:</source><translation>Sem %1:</translation></message>
 <message><source>Without %1 classes:</source><translation>Sem %1 classes:</translation></message>
 <message><source>other classes take the cells</source><translation>outras classes tomam as células</translation></message>
@@ -1331,11 +1341,17 @@ RL %3 m</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
 <message><source>default</source><translation>padrão</translation></message>
+<message><source>For most scans of rock</source><translation>Para quase toda varredura</translation></message>
 <message><source>log</source><translation>logarítmico</translation></message>
+<message><source>Steps in percent of the range</source><translation>Saltos em % da distância</translation></message>
 <message><source>thesis</source><translation>tese</translation></message>
+<message><source>To compare with the thesis</source><translation>Para comparar com a tese</translation></message>
 <message><source>window</source><translation>janela</translation></message>
+<message><source>The thesis, with more contrast</source><translation>A tese, com mais contraste</translation></message>
 <message><source>smooth-walls</source><translation>paredes lisas</translation></message>
+<message><source>For flat walls with low steps</source><translation>Paredes planas, saltos baixos</translation></message>
 <message><source>default-3</source><translation>padrão 3</translation></message>
+<message><source>To compare with version 3</source><translation>Para comparar com a versão 3</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
 <message><source>Save…</source><translation>Salvar…</translation></message>
@@ -1349,6 +1365,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Limiar superior  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
+<message><source>From a file</source><translation>De um arquivo</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
 <message><source>
 %1 to %2 %3</source><translation>
@@ -1378,7 +1395,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Pinned:</source><translation>Fixado:</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DE TOLERÂNCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
-<message><source>measured %1</source><translation>medido %1</translation></message>
+<message><source>first line %1</source><translation>primeira linha %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>
 <message><source> · %1 status</source><translation> · %1 estado do equipamento</translation></message>
@@ -1898,7 +1915,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>sweep %1 of the topic, counted from 0; the topic holds %2</source><translation>varredura %1 do tópico, contada a partir de 0; o tópico contém %2</translation></message>
 <message><source>sweep %1, counted from 0</source><translation>varredura %1, contada a partir de 0</translation></message>
 <message><source>Beams and lines</source><translation>Feixes e linhas</translation></message>
-<message><source>edge</source><translation>borda</translation></message>
 <message><source>the threshold %1</source><translation>o limiar %1</translation></message>
 <message><source>the lower threshold %1</source><translation>o limiar inferior %1</translation></message>
 <message><source>the upper threshold %1</source><translation>o limiar superior %1</translation></message>

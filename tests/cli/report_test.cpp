@@ -93,6 +93,8 @@ TEST(CliReport, TellsWhatWasPinnedMeasuredAndWhatChanged) {
     const std::string largest = std::regex_replace(change.out.substr(0, change.out.find('\n')), std::regex("&"), "&amp;");
     for (const std::string& phrase :
          {std::string("&lt;b&gt;key &amp; stone"), std::string("line 25, beam 40"), std::string("distance: 5.1 m"),
+          std::string("<h2>Where</h2>"), std::string("<dt>Position</dt><dd>not known: no pose"),
+          std::string(" measured; gray levels from "), std::string("<td>Jump</td><td>auto: "), std::string("Edge: no edge"),
           inspect::measureText(*measured), std::string("Before and after"), std::string("OUT OF SPEC"), largest})
         EXPECT_NE(text.find(phrase), std::string::npos) << phrase;
     EXPECT_EQ(text.find("<b>key"), std::string::npos);

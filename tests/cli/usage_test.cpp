@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -141,6 +142,13 @@ TEST(Usage, EveryCommandHasAGroupAnExampleAndItsExitCodes) {
             EXPECT_EQ(help.find("\n  3  ") != std::string::npos, command == "verify" || command == "audit") << command;
         }
     }
+}
+
+// "edgescan emulate --help" showed the help of the viewer.
+TEST(Usage, TheViewerNamesTheProgramOfACommand) {
+    if (!std::filesystem::exists(test::programFolder() + "/edgescan")) GTEST_SKIP() << "the viewer was not built";
+    for (const std::string& command : commandsIn(runProgram("edgescan-cli", "--help").out))
+        expectAnswers({{"edgescan", command + " --help", "type edgescan-cli " + command + " --help"}});
 }
 
 // The examples of all commands in one folder, in the order of the help; that of simulate first, because the others read its scan.

@@ -405,7 +405,7 @@ private slots:
                 QVERIFY2(!each->isVisible() || each->height() >= each->heightForWidth(each->width()), qPrintable(each->text().left(40)));
             const bool whole = area->widget()->height() <= area->viewport()->height();
             QVERIFY2(whole || area->verticalScrollBar()->isVisible(), qPrintable(QString::number(lines)));
-            if (lines < 90) QVERIFY(whole);
+            if (lines < 30) QVERIFY(whole);
         }
     }
 };

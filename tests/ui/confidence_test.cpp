@@ -170,7 +170,7 @@ private slots:
             // A cell that is not an edge has no such row.
             const auto plain = std::ranges::find(second.mask->cells, 0) - second.mask->cells.begin();
             on.viewer.views.pinByClick(inspect::exactly(static_cast<std::size_t>(plain)));
-            QTRY_VERIFY(on.viewer.targets.active()->cell != cell && card().contains("Edge: none"));
+            QTRY_VERIFY(on.viewer.targets.active()->cell != cell && card().contains("Edge: no edge"));
             QVERIFY2(!card().contains("Confidence"), qPrintable(card()));
             QTRY_VERIFY(on.viewer.targets.settled());
             text = figure(*truth, cell).toStdString();

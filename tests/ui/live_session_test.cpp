@@ -11,6 +11,8 @@
 #include "ui/panels/live/timeline.h"
 
 #include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -170,6 +172,52 @@ private slots:
         const Scan& scan = *on.picture().detection->scan;
         for (std::size_t n = 0; n < static_cast<std::size_t>(scan.beams()); ++n)
             QVERIFY(std::abs(scan.rangeMm[n] - other.rangeMm[n]) <= 1.0F);
+    }
+
+    // What was pinned on a live sweep is there when its recording is opened from the note, at that sweep only.
+    void theRecordingHasThePinsOfItsLiveSweeps() {
+        const std::filesystem::path home = folder_ / "pinned";
+        std::filesystem::create_directories(home);
+        auto telegrams = scanner::telegramsOf(scan_); // the same surfaces twice, without noise: only the time is another
+        QVERIFY(telegrams);
+        scanner::EmulatedScannerSettings settings;
+        settings.linesPerSecond = 100;
+        settings.atEnd = scanner::AtEnd::Again;
+        const auto scanner =
+            scanner::serveTelegrams(std::make_shared<const std::vector<scanner::ScanTelegram>>(std::move(*telegrams)), settings);
+        QVERIFY(scanner);
+        WindowFixture on(QString::fromStdString((home / "viewer.ini").string()));
+        QVERIFY(connectAndRecord(on, **scanner, home));
+        QTRY_VERIFY(!on.viewer.live.scanner().following());
+        press(on, "live-follow");
+        QTRY_VERIFY(on.viewer.engine.picture()->source.growth.sweep == 1 && !on.viewer.live.scanner().following() && on.settled());
+        QCOMPARE(lines(on), kLines);
+        clickCell(on, 40, 200);
+        const auto& targets = on.viewer.targets.notebook().targets;
+        QCOMPARE(targets.size(), std::size_t(1));
+        const std::uint32_t clicked = targets[0].cell;
+        press(on, "live-record");
+        auto* open = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QTRY_VERIFY2(open->isVisible() && open->text() == "Open", qPrintable(on.viewer.notice.text()));
+        on.viewer.live.scanner().disconnectScanner();
+        on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "another note");
+        on.viewer.notice.findChild<QTimer*>("notice-leaves")->setInterval(1);
+        QTRY_VERIFY2(open->isVisible() && open->text() == "Open", qPrintable(on.viewer.notice.text()));
+        QTest::mouseClick(open, Qt::LeftButton);
+        QTRY_VERIFY(on.viewer.live.timeline().active());
+        QVERIFY(on.settled());
+        Timeline& timeline = on.viewer.live.timeline();
+        for (const std::size_t sweep : {std::size_t{0}, std::size_t{1}}) {
+            timeline.goTo(timeline.endOf(sweep));
+            const auto shown = [&] {
+                const auto& growth = on.picture().source.growth;
+                return on.settled() && lines(on) == kLines &&
+                       (growth.sweep == static_cast<int>(sweep) || timeline.endOf(sweep) == timeline.home());
+            };
+            QTRY_VERIFY(shown());
+            QTRY_COMPARE(targets.size(), sweep);
+        }
+        QCOMPARE(targets[0].cell, clicked);
     }
 
     // Another sweep at the path of the file: targets are not placed on rocks of this other sweep.

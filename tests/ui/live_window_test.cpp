@@ -126,6 +126,20 @@ private slots:
         QVERIFY(files::saveScan(scan_, bell_));
     }
 
+    // Next to the address the number alone was not understood. A cab has no room for the word.
+    void thePortHasItsName() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        LivePanel& panel = on.viewer.live.panel();
+        panel.askAddress();
+        const auto* port = panel.findChild<QSpinBox*>("live-port");
+        QVERIFY(port->isVisible());
+        QCOMPARE(port->text(), QString("Port 2112"));
+        QVERIFY(port->fontMetrics().horizontalAdvance("Port 65535") < port->width() - 16);
+        on.window.cab().set(true);
+        QCOMPARE(port->text(), QString("2112"));
+    }
+
     // A robot's bridge: the port is that of the field or of the address, the topics are listed with what they give, and one is chosen.
     void theTopicsOfARobotAreListedAndChosen() {
         auto lines = scanner::bridgeSweepOf(scan_);
@@ -415,8 +429,9 @@ private slots:
         QCOMPARE(shownMask(window), live);
         QCOMPARE(timeline.lines(), kLines);
         QCOMPARE(timeline.position(), kLines);
-        QVERIFY(timeline.labelShown().startsWith("RECORDED 20"));
-        QVERIFY2(window.viewer().statusLine.recordedShown().startsWith("measured 20"),
+        QVERIFY2(timeline.labelShown().startsWith("RECORDED · line ") && timeline.labelShown().contains(" at 20"),
+                 qPrintable(timeline.labelShown()));
+        QVERIFY2(window.viewer().statusLine.recordedShown().startsWith("first line 20"),
                  qPrintable(window.viewer().statusLine.recordedShown()));
         const auto at = [&](int line) { return eventually([&] { return linesShown(window) == line && timeline.position() == line; }); };
         QVERIFY(on.activate());

@@ -1,4 +1,5 @@
 // The look: what is on the screen once, what needs one line, what can be pressed, and what asks in time.
+#include "core/base/whole_file.h"
 #include "core/edges/settings/parameters.h"
 #include "tests/support/folders.h"
 #include "tests/support/placements.h"
@@ -24,6 +25,8 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -36,6 +39,7 @@
 #include <QTextDocument>
 #include <QTimer>
 #include <QToolButton>
+#include <QUrl>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -44,6 +48,7 @@ class LookTest : public QObject {
     Q_OBJECT
     test::TemporaryFolder folder_;
     std::string bell_;
+    QString opened_;
 
     static QMenu* menuNamed(const MainWindow& window, const QString& name) {
         for (QAction* each : window.menuBar()->actions()) {
@@ -138,21 +143,69 @@ private slots:
         QCOMPARE(notice.earlier(), std::size_t{0});
     }
 
-    // A file was written, and something else happened right after it.
-    void theNoteOfAFileIsAmongTheEarlierOnes() {
+    // A file was written, and something else happened right after it: its button comes back, and is not one of "earlier".
+    void aNoteWithAButtonComesBack() {
         WindowFixture on;
         QVERIFY(on.showWith(bell_));
         NoticeBar& notice = on.viewer.notice;
+        auto* leaves = notice.findChild<QTimer*>("notice-leaves");
+        auto* action = notice.findChild<QToolButton*>("notice-action");
         notice.hide();
         notice.showSaved(QString::fromStdString(bell_));
         const QString saved = notice.text();
-        notice.showNotice(NoticeBar::Kind::Warning, "the scan is old");
-        QCOMPARE(notice.earlier(), std::size_t{1});
+        QCOMPARE(action->text(), QString("Open folder"));
+        for (const char* words : {"the scan is old", "the scan is displaced"}) {
+            notice.showNotice(NoticeBar::Kind::Warning, words);
+            QCOMPARE(notice.text(), QString(words)); // to be read
+            QVERIFY(leaves->isActive());
+        }
+        leaves->setInterval(1);
+        QTRY_COMPARE(notice.text(), saved);
+        QVERIFY(action->isVisible());
+        QCOMPARE(notice.earlier(), std::size_t{2});
+        for (const char* words : {"the scan is old", "the scan is displaced"}) {
+            QTest::mouseClick(notice.findChild<QToolButton*>("notice-earlier"), Qt::LeftButton);
+            QCOMPARE(notice.text(), QString(words));
+        }
+        QVERIFY(!leaves->isActive()); // asked for
         QTest::mouseClick(notice.findChild<QToolButton*>("notice-earlier"), Qt::LeftButton);
         QCOMPARE(notice.text(), saved);
-        notice.showNotice(NoticeBar::Kind::Done, "the next file");
-        QCOMPARE(notice.text(), QString("the next file"));
-        QCOMPARE(notice.earlier(), std::size_t{1}); // the warning, and not the file before
+        notice.showNotice(NoticeBar::Kind::Done, "copied");
+        QCOMPARE(notice.text(), QString("copied"));
+        QTRY_COMPARE(notice.text(), saved);
+        notice.showHint("click nearer");
+        notice.endPassing();
+        QCOMPARE(notice.text(), saved);
+        // An error stays, and a note with a button of its own.
+        notice.showNotice(NoticeBar::Kind::Warning, "the scan is displaced");
+        notice.offer("Straighten", [] {});
+        QVERIFY(!leaves->isActive() && action->text() == "Straighten");
+        notice.showNotice(NoticeBar::Kind::Error, "the disk is full");
+        QVERIFY(!leaves->isActive());
+        notice.hide();
+    }
+
+    void openFile(const QUrl& url) { opened_ = url.toLocalFile(); }
+
+    // The button opens a page itself, and the folder of other files.
+    void theNoteOfAFileOpensIt() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        const QString page = QString::fromStdString((folder_ / "page.html").string());
+        QVERIFY(bool(writeWholeFile(folder_ / "page.html", "<html></html>")));
+        auto* action = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QDesktopServices::setUrlHandler("file", this, "openFile");
+        on.viewer.notice.showSaved(page);
+        QCOMPARE(action->text(), QString("Open"));
+        action->click();
+        QCOMPARE(opened_, page);
+        on.viewer.notice.showSaved(QString::fromStdString(bell_));
+        action->click();
+        QCOMPARE(opened_, QFileInfo(QString::fromStdString(bell_)).absolutePath());
+        QDesktopServices::unsetUrlHandler("file");
+        // A note whose button was pressed does not come back.
+        on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "the scan is old");
+        QVERIFY(!on.viewer.notice.findChild<QTimer*>("notice-leaves")->isActive());
     }
 
     void noMenuOfTheWindowIsLong() {

@@ -173,7 +173,7 @@ private slots:
         const QString whole = "Each point has its whole Easting, Northing and RL, as on the plans of the mine.";
         QCOMPARE(hint(), whole);
         dialog.findChild<QCheckBox*>("doubles")->setChecked(false);
-        QVERIFY2(hint().contains("EdgeScan adds the origin when it opens the file"), qPrintable(hint()));
+        QVERIFY2(hint().contains("metres from an origin near the scan") && hint().contains("EdgeScan adds the origin"), qPrintable(hint()));
         choice(dialog, "local").click();
         QVERIFY2(hint().contains("header"), qPrintable(hint()));
         choice(dialog, "scanner").click();
@@ -182,7 +182,7 @@ private slots:
         auto* format = dialog.findChild<QComboBox*>("format");
         format->setCurrentIndex(format->findData(".csv"));
         emit format->activated(format->currentIndex());
-        QCOMPARE(hint(), whole);
+        QCOMPARE(hint(), whole + " The column elevation_m is the RL.");
         choice(dialog, "gray").click();
         QCOMPARE(dialog.numbersText(), QString());
     }

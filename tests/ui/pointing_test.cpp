@@ -5,6 +5,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/panels/dialogs/reading_dialog.h"
 #include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/tuning/edges_panel.h"
 #include "ui/panels/tuning/status_line.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/tool_bar.h"
@@ -164,6 +165,10 @@ private slots:
                     const QRect card(on.viewer.explanation.card()->frameGeometry());
                     const QString where = QString("cab %1, %2: %3, %4").arg(cab).arg(size.width()).arg(line).arg(beam);
                     QVERIFY2(!card.contains(on.viewer.cloud.mapToGlobal(place->toPoint())), qPrintable(where));
+                    const auto* panel = on.window.findChild<EdgesPanel*>(); // the operator tunes while he reads
+                    const QRect tuning(panel->mapToGlobal(QPoint(0, 0)), panel->size());
+                    QVERIFY2(size.width() < 1024 || !panel->isVisible() || panel->visibleRegion().isEmpty() || !card.intersects(tuning),
+                             qPrintable(where));
                     if (beam == 40) on.viewer.explanation.closeCard(); // for the next one it is where it was, or comes again
                 }
                 on.viewer.explanation.closeCard();

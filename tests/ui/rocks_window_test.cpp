@@ -427,6 +427,11 @@ private slots:
                 QVERIFY2(help.contains('\n'), qPrintable(help)); // its name and what it is
             }
             QVERIFY(whole <= table->viewport()->width() || table->horizontalScrollBar()->maximum() > 0);
+            if (size.width() != 1280) continue;
+            int inSight = 0; // only two of the columns were
+            for (int n = 0; n < heads->count(); ++n)
+                inSight += heads->sectionViewportPosition(n) + heads->sectionSize(n) <= table->viewport()->width() ? 1 : 0;
+            QVERIFY2(inSight >= 4, qPrintable(QString("%1 of %2 px").arg(inSight).arg(table->viewport()->width())));
         }
     }
 

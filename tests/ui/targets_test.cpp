@@ -463,6 +463,7 @@ private slots:
         }
         QVERIFY2(card.text().contains("E, N, RL: ▲ no pose") && card.text().contains("Dip / direction"), qPrintable(card.text()));
         QVERIFY2(card.text().contains("Edge: jump, strength "), qPrintable(card.text()));
+        QTRY_VERIFY(on.viewer.targetsPanel.targets()->item(0)->text().section('\n', 0, 0).endsWith("jump"));
         QVERIFY2(card.text().contains("Picture: FILE boxes · no time"), qPrintable(card.text()));
         QVERIFY2(card.text().contains(QString::fromUtf8(rocks::kRockCaveat)), qPrintable(card.text()));
         QVERIFY(!card.text().contains("was "));
@@ -472,7 +473,12 @@ private slots:
         other.classes = edges::kClassConvex;
         QVERIFY(on.use(other));
         QVERIFY(known(on));
-        QTRY_VERIFY2(card.text().contains("Edge: none") && card.text().contains("was jump, strength "), qPrintable(card.text()));
+        const auto* list = on.viewer.targetsPanel.targets();
+        QTRY_VERIFY2(list->item(0)->text().section('\n', 0, 0).endsWith("no edge"), qPrintable(list->item(0)->text()));
+        on.viewer.targets.copyAll();
+        QVERIFY(QGuiApplication::clipboard()->text().contains("\tEdge\tNote\n") &&
+                QGuiApplication::clipboard()->text().trimmed().endsWith("\tno edge"));
+        QTRY_VERIFY2(card.text().contains("Edge: no edge") && card.text().contains("was jump, strength "), qPrintable(card.text()));
         QCOMPARE(card.text().split('\n').at(1), distance);
         QCOMPARE(on.viewer.targets.active()->cell, *jump);
         QVERIFY(on.use(edges::Settings{}));
@@ -509,6 +515,35 @@ private slots:
                 QVERIFY2(eventually(seen), qPrintable(QString("%1 targets at %2 x %3").arg(count).arg(size.width()).arg(size.height())));
             }
             QCOMPARE(count, 20);
+        }
+    }
+
+    // The list of measurements was below the card, out of sight. A long note was cut by its field.
+    void measurementsAndALongNoteAreInSight() {
+        for (const QSize& size : {QSize(1280, 800), QSize(1366, 768)}) {
+            WindowFixture on;
+            QVERIFY(showWith(on, placed_));
+            QTRY_VERIFY((on.window.resize(size), on.window.size() == size));
+            const QListWidget& list = *on.viewer.targetsPanel.measures();
+            for (std::uint32_t n = 0; n < 3; ++n)
+                on.viewer.targets.keepMeasure({inspect::MeasureKind::Distance, {60 * 160 + 20 + n, 60 * 160 + 120}, {}});
+            on.viewer.views.pin(60 * 160 + 80);
+            QVERIFY(known(on));
+            const auto* distance = on.viewer.targetsPanel.findChild<QLabel*>("target-distance");
+            QTRY_VERIFY(distance->isVisible() && distance->visibleRegion().boundingRect().height() == distance->height());
+            const auto rowsInSight = [&] {
+                int rows = 0;
+                for (int n = 0; n < list.count(); ++n)
+                    rows += list.viewport()->visibleRegion().boundingRect().contains(list.visualItemRect(list.item(n))) ? 1 : 0;
+                return rows;
+            };
+            QTRY_VERIFY2(rowsInSight() >= 2, qPrintable(QString::number(rowsInSight())));
+            const QString note = "watch the left shoulder, it moved since the last shift and the second shot may free it";
+            on.viewer.targets.setNote(1, note);
+            const auto* whole = on.viewer.targetsPanel.findChild<QLabel*>("target-whole-note");
+            QTRY_VERIFY(whole->isVisible() && whole->text() == note && whole->height() >= whole->heightForWidth(whole->width()));
+            on.viewer.targets.setNote(1, "loose");
+            QTRY_VERIFY(!whole->isVisible());
         }
     }
 

@@ -11,14 +11,17 @@
 #include "ui/base/themes.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/tuning/count_curve.h"
+#include "ui/panels/tuning/edges_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QSet>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -197,6 +200,38 @@ private slots:
         QVERIFY(eventually([&] { return curve->curve().has_value(); }));
     }
 
+    // It was nearly level: it began at no edges, though the count at the smallest threshold is three times that at the largest.
+    void theCurveUsesItsHeightAndNamesItsEnds() {
+        use(edges::cannySettings());
+        CountCurve* curve = window_->viewer().panel.curve("lower");
+        QVERIFY(eventually([&] { return curve->curve().has_value(); }));
+        const QRgb text = curve->palette().color(QPalette::WindowText).rgb();
+        const QImage drawn = curve->grab().toImage();
+        const auto heightAt = [&](int fromX, int toX) {
+            for (int y = 16; y < drawn.height(); ++y) {
+                for (int x = fromX; x < toX; ++x) {
+                    if (drawn.pixel(x, y) == text) return y;
+                }
+            }
+            return drawn.height();
+        };
+        QVERIFY2(heightAt(4, 30) < 26, qPrintable(QString::number(heightAt(4, 30))));
+    }
+
+    // What a preset is for is in sight, not only under the pointer.
+    void aPresetSaysWhatItIsFor() {
+        const auto* purpose = window_->viewer().panel.findChild<QLabel*>("preset-purpose");
+        QSet<QString> purposes;
+        for (const edges::Preset& preset : edges::builtInPresets()) {
+            window_->viewer().panel.setPreset(preset);
+            QVERIFY(purpose->isVisible() && purpose->fontMetrics().horizontalAdvance(purpose->text()) <= purpose->width());
+            QVERIFY(!window_->viewer().panel.findChild<QComboBox*>("presets")->toolTip().isEmpty());
+            purposes << purpose->text();
+        }
+        QCOMPARE(purposes.size(), static_cast<int>(edges::builtInPresets().size()));
+        window_->viewer().panel.setPreset(edges::builtInPresets().front());
+    }
+
     void theCountUnderTheSliderIsThatOfThePicture() {
         edges::Settings between = edges::cannySettings(); // a threshold between two places of the slider
         between.method = edges::Method::Kirsch;
@@ -232,11 +267,20 @@ private slots:
         if (QTest::currentTestFailed()) return;
         const WhyCard& card = *window_->viewer().explanation.card();
         const QSize size = card.size();
+        const QPoint place = card.pos();
+        const auto* close = card.findChild<QDialogButtonBox*>();
+        const QPoint closing = close->mapToGlobal(QPoint(0, 0));
+        const auto* plain = card.findChild<QLabel*>("why-plain");
+        const auto* verdict = card.findChild<QLabel*>("why-verdict");
+        QVERIFY(plain->font().bold() && !verdict->font().bold() && plain->y() < verdict->y());
         const auto& mask = detection.mask->cells;
         const auto flat = static_cast<std::size_t>(std::ranges::find(mask, 0) - mask.begin());
         window_->viewer().explanation.explain(inspect::exactly(flat), Explanation::Subject::Click);
+        QCOMPARE(card.size(), size); // while it searches
         QTRY_VERIFY(card.verdict().startsWith("No edge: "));
         QCOMPARE(card.size(), size);
+        QCOMPARE(card.pos(), place);
+        QCOMPARE(close->mapToGlobal(QPoint(0, 0)), closing);
         for (const auto kind : {edges::DepthEdge::Jump, edges::DepthEdge::Convex, edges::DepthEdge::Concave}) {
             edges::Why why;
             why.probe.edge = true;

@@ -56,6 +56,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     close->setText(tr("Close"));
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
     connect(action_, &QToolButton::clicked, this, [this] {
+        used_ = true;
         if (onAction_) onAction_();
     });
     line->addWidget(sign_);
@@ -97,31 +98,30 @@ void NoticeBar::showNotice(Kind kind, const QString& text) {
     showNote({kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}});
 }
 
-void NoticeBar::showNote(const Note& note) {
+/// A note with a button that was not pressed comes back after a note without one.
+void NoticeBar::showNote(const Note& note, bool passes) {
     // Of a written file the note stays too, until the next confirmation.
-    if (kind_ != Kind::Done || note.kind != Kind::Done) keepShown();
+    if (kind_ != Kind::Done || note.kind != Kind::Done || (waits() && note.label.isEmpty())) keepShown();
     std::erase_if(earlier_, [&](const Note& before) { return note.text.startsWith(before.text); });
     put(note);
+    passes_ = passes;
+    if (note.label.isEmpty() && note.kind != Kind::Error && std::ranges::any_of(earlier_, &Note::waits)) leaves_.start();
     show();
     layout()->activate();
     offerMore();
 }
 
-void NoticeBar::showHint(const QString& text) {
-    showNotice(Kind::Warning, text);
-    passes_ = true;
-}
+void NoticeBar::showHint(const QString& text) { showNote({Kind::Warning, coreSentence(shownText(text)), {}, {}}, true); }
 
 void NoticeBar::endPassing() {
     const bool lasts = kind_ != Kind::Done || !action_->isHidden(); // "Saved" has a button
     if (isHidden() || (lasts && !passes_)) return;
-    earlier_.empty() ? hide() : showEarlier();
+    earlier_.empty() ? hide() : bringBack();
 }
 
 void NoticeBar::withdraw(const QStringList& texts) {
     std::erase_if(earlier_, [&](const Note& note) { return texts.contains(note.text); });
-    more_->setText(tr("%1 earlier").arg(earlier_.size()));
-    more_->setHidden(earlier_.empty());
+    countEarlier();
     if (isHidden() || !texts.contains(text())) return;
     text_->clear(); // not stored for "earlier"
     earlier_.empty() ? hide() : showEarlier();
@@ -130,8 +130,16 @@ void NoticeBar::withdraw(const QStringList& texts) {
 /// What passes is not stored for "earlier", nor confirmations without a button.
 void NoticeBar::keepShown() {
     if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || passes_ || text_->text().isEmpty()) return;
-    earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_, brief_});
+    earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_, brief_, saved_, waits()});
     if (earlier_.size() > kMostEarlier) earlier_.pop_front();
+}
+
+/// Its button was offered with a warning or a written file, and not pressed.
+bool NoticeBar::waits() const { return !action_->isHidden() && !used_ && !passes_ && (kind_ == Kind::Warning || saved_); }
+
+void NoticeBar::countEarlier() {
+    more_->setText(tr("%1 earlier").arg(earlier_.size()));
+    more_->setHidden(earlier_.empty());
 }
 
 void NoticeBar::put(const Note& note) {
@@ -147,8 +155,16 @@ void NoticeBar::put(const Note& note) {
     action_->setText(note.label);
     action_->setHidden(note.label.isEmpty());
     onAction_ = note.action;
-    more_->setText(tr("%1 earlier").arg(earlier_.size()));
-    more_->setHidden(earlier_.empty());
+    used_ = false;
+    saved_ = note.saved;
+    countEarlier();
+}
+
+/// First the newest one with a button that was not pressed.
+void NoticeBar::bringBack() {
+    const auto waits = std::find_if(earlier_.rbegin(), earlier_.rend(), [](const Note& note) { return note.waits; });
+    if (waits != earlier_.rend()) std::rotate(waits.base() - 1, waits.base(), earlier_.end());
+    showEarlier();
 }
 
 /// Shows the notice before. The shown notice goes to the front of the queue, so that the button cycles through all of them.
@@ -184,13 +200,21 @@ void NoticeBar::showSaved(const QString& path, const QString& content, const QSt
                          (more.isEmpty() ? QString() : " " + more));
     };
     const QString end = file.absoluteDir().dirName() + '/' + file.fileName(); // the line has room for the end of a path
-    showNote({Kind::Done, words(path), {}, {}, path.size() > end.size() + 2 ? words("…/" + end) : QString()});
-    offer(tr("Open folder"), [folder = file.absolutePath()] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+    const bool isPage = QStringList{"html", "pdf"}.contains(file.suffix().toLower());
+    const QString opened = isPage ? file.absoluteFilePath() : file.absolutePath();
+    showNote({Kind::Done, words(path), isPage ? tr("Open") : tr("Open folder"),
+              [this, opened] {
+                  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(opened)))
+                      showHint(tr("No program of this computer opened %1.").arg(opened));
+              },
+              path.size() > end.size() + 2 ? words("…/" + end) : QString(), true});
 }
 
 void NoticeBar::offer(const QString& label, std::function<void()> action) {
     action_->setText(label);
     onAction_ = std::move(action);
+    used_ = false;
+    leaves_.stop();
     action_->show();
     layout()->activate();
     offerMore();
@@ -217,7 +241,8 @@ void NoticeBar::leave() {
     const QWidget* const focus = QApplication::focusWidget();
     if (underMouse() || (focus != nullptr && isAncestorOf(focus))) return; // until the next time
     leaves_.stop();
-    endPassing();
+    if (kind_ == Kind::Done || passes_) return endPassing();
+    bringBack(); // the warning is among the earlier ones then
 }
 
 void NoticeBar::unfold(bool on) {

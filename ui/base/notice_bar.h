@@ -36,7 +36,8 @@ public:
     void endPassing();
     /// Removes these notes from the bar and from its earlier ones: they are not about what is on the screen any more.
     void withdraw(const QStringList& texts);
-    /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens its folder, and `more` sentences.
+    /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens it (a page) or its
+    /// folder, and `more` sentences.
     void showSaved(const QString& path, const QString& content = {}, const QString& more = {});
     /// Adds a button to the notice, until the next notice.
     void offer(const QString& label, std::function<void()> action);
@@ -66,18 +67,25 @@ private:
         Kind kind = Kind::Done;
         QString text, label; // `label`: text of the button; empty: no button
         std::function<void()> action;
-        QString brief{}; // for the line; empty: the text
+        QString brief{};    // for the line; empty: the text
+        bool saved = false; // it names a written file
+        bool waits = false; // its button was not pressed
     };
-    void showNote(const Note& note);
+    void showNote(const Note& note, bool passes = false);
     void paintKind();
     void put(const Note& note);
     void keepShown();
+    [[nodiscard]] bool waits() const;
+    void countEarlier();
     void showEarlier();
+    void bringBack();
     void offerMore();
     void leave();
 
     Kind kind_ = Kind::Done;
     bool passes_ = false;      // with the next step
+    bool used_ = false;        // its button was pressed
+    bool saved_ = false;       // it names a written file
     bool offering_ = false;    // the button More is being shown or hidden
     std::deque<Note> earlier_; // the newest at the end
     QLabel* sign_;

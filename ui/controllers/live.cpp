@@ -172,7 +172,7 @@ void Live::useSweep() {
     const std::optional<int> gone = scanner_.useSweep(sweep);
     if (!gone) return;
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
-    if (notice_.text() == mountingQuestion() && !sweep.axisAssumed && !sweep.stepAssumed) notice_.hide();
+    if (!sweep.axisAssumed && !sweep.stepAssumed) notice_.withdraw({mountingQuestion()});
     QStringList remarks;
     if (*gone > 0) remarks << tr("The first %1 lines of this sweep are too old to be moved to their new places.").arg(*gone);
     if (scanner_.recording())

@@ -14,4 +14,8 @@ const char* edgeClassLabel(DepthEdge kind) {
     return kind == DepthEdge::None ? "none" : findParameter("classes")->choices[static_cast<std::size_t>(kind) - 1].label;
 }
 
+const char* edgeLabel(bool edge, DepthEdge kind) { return !edge ? "no edge" : kind == DepthEdge::None ? "edge" : edgeClassLabel(kind); }
+
+const char* edgeName(bool edge, DepthEdge kind) { return edge && kind != DepthEdge::None ? edgeClassName(kind) : edgeLabel(edge, kind); }
+
 } // namespace edgescan::edges

@@ -4,6 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/tolerance_text.h"
 #include "core/containers/png/png.h"
+#include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/exports/html/html.h"
 #include "core/exports/html/numbered_picture.h"
 #include "core/exports/html/scan_pictures.h"
@@ -38,6 +39,12 @@ std::string dipText(const inspect::CellTarget& target) {
     return fixedText(target.dip->dipDeg, 0) + "° / " + (falls ? fixedText(target.dip->directionDeg, 0) + "°" : std::string("–"));
 }
 
+/// In the words of the card.
+std::string edgeText(const inspect::CellTarget& target) {
+    return edges::edgeLabel(target.probe.edge, target.probe.kind) +
+           (target.strength ? ", strength " + fixedText(*target.strength, 2) : std::string());
+}
+
 /// Where the cell is by the pose that the scan has now.
 Rows placeRows(const inspect::CellTarget& target) {
     if (target.probe.state != CellState::Valid) return {{"Distance", "nothing was measured in this cell"}};
@@ -45,7 +52,8 @@ Rows placeRows(const inspect::CellTarget& target) {
     return {{"Distance", fixedText(target.distanceM, 3) + " m ± " + tolerance},
             {"X, Y, Z", tripleText(target.probe.pointM)},
             {"E, N, RL", target.probe.mineM ? tripleText(*target.probe.mineM) : kNoPose},
-            {"Dip / direction", dipText(target)}};
+            {"Dip / direction", dipText(target)},
+            {"Edge", edgeText(target)}};
 }
 
 std::string rowsHtml(const Rows& rows) {
@@ -156,7 +164,8 @@ std::string notebookSection(const edges::Detection& detection, const inspect::No
     std::string html = "<h2>Targets and measures</h2>\n";
     const RangeNoise noise = inspect::noiseOf(detection);
     if (!notebook.targets.empty()) {
-        html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name and note</th><th>Cell</th><th>Now</th>"
+        html += "<div class=\"wide\"><table id=\"targets\">\n<thead><tr><th>Target</th><th>Name and note</th><th>Cell</th>"
+                "<th>Where, and its edge now</th>"
                 "<th>Also on its card when it was pinned</th><th>Pinned</th></tr></thead><tbody>\n";
         for (const inspect::PinnedTarget& target : notebook.targets) html += targetRow(detection, noise, target);
         html += "</tbody></table></div>\n";

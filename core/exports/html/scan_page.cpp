@@ -92,6 +92,14 @@ std::string uncertaintyText(const edges::Detection& detection) {
            (detection.scan->placement ? "; the pose does not say its own" : "");
 }
 
+std::string placeOf(const Scan& scan) {
+    std::string facts = "<h2>Where</h2>\n<dl class=\"facts\">\n" + fact("Position", placeText(scan)) + fact("Frame", frameText(scan));
+    if (scan.placement)
+        facts += fact("Robot", scan.placement->robot.empty() ? "the pose does not say" : scan.placement->robot) +
+                 fact("Pose", poseText(*scan.placement));
+    return facts + "</dl>\n";
+}
+
 std::string factsOf(const edges::Detection& detection, const Json& record, const PageWords& words) {
     const Scan& scan = *detection.scan;
     const Acquisition none;
@@ -106,23 +114,22 @@ std::string factsOf(const edges::Detection& detection, const Json& record, const
     const RangeLimits limits = rangeLimits(scan);
     const auto valid = countCells(scan)[static_cast<std::size_t>(CellState::Valid)];
     const auto edges = static_cast<double>(detection.edges->size());
-    std::string facts = "<h2>What, when, where, by whom</h2>\n<dl class=\"facts\">\n";
+    std::string facts = "<h2>What, when, by whom</h2>\n<dl class=\"facts\">\n";
     if (!words.site.empty()) facts += fact("Site", words.site);
     facts += fact("File", scan.path) + fact("Format", scan.format);
     facts += fact("Grid", std::to_string(scan.lines()) + " lines x " + std::to_string(scan.beams()) + " beams");
-    facts += fact("Ranges", valid > 0 ? metres(limits.minMm) + " to " + metres(limits.maxMm) : "none was measured");
+    const edges::GrayScale& gray = detection.gray->scale;
+    facts += fact("Distances", valid > 0 ? metres(limits.minMm) + " to " + metres(limits.maxMm) + " measured; gray levels from " +
+                                               metres(gray.nearMm) + " to " + metres(gray.farMm)
+                                         : "none was measured");
     facts += fact("Scanned", whenText(scan, measured)) + fact("Scanner", scanner);
-    facts += fact("Where", placeText(scan)) + fact("Frame", frameText(scan));
-    if (scan.placement)
-        facts += fact("Robot", scan.placement->robot.empty() ? "the pose does not say" : scan.placement->robot) +
-                 fact("Pose", poseText(*scan.placement));
     facts += fact("Uncertainty", uncertaintyText(detection));
     facts += fact("Edges", std::to_string(detection.edges->size()) + " cells, " +
                                fixedText(100 * edges / std::max(1.0, static_cast<double>(valid)), 1) + " % of those measured");
     facts += fact("Method", edges::choiceLabel(*edges::findParameter("method"), detection.settings));
     facts += fact("Report by", by.empty() ? "not said" : by) + fact("Made", plainUtc(words.madeUtc));
     if (const std::string note = textAt(record, "/scan/note"); !note.empty()) facts += fact("Note", note);
-    return facts + "</dl>\n";
+    return facts + "</dl>\n" + placeOf(scan);
 }
 
 /// "talin.boresight_rpy_deg" of a pose or calibration file as the form of the window names it: "Boresight".
@@ -206,8 +213,9 @@ std::string picturesOf(const edges::Detection& detection) {
                        htmlImage(grayPicture(detection, kMostPagePixels), "Ranges as gray levels, line by line");
     html += "<div class=\"legend\"><span>" + metres(scale.nearMm) +
             "</span><span class=\"bar\" style=\"background:linear-gradient(to right,#000,#fff)\"></span><span>" + metres(scale.farMm) +
-            "</span>" + (scale.logarithmic ? "<span>equal ratios</span>" : "") +
-            "</div>\n<figcaption>Gray levels: black is near, or nothing came back. " + scaleOf(scan) + ".</figcaption></figure>\n";
+            "</span>" + (scale.logarithmic ? "<span>equal ratios</span>" : "") + "</div>\n<figcaption>Gray levels: black is " +
+            metres(scale.nearMm) + " and nearer, or nothing came back; white is " + metres(scale.farMm) + " and farther. " + scaleOf(scan) +
+            ".</figcaption></figure>\n";
     html += "<figure class=\"picture\">" + htmlImage(edgePicture(detection, kMostPagePixels), "Edges on darkened gray levels") +
             edgeLegend(detection) + "<figcaption>Edges. " + scaleOf(scan) + ".</figcaption></figure>\n</div>\n";
     html += "<figure class=\"picture\">" + htmlImage(cloud.png, "The points in perspective, seen from behind the scanner") +
@@ -234,13 +242,17 @@ std::string viewOf(const ViewPoints& view) {
 std::string settingsOf(const edges::Detection& detection) {
     std::string html = "<h2>Settings</h2>\n<table>\n<thead><tr><th>Parameter</th><th>Value</th><th></th></tr></thead><tbody>\n";
     const auto changed = edges::changedFromDefault(detection.settings);
+    const edges::Measured measured = edges::measuredOf(detection);
     for (const edges::Parameter& parameter : edges::parameters()) {
         if (!parameter.usedBy(detection.settings)) continue;
         const bool other = std::ranges::find(changed, std::string(parameter.key)) != changed.end();
-        const std::string value = edges::choiceLabel(parameter, detection.settings);
+        const std::string value = edges::choiceLabel(parameter, detection.settings), unit = std::string(" ") + parameter.unit;
+        const bool automatic = parameter.automatic != nullptr && std::isnan(parameter.get(detection.settings));
+        const double used = automatic ? parameter.automatic(detection.settings, measured) : edges::kAutomatic;
         html += "<tr><td>" + htmlText(parameter.label) + "</td><td>" +
-                htmlText(value + (numberOf(value) ? std::string(" ") + parameter.unit : std::string())) + "</td><td>" +
-                (other ? "changed from the default" : "") + "</td></tr>\n";
+                htmlText(value + (numberOf(value) ? unit : std::string()) +
+                         (std::isnan(used) ? std::string() : ": " + significantText(used, 3) + unit)) +
+                "</td><td>" + (other ? "changed from the default" : "") + "</td></tr>\n";
     }
     return html + "</tbody></table>\n";
 }

@@ -31,6 +31,7 @@ TEST(NotebookSection, SaysWhereTargetsAreByThePoseOfNow) {
     const std::string without = section(scan);
     EXPECT_NE(without.find("E, N, RL: ▲ no pose"), std::string::npos) << without;
     EXPECT_EQ(without.find("E, N, RL"), without.rfind("E, N, RL")); // what is the same is written once
+    EXPECT_NE(without.find("Edge: no edge, strength "), std::string::npos) << without;
     EXPECT_NE(without.find("Targets and measures on gray levels"), std::string::npos);
     EXPECT_NE(without.find("<circle cx=\"40.5\" cy=\"25.5\""), std::string::npos) << "its dot is where it is";
     EXPECT_NE(without.find(">1</text>"), std::string::npos);

@@ -73,6 +73,7 @@ TEST(TargetFiles, TableAndDrawingHaveThePlacesOfTheCardsInTheirFrame) {
         for (int n = 0; std::getline(cells, cell, ',') && n < 8; ++n)
             EXPECT_TRUE(n < 3 || (cell.size() > 4 && cell[cell.size() - 4] == '.')) << cell;
         EXPECT_NE(csv.find("\n5,hole,,,,,,,"), std::string::npos) << csv;
+        EXPECT_NE(csv.find(",no edge,", csv.find("\n5,hole")), std::string::npos) << csv;
 
         const auto drawing = exportWithProvenance(ExportContent::Targets, *on.detection, on.folder / "t.dxf", on.options);
         ASSERT_TRUE(drawing) << drawing.error().sentence();

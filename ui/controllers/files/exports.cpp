@@ -118,7 +118,7 @@ void Exports::askScreenshot(const QImage& image) {
     if (const Result<Done> written = saveScreenshot(image, path); !written)
         notice_.showError(written.error());
     else
-        notice_.showNotice(NoticeBar::Kind::Done, tr("Saved %1.").arg(path));
+        notice_.showSaved(path, tr("a picture of the window"));
 }
 
 Result<Done> Exports::saveScreenshot(const QImage& image, const QString& path) {

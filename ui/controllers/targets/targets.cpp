@@ -2,6 +2,7 @@
 #include "ui/controllers/targets/targets.h"
 
 #include "core/base/utc_time.h"
+#include "core/scan/grid/scan_time.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/rocks/rocks.h"
@@ -17,9 +18,15 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace edgescan::ui {
+namespace {
+
+constexpr double kSameStartS = 0.3; // s: sweeps of one scanner start later than that after each other
+
+} // namespace
 
 Targets::Targets(Engine& engine, LinkedViews& views, Rocks& rocks, TargetsPanel& panel, NoticeBar& notice, Preferences& preferences,
                  QUndoStack& undo)
@@ -112,8 +119,11 @@ void Targets::followPicture() {
     const QString key = keyOf(*engine_.picture());
     if (key != key_) {
         const std::size_t before = stored_ ? notebook_.targets.size() + notebook_.measures.size() : 0;
+        if (!key_.isEmpty() && !stored_ && !notebook_.empty())
+            sweeps_[key_] = {inspect::scanHead(*scan_), scan_->beams(), startOfScan(*scan_).value_or(0.0), stream_};
         if (!key_.isEmpty()) others_[key_] = std::move(notebook_);
         key_ = key;
+        looksForSweep_ = true;
         notebook_ = {};
         chosen_.reset();
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
@@ -134,8 +144,30 @@ void Targets::followPicture() {
         }
         if (!notebook_.empty()) emit pinned();
     }
+    scan_ = engine_.picture()->detection->scan;
+    stream_ = engine_.picture()->source.stream;
+    findSweep();
     ask();
     show();
+}
+
+/// What was pinned on a live sweep is in its recording too, which has the same ranges.
+void Targets::findSweep() {
+    if (!looksForSweep_ || !notebook_.empty() || sweeps_.contains(key_)) return;
+    bool later = false; // a replayed sweep has too few lines yet
+    for (const auto& [key, sweep] : sweeps_) {
+        if (scan_->beams() != sweep.beams || stream_ == sweep.stream) continue; // the next sweep of a scanner is another
+        later = later || scan_->lines() < sweep.head.lines;
+        if (std::abs(startOfScan(*scan_).value_or(0.0) - sweep.startS) > kSameStartS ||
+            inspect::scanHead(*scan_, sweep.head.lines) != sweep.head)
+            continue;
+        notebook_ = others_[key];
+        keep();
+        later = false;
+        emit pinned();
+        break;
+    }
+    looksForSweep_ = later;
 }
 
 void Targets::followPin(std::optional<std::size_t> cell) {

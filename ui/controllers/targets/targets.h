@@ -151,6 +151,7 @@ private:
     void keepConfidence();
     [[nodiscard]] static QString nameOf(const inspect::PinnedTarget& target); ///< "3  Big one"
     [[nodiscard]] QStringList wordsOf(const inspect::PinnedTarget& target) const;
+    void findSweep();
     [[nodiscard]] QString keyOf(const Picture& picture) const;
     [[nodiscard]] static QString leftBehind(std::size_t entries);
     [[nodiscard]] const inspect::PinnedTarget* onRockAt(std::size_t cell) const;
@@ -171,6 +172,16 @@ private:
     bool stored_ = false; // the notebook of that scan is
     inspect::Notebook notebook_;
     std::map<QString, inspect::Notebook> others_; // of scans that were on the screen earlier
+    struct Sweep {
+        inspect::ScanHead head;
+        int beams = 0;
+        double startS = 0.0; // since 1970
+        std::uint64_t stream = 0;
+    };
+    std::map<QString, Sweep> sweeps_;  // of `others_`: those without a file
+    bool looksForSweep_ = false;       // the scan on the screen may be one of them
+    std::shared_ptr<const Scan> scan_; // on the screen
+    std::uint64_t stream_ = 0;
     std::vector<TargetMark> beside_;
     MeasureMark draft_;
     QString source_;

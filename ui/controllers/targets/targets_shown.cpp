@@ -166,7 +166,9 @@ void Targets::show() {
     for (const inspect::PinnedTarget& target : notebook_.targets) {
         if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
         const inspect::CellTarget* now = knownOf(target.cell);
-        QString words = wordsOf(target).join("   ");
+        QStringList known = wordsOf(target);
+        if (now != nullptr) known << edgeText(*now);
+        QString words = known.join("   ");
         if (target.locked) words += "   " + tr("locked");
         if (!target.note.empty()) words += "   " + shownName(exactText(target.note), 80);
         const QString first = words; // shortened in the list

@@ -235,9 +235,10 @@ QString ExportDialog::frameHint(CoordinateFrame frame) const {
     mine.frame = CoordinateFrame::Mine;
     const auto written = exports::coordinatesOf(content(), *detection_->scan, "export" + exactBytes(extension()), mine, {});
     return written.aboutOrigin.empty()
-               ? tr("Each point has its whole Easting, Northing and RL, as on the plans of the mine.")
-               : tr("The same small numbers as local metres, because %1 programs round whole coordinates. EdgeScan adds the "
-                    "origin when it opens the file; other programs do not.")
+               ? tr("Each point has its whole Easting, Northing and RL, as on the plans of the mine.") +
+                     (extension() == ".csv" ? ' ' + tr("The column elevation_m is the RL.") : QString())
+               : tr("The file holds metres from an origin near the scan, because %1 programs round mine coordinates. EdgeScan adds "
+                    "the origin of the header when it opens the file; other programs show the small numbers.")
                      .arg(extension().mid(1).toUpper());
 }
 

@@ -167,7 +167,7 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
         fault->setPalette(palette);
     });
     fault->hide();
-    Row row{{}, {}, fault};
+    Row row{{}, {}, fault, nullptr, {}};
     auto* cell = new QVBoxLayout;
     cell->setSpacing(2);
     const auto told = [this] {
@@ -190,7 +190,9 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
     } else {
         auto* edit = new QLineEdit;
         edit->setObjectName(name);
-        edit->setPlaceholderText(field.usual != nullptr ? QString(field.usual) : QString());
+        row.edit = edit;
+        row.usual = field.usual != nullptr ? QString(field.usual) : QString();
+        edit->setPlaceholderText(row.usual);
         connect(edit, &QLineEdit::textChanged, this, told);
         row.text = [edit] { return edit->text(); };
         row.show = [edit](const QString& text) { edit->setText(text); };
@@ -232,8 +234,16 @@ PlaceTexts PlaceDialog::mountingTexts() const { return textsOf(mounting_); }
 void PlaceDialog::showFaults(const TypedPlace& typed) {
     const auto show = [](const std::vector<Row>& rows, const PlaceTexts& faults) {
         for (std::size_t n = 0; n < rows.size(); ++n) {
-            rows[n].fault->setText(shownText(faults[n]));
-            rows[n].fault->setVisible(!faults[n].empty());
+            const Row& row = rows[n];
+            const QString fault = shownText(faults[n]);
+            row.fault->setText(fault);
+            if (row.edit != nullptr) row.edit->setPlaceholderText(fault.isEmpty() ? row.usual : tr("✕ missing"));
+            const bool ofText = !fault.isEmpty() && (row.edit == nullptr || !row.edit->text().isEmpty()); // else the field says it
+            row.fault->setVisible(ofText);
+            if (!ofText) continue;
+            QSizePolicy stays = row.fault->sizePolicy(); // the fields below move once at most
+            stays.setRetainSizeWhenHidden(true);
+            row.fault->setSizePolicy(stays);
         }
     };
     const PlaceTexts none(typed.poseFaults.size()); // what was not typed yet is not wrong

@@ -55,6 +55,8 @@ private:
         std::function<QString()> text;
         std::function<void(const QString&)> show;
         QLabel* fault;
+        QLineEdit* edit; // null: a choice
+        QString usual;   // shown while it is empty
     };
     [[nodiscard]] QWidget* posePage();
     [[nodiscard]] QWidget* mountingPage();

@@ -7,10 +7,12 @@
 
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QMainWindow>
 #include <QPainter>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -19,13 +21,13 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kFromRight = 12, kFromTop = 90;  // px, of the window's frame
-constexpr int kFrame = 48;                     // px: above and below the card, at most
+constexpr int kAround = 12, kTitleBar = 30;    // px, from the views' border
 constexpr int kWidest = 420, kNarrowest = 260; // px, of the texts
-constexpr double kShare = 0.42;                // of a narrow window: a cell is free at one of the sides
+constexpr int kFrame = 48;                     // px: left and right of the texts, at most
+constexpr double kShare = 0.42;                // of narrow views: a cell is free at one of the sides
 constexpr int kRing = 16;                      // px around a cell
 constexpr int kRim = 12;                       // px
-constexpr int kUsualLines = 24;                // of text, with a picture: one click after another finds the card as high
+constexpr int kLines = 12;                     // of text, with a picture
 constexpr double kMargin = 0.05;               // of the depths that are shown, on each side
 constexpr double kMostStretched = 20.0;        // limit of the exaggeration of depth against width
 
@@ -36,6 +38,13 @@ QLabel* words() {
     label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     return label;
+}
+
+/// The views, without the panels next to them, on the screen.
+QRect viewsOf(const QWidget& window) {
+    const auto* main = qobject_cast<const QMainWindow*>(&window);
+    const QWidget& views = main != nullptr && main->centralWidget() != nullptr ? *main->centralWidget() : window;
+    return {views.mapToGlobal(QPoint(0, 0)), views.size()};
 }
 
 } // namespace
@@ -102,17 +111,16 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 WhyCard::WhyCard(QWidget* parent)
-    : QDialog(parent), plain_(words()), cell_(words()), verdict_(words()), numbers_(words()), below_(new QLabel), beside_(new QPushButton),
-      picture_(new ProfileView) {
+    : QDialog(parent), plain_(words()), cell_(words()), verdict_(words()), title_(new QLabel(tr("Numbers"))), numbers_(words()),
+      below_(new QLabel), beside_(new QPushButton(tr("Why the edge %1 cells away?").arg(2))), picture_(new ProfileView) {
     setObjectName("why-card");
     setWindowTitle(tr("Why is this cell an edge or not?"));
     cell_->setObjectName("why-cell");
     verdict_->setObjectName("why-verdict");
-    QFont bold = verdict_->font();
-    bold.setBold(true);
-    verdict_->setFont(bold);
     plain_->setObjectName("why-plain");
-    plain_->setFont(bold);
+    QFont bold = plain_->font();
+    bold.setBold(true);
+    for (QLabel* each : {plain_, title_}) each->setFont(bold);
     plain_->hide();
     picture_->setFixedHeight(130);
     below_->setText(tr("The points across the cell, and a line through the nearest of either side."));
@@ -129,7 +137,8 @@ WhyCard::WhyCard(QWidget* parent)
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* each : std::initializer_list<QWidget*>{plain_, cell_, verdict_, picture_, below_, numbers_}) column->addWidget(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{plain_, cell_, verdict_, picture_, below_, title_, numbers_})
+        column->addWidget(each);
     column->addStretch(1);
     content_ = scrolled(*content);
     auto* layout = new QVBoxLayout(this);
@@ -138,24 +147,20 @@ WhyCard::WhyCard(QWidget* parent)
     layout->addWidget(buttons);
 }
 
-/// It has one size from click to click, and grows once for a longer text where the screen has room for it; else the text scrolls.
+/// Before it is shown: the next texts do not change its size.
 void WhyCard::fit() {
-    const int wide = parentWidget() == nullptr ? kWidest : static_cast<int>(kShare * parentWidget()->width()) - kFrame;
-    for (QLabel* each : {plain_, cell_, verdict_, numbers_}) each->setMinimumWidth(std::clamp(wide, kNarrowest, kWidest));
-    QWidget& content = *content_->widget();
-    content.ensurePolished();
-    const int high = content.layout()->heightForWidth(std::max(content_->viewport()->width(), content.layout()->minimumSize().width()));
-    kept_ = std::max({kept_, high, kUsualLines * fontMetrics().lineSpacing() + picture_->height()});
-    content_->setMinimumHeight(0);
-    const QRect room = screen()->availableGeometry();
-    const int others = layout()->minimumSize().height() - content_->minimumSizeHint().height();
-    content_->setMinimumHeight(std::min(kept_, room.height() - kFromTop - others - kFrame));
+    const QRect views = parentWidget() == nullptr ? QRect() : viewsOf(*parentWidget());
+    const int wide = views.isEmpty() ? kWidest : static_cast<int>(kShare * views.width()) - kFrame;
+    const int clamped = std::clamp(wide, kNarrowest, kWidest);
+    for (QLabel* each : {plain_, cell_, verdict_, numbers_}) each->setMinimumWidth(clamped);
+    content_->widget()->ensurePolished();
+    content_->setFixedWidth(clamped + content_->verticalScrollBar()->sizeHint().width());
+    content_->setFixedHeight(0);
+    const int room =
+        std::min(views.isEmpty() ? screen()->availableGeometry().height() : views.height(), screen()->availableGeometry().height());
+    const int others = layout()->minimumSize().height() + kTitleBar + 2 * kAround;
+    content_->setFixedHeight(std::min(kLines * fontMetrics().lineSpacing() + picture_->height(), room - others));
     adjustSize();
-}
-
-void WhyCard::hideEvent(QHideEvent* event) {
-    kept_ = 0;
-    QDialog::hideEvent(event);
 }
 
 void WhyCard::showPlain(const QString& sentence) {
@@ -168,20 +173,22 @@ void WhyCard::showCell(const QString& words, const QVector<QPoint>& places) {
     places_ = places;
 }
 
-/// Over the panel; in a small window in the corner of the window that covers the fewest of the cell's places. A card that covers no place
-/// does not move.
+/// In the corner of the views that covers the fewest of the cell's places; in a small window, where all of them cover the cell in the
+/// cloud, over the panels. A card that is open moves only if it covers that one.
 void WhyCard::placeNextToCell() {
-    const auto covered = [this](const QPoint& at) {
-        const QRect card = QRect(at, size()).adjusted(-kRing, -kRing - kFromTop / 2, kRing, kRing); // with its title bar
-        int count = 0; // the first place, that in the cloud, counts more than all others
-        for (int n = 0; n < places_.size(); ++n) count += !card.contains(places_[n]) ? 0 : n == 0 ? places_.size() : 1;
+    constexpr int kFirst = 100, kPanels = 10; // more than the images
+    const QRect views = viewsOf(*parentWidget()), window = parentWidget()->frameGeometry();
+    const auto covered = [&](const QPoint& at) {
+        const QRect card = QRect(at, size()).adjusted(-kRing, -kRing - kTitleBar, kRing, kRing);
+        int count = at.x() + width() > views.right() ? kPanels : 0;
+        for (int n = 0; n < places_.size(); ++n) count += !card.contains(places_[n]) ? 0 : n == 0 ? kFirst : 1;
         return count;
     };
-    if (isVisible() && covered(pos()) == 0) return;
-    const QRect window = parentWidget()->frameGeometry(), room = screen()->availableGeometry();
-    const int right = window.right() - width() - kFromRight, left = window.left() + kFromRight;
-    const int top = window.top() + kFromTop, bottom = std::min(window.bottom(), room.bottom()) - height() - kFromRight;
-    const std::array corners{QPoint(right, top), QPoint(left, top), QPoint(right, bottom), QPoint(left, bottom)};
+    if (isVisible() && covered(pos()) < kFirst) return;
+    const int right = views.right() - width() - kAround, left = views.left() + kAround, beyond = window.right() - width() - kAround;
+    const int top = views.top() + kAround + kTitleBar, bottom = std::max(top, views.bottom() - height() - kAround);
+    const std::array corners{QPoint(right, top),   QPoint(left, top),   QPoint(right, bottom),
+                             QPoint(left, bottom), QPoint(beyond, top), QPoint(beyond, bottom)};
     move(*std::ranges::min_element(corners, {}, covered)); // the first of equal ones
 }
 
@@ -190,15 +197,15 @@ void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& 
     picture_->show(profile);
     below_->setVisible(!picture_->isHidden());
     numbers_->setText(numbers);
-    numbers_->setVisible(!numbers.isEmpty());
-    fit();
+    for (QLabel* each : {title_, numbers_}) each->setVisible(!numbers.isEmpty());
+    if (!isVisible()) fit();
     if (parentWidget() != nullptr) placeNextToCell();
     show();
     raise();
 }
 
 void WhyCard::offerNearestEdge(int cells) {
-    beside_->setText(cells == 1 ? tr("Why the edge next to it?") : tr("Why the edge %1 cells away?").arg(cells));
+    if (cells > 0) beside_->setText(cells == 1 ? tr("Why the edge next to it?") : tr("Why the edge %1 cells away?").arg(cells));
     beside_->setVisible(cells > 0);
 }
 

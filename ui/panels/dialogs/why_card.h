@@ -29,7 +29,8 @@ private:
     edges::EdgeProfile profile_;
 };
 
-/// GUI thread only. Not modal; another cell replaces its content.
+/// GUI thread only. Not modal; another cell replaces its content. It has one size and place while it is open, over the views and not over
+/// the panels next to them; a long text scrolls.
 class WhyCard : public QDialog {
     Q_OBJECT
 public:
@@ -53,18 +54,14 @@ public:
 signals:
     void nearestEdgeRequested();
 
-protected:
-    void hideEvent(QHideEvent* event) override;
-
 private:
     void fit();
     void placeNextToCell();
 
     QScrollArea* content_ = nullptr;
-    QLabel *plain_, *cell_, *verdict_, *numbers_, *below_;
+    QLabel *plain_, *cell_, *verdict_, *title_, *numbers_, *below_;
     QPushButton* beside_;
     ProfileView* picture_;
-    int kept_ = 0;           // px: the height of its text while it is open
     QVector<QPoint> places_; // of the cell, on the screen
 };
 

@@ -43,6 +43,8 @@ QPushButton* button(const char* name, const QString& text, const QString& help) 
     return made;
 }
 
+QString portWord() { return LivePanel::tr("Port") + ' '; }
+
 /// Makes a button wide enough for each of its texts, so that its neighbours do not move under a finger.
 void reserveWidth(QPushButton& button, std::initializer_list<QString> texts) {
     const QString now = button.text();
@@ -76,6 +78,7 @@ LivePanel::LivePanel(QWidget* parent)
     port_->setObjectName("live-port");
     port_->setAccessibleName(tr("Port of the scanner"));
     port_->setToolTip(tr("Port of the scanner"));
+    port_->setPrefix(portWord());
     port_->setRange(1, 65535);
     port_->setValue(kUsualPort);
     addSweepDialog();
@@ -251,6 +254,7 @@ void LivePanel::forgetScanner() {
 
 void LivePanel::setBrief(bool on) {
     brief_ = on;
+    port_->setPrefix(on ? QString() : portWord());
     strip_->setBrief(on);
     int place = 0;
     for (QPushButton* each : {hold_, follow_, other_}) {

@@ -179,7 +179,7 @@ QString Timeline::labelShown() const { return label_->text(); }
 
 void Timeline::showPlace() {
     const std::size_t line = static_cast<std::size_t>(std::clamp(position_ - 1, 0, lines() - 1));
-    QString text = tr("RECORDED %1 · line %2/%3").arg(utcText(contents_.lineNs[line])).arg(position_).arg(lines());
+    QString text = tr("RECORDED · line %2/%3 at %1").arg(utcText(contents_.lineNs[line])).arg(position_).arg(lines());
     if (contents_.sweeps.size() > 1) text += tr(" · sweep %1 of %2").arg(sweepAt(position_) + 1).arg(contents_.sweeps.size());
     label_->setText(text);
 }

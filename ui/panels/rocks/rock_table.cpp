@@ -121,6 +121,11 @@ void RockTable::fitColumns() {
 void RockTable::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool wide = width() >= kWide;
+    if (model_->setNarrow(!wide)) {
+        QHeaderView& heads = *table_->horizontalHeader();
+        heads.setMinimumHeight(wide ? 2 * heads.fontMetrics().height() + 6 : 0); // also what the style leaves for the arrow
+        fitColumns();
+    }
     bar_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     sides_->setOrientation(wide ? Qt::Horizontal : Qt::Vertical);
     curve_->setVisible(wide || height() >= kHigh);

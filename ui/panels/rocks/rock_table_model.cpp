@@ -6,7 +6,9 @@
 #include "ui/panels/rocks/rock_colours.h"
 
 #include <QPainter>
+#include <QRegularExpression>
 
+#include <utility>
 #include <vector>
 
 namespace edgescan::ui {
@@ -82,6 +84,13 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     return {};
 }
 
+/// "size: visible width b [m]" as "b [m]": four columns of a narrow table are in sight. The tool tip has all of it.
+QString RockTableModel::briefly(const QString& head) {
+    static const QRegularExpression kLetter("^(?:(±) .*|.* (\\w)) (\\[[^\\]]+\\])$", QRegularExpression::UseUnicodePropertiesOption);
+    const QRegularExpressionMatch match = kLetter.match(head);
+    return match.hasMatch() ? match.captured(1) + match.captured(2) + ' ' + match.captured(3) : head;
+}
+
 /// Broken in two at the blank nearest to its middle, so that the longest word decides how wide a column is.
 QString RockTableModel::inTwoLines(const QString& head) {
     const auto middle = head.size() / 2;
@@ -90,10 +99,16 @@ QString RockTableModel::inTwoLines(const QString& head) {
     return at < 0 ? head : QString(head).replace(at, 1, '\n');
 }
 
+bool RockTableModel::setNarrow(bool on) {
+    if (std::exchange(narrow_, on) == on) return false;
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    return true;
+}
+
 QVariant RockTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) return {};
     const rocks::RockColumn& column = columns()[static_cast<std::size_t>(section)];
-    if (role == Qt::DisplayRole) return inTwoLines(QObject::tr(column.title));
+    if (role == Qt::DisplayRole) return narrow_ ? briefly(QObject::tr(column.title)) : inTwoLines(QObject::tr(column.title));
     if (role == Qt::ToolTipRole) return QObject::tr(column.title) + "\n" + QObject::tr(column.help);
     return {};
 }

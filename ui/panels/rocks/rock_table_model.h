@@ -23,6 +23,8 @@ public:
     [[nodiscard]] const std::shared_ptr<const RockPicture>& picture() const { return picture_; }
     /// Names that the operator gave, by the cell of their target.
     void setNames(const RockNames& names);
+    /// Short heads. True: that is a change.
+    bool setNarrow(bool on);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -30,11 +32,13 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] static QString briefly(const QString& head);
     [[nodiscard]] static QString inTwoLines(const QString& head);
     [[nodiscard]] QString nameOf(std::uint32_t label) const;
 
     std::shared_ptr<const RockPicture> picture_;
     RockNames names_;
+    bool narrow_ = false;
 };
 
 /// The rocks that are large and certain enough, in the order of a column.

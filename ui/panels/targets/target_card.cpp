@@ -44,9 +44,9 @@ std::vector<std::pair<std::string, std::string>> measuredRows(const inspect::Cel
 } // namespace
 
 TargetCard::TargetCard(QWidget* parent)
-    : QFrame(parent), number_(new QLabel), name_(new QLineEdit), note_(new QLineEdit), lock_(new QToolButton), close_(new QToolButton),
-      distance_(new QLabel), tolerance_(new QLabel), lines_(new QVBoxLayout), caveat_(new QLabel), why_(new QPushButton(tr("Why"))),
-      measure_(new QPushButton(tr("Measure"))), copy_(new QPushButton(tr("Copy"))) {
+    : QFrame(parent), number_(new QLabel), name_(new QLineEdit), note_(new QLineEdit), wholeNote_(new QLabel), lock_(new QToolButton),
+      close_(new QToolButton), distance_(new QLabel), tolerance_(new QLabel), lines_(new QVBoxLayout), caveat_(new QLabel),
+      why_(new QPushButton(tr("Why"))), measure_(new QPushButton(tr("Measure"))), copy_(new QPushButton(tr("Copy"))) {
     setObjectName("target-card");
     setFrameShape(QFrame::StyledPanel);
     number_->setObjectName("target-number");
@@ -62,6 +62,10 @@ TargetCard::TargetCard(QWidget* parent)
     note_->setPlaceholderText(tr("Note"));
     note_->setMaxLength(static_cast<int>(inspect::kLongestTargetNote) / 4);
     note_->setToolTip(tr("Your note on it, stored with its name"));
+    wholeNote_->setObjectName("target-whole-note");
+    wholeNote_->setWordWrap(true);
+    wholeNote_->setTextFormat(Qt::PlainText);
+    connect(note_, &QLineEdit::textChanged, this, &TargetCard::fitNote);
     lock_->setObjectName("target-lock");
     lock_->setText(tr("Lock"));
     lock_->setCheckable(true);
@@ -102,6 +106,7 @@ TargetCard::TargetCard(QWidget* parent)
     column->addLayout(number);
     column->addLayout(buttons); // above the rows: in sight also where the card must be scrolled
     column->addWidget(note_);
+    column->addWidget(wholeNote_);
     column->addLayout(lines_);
     column->addWidget(caveat_);
 
@@ -139,6 +144,19 @@ void TargetCard::show(const inspect::PinnedTarget& target, const inspect::CellTa
         }
     }
     measure_->setEnabled(known->probe.state == CellState::Valid);
+}
+
+/// A note that is longer than its field is shown below it.
+void TargetCard::fitNote() {
+    constexpr int kMargins = 12; // px, of the field
+    const bool fits = note_->fontMetrics().horizontalAdvance(note_->text()) <= note_->width() - kMargins;
+    wholeNote_->setText(fits ? QString() : note_->text());
+    wholeNote_->setHidden(fits);
+}
+
+void TargetCard::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fitNote();
 }
 
 void TargetCard::editName() {

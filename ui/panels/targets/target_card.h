@@ -41,12 +41,17 @@ signals:
     void renamed(const QString& name);
     void noted(const QString& note);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitNote();
     void setRow(std::size_t row, const TargetRow& words, const QString& was);
 
     QLabel* number_;
     QLineEdit* name_;
     QLineEdit* note_;
+    QLabel* wholeNote_;
     QToolButton* lock_;
     QToolButton* close_;
     QLabel* distance_;

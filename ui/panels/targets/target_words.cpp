@@ -93,9 +93,7 @@ TargetRow cellRow(const inspect::CellTarget& target) {
 }
 
 TargetRow edgeRow(const inspect::CellTarget& target) {
-    QString value = !target.probe.edge                            ? QObject::tr("none")
-                    : target.probe.kind == edges::DepthEdge::None ? QObject::tr("yes")
-                                                                  : QObject::tr(edges::edgeClassLabel(target.probe.kind));
+    QString value = edgeText(target);
     if (target.strength) value += QObject::tr(", strength %1").arg(fixed(*target.strength, 2));
     return {QObject::tr("Edge"), value, QObject::tr("Strength 1 is at the threshold; Why says more")};
 }
@@ -149,6 +147,11 @@ QString clickText(const inspect::MeantCell& click, const edges::Detection& detec
     return text + QObject::tr("▲ a nearer surface is also within %1 cells: zoom in if that was meant").arg(inspect::kSnapReach);
 }
 
+QString edgeText(const inspect::CellTarget& target) {
+    if (!target.probe.edge) return QObject::tr("no edge");
+    return target.probe.kind == edges::DepthEdge::None ? QObject::tr("edge") : QObject::tr(edges::edgeClassLabel(target.probe.kind));
+}
+
 QString distanceText(const inspect::CellTarget& target) {
     if (target.probe.state == CellState::Valid) return QObject::tr("%1 m").arg(fixed(target.distanceM, 3));
     return cellStateText(target.probe.state);
@@ -180,6 +183,7 @@ QString tableHeading() {
                        "RL [m]",
                        QObject::tr("Line"),
                        QObject::tr("Beam"),
+                       QObject::tr("Edge"),
                        QObject::tr("Note")}
         .join('\t');
 }
@@ -195,6 +199,7 @@ QString tableRow(const inspect::PinnedTarget& pinned, const inspect::CellTarget*
     for (int axis = 0; axis < 3; ++axis) add(placed, placed ? (*target->probe.mineM)[axis] : 0.0);
     for (const bool line : {true, false})
         row << (target == nullptr ? QString() : QString::number(line ? target->probe.line : target->probe.beam));
+    row << (target == nullptr ? QString() : edgeText(*target));
     row << shownName(exactText(pinned.note), static_cast<int>(inspect::kLongestTargetNote));
     return row.join('\t');
 }

@@ -43,6 +43,8 @@ struct TargetRow {
 /// other surface is in front of it. Says so if `detection` has no edge there: settings can hide one, and a slip of
 /// the stepper is not an edge.
 [[nodiscard]] QString clickText(const inspect::MeantCell& click, const edges::Detection& detection);
+/// "jump", "no edge"; "edge" if the method has no classes.
+[[nodiscard]] QString edgeText(const inspect::CellTarget& target);
 /// "4.911 m", "no return".
 [[nodiscard]] QString distanceText(const inspect::CellTarget& target);
 /// "± 0.009"; empty if the cell is not valid.

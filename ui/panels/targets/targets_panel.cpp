@@ -18,23 +18,21 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kMostLines =
-    3; // of a list before it scrolls: with a pose a target has three lines, and its card stays in sight at 1280 x 768
+// Of a list before it scrolls: with a pose a target has three lines, and its card stays in sight at 1280 x 768.
+constexpr int kMostTargets = 3, kMostWithMeasures = 2, kMostMeasures = 2;
 
-/// Own: as high as its lines. Constant: as high as `kMostLines` of them, so that one more line moves nothing below the list.
-enum class Height { Own, Constant };
-
-// So that the panel has one scroll bar instead of three. Its own bar follows from the number of lines alone: a bar that comes with the
-// height changes the width, the width the wrapped lines, and these the height, without end.
-void fitHeight(QListWidget& list, Height height) {
-    list.setVerticalScrollBarPolicy(list.count() > kMostLines ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+/// So that the panel has one scroll bar instead of three. `constant`: as high as `most` of its lines, so that one more line moves nothing
+/// below the list. Its own bar follows from the number of lines alone: a bar that comes with the height changes the width, the width the
+/// wrapped lines, and these the height, without end.
+void fitHeight(QListWidget& list, int most, bool constant) {
+    list.setVerticalScrollBarPolicy(list.count() > most ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
     int high = 0, tallest = list.fontMetrics().height();
     for (int n = 0; n < list.count(); ++n) {
         const int line = list.visualItemRect(list.item(n)).height();
         tallest = std::max(tallest, line);
-        if (n < kMostLines) high += line;
+        if (n < most) high += line;
     }
-    if (height == Height::Constant) high = kMostLines * tallest;
+    if (constant) high = most * tallest;
     list.setFixedHeight((list.count() > 0 ? high : tallest) + 2 * list.frameWidth() + 2);
     if (list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
@@ -103,10 +101,10 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     ofAll->addWidget(copyAll_);
     ofAll->addWidget(letGoOfAll_);
     column->addLayout(ofAll);
-    column->addWidget(card_);
-    column->addLayout(titleOfMeasures);
+    column->addLayout(titleOfMeasures); // above the card, too
     column->addWidget(measures_);
     column->addWidget(remarks_);
+    column->addWidget(card_);
     column->addWidget(note_);
     column->addStretch(1);
     // Not currentRowChanged: a list that gets the focus sets a current row itself.
@@ -149,7 +147,12 @@ void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const
         if (line.chosen) chosen = n;
     }
     list.setCurrentRow(chosen);
-    fitHeight(list, &list == targets_ ? Height::Constant : Height::Own);
+    fit(list);
+}
+
+void TargetsPanel::fit(QListWidget& list) {
+    const bool ofTargets = &list == targets_;
+    fitHeight(list, !ofTargets ? kMostMeasures : shownMeasures_.empty() ? kMostTargets : kMostWithMeasures, ofTargets);
 }
 
 /// Another width has other lines. Return in the list of targets asks for the name.
@@ -159,8 +162,7 @@ bool TargetsPanel::eventFilter(QObject* watched, QEvent* event) {
         for (QListWidget* list : {targets_, measures_}) {
             if (watched == list->viewport())
                 QMetaObject::invokeMethod(
-                    list, [list, height = list == targets_ ? Height::Constant : Height::Own] { fitHeight(*list, height); },
-                    Qt::QueuedConnection);
+                    this, [this, list] { fit(*list); }, Qt::QueuedConnection);
         }
     }
     if (watched == targets_ && event->type() == QEvent::KeyPress && targets_->currentRow() >= 0) {
@@ -188,7 +190,9 @@ void TargetsPanel::showAsked(const QString& words) {
 
 void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
     const bool more = lines.size() > shownMeasures_.size();
+    const bool first = lines.empty() != shownMeasures_.empty();
     fill(*measures_, shownMeasures_, lines);
+    if (first) fit(*targets_);
     showRemarks();
     for (QWidget* each : {static_cast<QWidget*>(measuresTitle_), static_cast<QWidget*>(measures_), static_cast<QWidget*>(removeMeasure_)})
         each->setVisible(!lines.empty());

@@ -57,6 +57,7 @@ signals:
 
 private:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void fit(QListWidget& list);
     void showNewest();
     void showRemarks();
     void fill(QListWidget& list, std::vector<TargetLine>& shown, const std::vector<TargetLine>& lines);

@@ -23,9 +23,9 @@ const QColor kPlateau(86, 180, 233, 70);
 CountCurve::CountCurve(const edges::Parameter& parameter, QWidget* parent) : QWidget(parent), parameter_(parameter) {
     setObjectName(QString("curve-") + parameter.key);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setToolTip(
-        tr("Number of edge cells at every threshold, on a logarithmic scale. Hatched: the widest range over which at most a fifth of "
-           "them disappears. The vertical line is the threshold in use."));
+    setToolTip(tr("Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range "
+                  "over which at most a fifth of "
+                  "them disappears. The vertical line is the threshold in use."));
 }
 
 void CountCurve::showCurve(std::optional<edges::EdgeCountCurve> curve) {
@@ -53,8 +53,9 @@ double CountCurve::xOf(double threshold) const {
 }
 
 double CountCurve::yOf(std::size_t edges) const {
-    const double most = std::log1p(static_cast<double>(curve_->edges.front()));
-    const double share = most > 0 ? std::log1p(static_cast<double>(edges)) / most : 0.0;
+    const auto [least, most] = std::ranges::minmax(curve_->edges);
+    const double low = std::log1p(static_cast<double>(least)), high = std::log1p(static_cast<double>(most));
+    const double share = high > low ? (std::log1p(static_cast<double>(edges)) - low) / (high - low) : 0.5;
     return height() - 2 - share * (height() - kTextHeight - 4);
 }
 
@@ -100,6 +101,16 @@ void CountCurve::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
     const double x = xOf(std::clamp(value_, curve_->thresholds.front(), curve_->thresholds.back()));
     painter.drawLine(QPointF(x, below.top()), QPointF(x, below.bottom()));
+    painter.setPen(palette().color(QPalette::WindowText));
+    // The ends of its axis, where the falling curve leaves room.
+    const auto [least, most] = std::ranges::minmax(curve_->edges);
+    const auto label = [&](Qt::Alignment side, const QString& words) {
+        const QRectF place = painter.boundingRect(below, side, words);
+        painter.fillRect(place, palette().window());
+        painter.drawText(place, side, words);
+    };
+    label(Qt::AlignRight | Qt::AlignTop, tr("top: %1").arg(countText(most)));
+    label(Qt::AlignLeft | Qt::AlignBottom, tr("bottom: %1").arg(countText(least)));
 }
 
 } // namespace edgescan::ui

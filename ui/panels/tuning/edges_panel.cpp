@@ -8,6 +8,7 @@
 #include "core/edges/pipeline/step_meaning.h"
 #include "core/edges/settings/method_traits.h"
 #include "core/edges/settings/parameters.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/tuning/count_curve.h"
 #include "ui/panels/tuning/parameter_row.h"
@@ -120,12 +121,21 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     setMinimumWidth(kNarrowestPanel);
     setRatioLocked(true);
     show(edges::Settings{});
+    setPreset(preset_);
 }
 
-/// Names of the built-in presets; files and the command line have them in English.
-[[maybe_unused]] constexpr std::array kPresetNames{QT_TRANSLATE_NOOP("QObject", "default"),      QT_TRANSLATE_NOOP("QObject", "log"),
-                                                   QT_TRANSLATE_NOOP("QObject", "thesis"),       QT_TRANSLATE_NOOP("QObject", "window"),
-                                                   QT_TRANSLATE_NOOP("QObject", "smooth-walls"), QT_TRANSLATE_NOOP("QObject", "default-3")};
+/// What each built-in preset is for, in one line. Files and the command line have the names in English.
+struct PresetWords {
+    const char *name, *purpose;
+};
+constexpr std::array<PresetWords, 6> kPresetWords{{
+    {QT_TRANSLATE_NOOP("QObject", "default"), QT_TRANSLATE_NOOP("QObject", "For most scans of rock")},
+    {QT_TRANSLATE_NOOP("QObject", "log"), QT_TRANSLATE_NOOP("QObject", "Steps in percent of the range")},
+    {QT_TRANSLATE_NOOP("QObject", "thesis"), QT_TRANSLATE_NOOP("QObject", "To compare with the thesis")},
+    {QT_TRANSLATE_NOOP("QObject", "window"), QT_TRANSLATE_NOOP("QObject", "The thesis, with more contrast")},
+    {QT_TRANSLATE_NOOP("QObject", "smooth-walls"), QT_TRANSLATE_NOOP("QObject", "For flat walls with low steps")},
+    {QT_TRANSLATE_NOOP("QObject", "default-3"), QT_TRANSLATE_NOOP("QObject", "To compare with version 3")},
+}};
 
 void EdgesPanel::addPresets(QGridLayout& grid) {
     presets_ = new QComboBox;
@@ -159,10 +169,13 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
     buttons->addWidget(save);
     auto* label = new QLabel(tr("Preset"));
     label->setBuddy(presets_);
+    purpose_ = new ElidedLabel;
+    purpose_->setObjectName("preset-purpose");
     const int row = grid.rowCount();
     grid.addWidget(label, row, 0);
     grid.addWidget(presets_, row, 1, 1, 3);
-    grid.addLayout(buttons, row + 1, 0, 1, 4);
+    grid.addWidget(purpose_, row + 1, 0, 1, 4);
+    grid.addLayout(buttons, row + 2, 0, 1, 4);
 }
 
 void EdgesPanel::addRow(const edges::Parameter& parameter, QGridLayout& grid) {
@@ -344,6 +357,10 @@ void EdgesPanel::setPreset(const edges::Preset& preset) {
         index = presets_->count() - 1;
     }
     presets_->setCurrentIndex(index);
+    const auto known = std::ranges::find(kPresetWords, preset.name, [](const PresetWords& each) { return std::string(each.name); });
+    const QString help = QObject::tr(preset.help.c_str());
+    purpose_->setText(known != kPresetWords.end() ? QObject::tr(known->purpose) : tr("From a file"));
+    for (QWidget* each : std::initializer_list<QWidget*>{presets_, purpose_}) each->setToolTip(help);
     showPresetName();
 }
 

@@ -102,6 +102,7 @@ private:
     std::vector<ParameterRow*> rows_;
     QComboBox* presets_ = nullptr;
     QLabel* modified_ = nullptr;
+    QLabel* purpose_ = nullptr; // of the preset
     std::vector<CountCurve*> curves_;
     QLabel* upper_ = nullptr;
     QToolButton* fold_ = nullptr;

@@ -257,7 +257,7 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
 void StatusLine::showTimeOf(const Scan& scan, bool live) {
     const std::string start = scan.acquisition ? scan.acquisition->startUtc : std::string();
     if (live || start.empty()) return showFact(Fact::Recorded, {}, {}, false); // the badge of the source says "no time"
-    showFact(Fact::Recorded, tr("measured %1").arg(shownText(start)), tr("measured %1").arg(shownText(start).left(10)), false);
+    showFact(Fact::Recorded, tr("first line %1").arg(shownText(start)), tr("first line %1").arg(shownText(start).left(10)), false);
     factLabel(Fact::Recorded).label->setToolTip(tr("First line, by %1").arg(shownText(scan.acquisition->clockSource)));
 }
 
