@@ -558,6 +558,39 @@ private slots:
         // The log uses the language of the sources, whatever the language of the window.
         QCOMPARE(w.viewer().undo.text(0), QString("Keep as A"));
     }
+
+    // In a cab the large view is part of the session; after a crash a line names what is there again, and Undo has nothing.
+    void theLargeViewOfACabComesBackAfterACrash() {
+        QDir().mkpath(inFolder("cab/sessions"));
+        const QString path = inFolder("cab/sessions/running-999999-0") + inspect::kSessionEnding;
+        {
+            WindowFixture on;
+            QVERIFY(on.showWith(boxes_));
+            on.window.cab().set(true);
+            on.viewer.views.pin(100);
+            QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
+            on.window.cab().useViews("edges edges");
+            QVERIFY(on.viewer.views.edges().isVisible());
+            QFile file(path);
+            const std::string text = on.window.sessions().textFor(inFolder("cab/sessions"));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text.data(), static_cast<qint64>(text.size())) > 0);
+            on.window.cab().set(false);
+        }
+        WindowFixture on(inFolder("cab/viewer.ini"));
+        QVERIFY(on.show());
+        on.window.cab().set(true);
+        on.window.sessions().offerToContinue();
+        auto* button = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QTRY_VERIFY(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        QTRY_VERIFY(on.viewer.views.edges().isVisible() && !on.viewer.views.cloud().isVisible());
+        QCOMPARE(on.window.cab().viewsKept(), std::string("edges edges"));
+        QVERIFY2(on.viewer.notice.text().startsWith("Restored: 1 target"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(!on.viewer.undo.canUndo() && on.viewer.targets.active() != nullptr);
+        on.window.cab().set(false);
+        QVERIFY(on.viewer.views.cloud().isVisible());
+    }
 };
 
 int sessions_test(int argc, char** argv) { return runWindowTest<SessionsTest>(argc, argv); }

@@ -47,8 +47,12 @@ QString sweepName(const scanner::SweepProgress& sweep) {
         .arg(sweep.expected);
 }
 
-QString mountingQuestion() {
-    return Live::tr("How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.");
+/// `brief`: for a cab.
+QString mountingQuestion(bool brief) {
+    return brief
+               ? Live::tr("Mounting and step are not known.")
+               : Live::tr(
+                     "How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.");
 }
 
 } // namespace
@@ -105,7 +109,9 @@ void Live::connectPanel() {
     });
     connect(&panel_, &LivePanel::disconnectRequested, this, [this] {
         scanner_.disconnectScanner();
-        if (!showsScanner()) panel_.forgetScanner();
+        if (showsScanner()) return;
+        panel_.forgetScanner();
+        notice_.withdraw({mountingQuestion(false), mountingQuestion(true)}); // of a sweep without a line
     });
     connect(&panel_, &LivePanel::recordRequested, this, &Live::record);
     connect(&panel_, &LivePanel::keepRequested, this, &Live::keepLastMinute);
@@ -160,7 +166,7 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);
     if (scanner.bridge || (!sweep.axisAssumed && !sweep.stepAssumed)) return;
-    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion());
+    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion(panel_.brief()));
     notice_.offer(tr("Give them…"), [this] { panel_.askSweep(); });
 }
 
@@ -169,7 +175,7 @@ void Live::useSweep() {
     const std::optional<int> gone = scanner_.useSweep(sweep);
     if (!gone) return;
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
-    if (notice_.text() == mountingQuestion() && !sweep.axisAssumed && !sweep.stepAssumed) notice_.hide();
+    if (!sweep.axisAssumed && !sweep.stepAssumed) notice_.withdraw({mountingQuestion(false), mountingQuestion(true)});
     QStringList remarks;
     if (*gone > 0) remarks << tr("The first %1 lines of this sweep are too old to be moved to their new places.").arg(*gone);
     if (scanner_.recording())
@@ -205,9 +211,17 @@ void Live::showHealth() {
                       own ? note(held) : QString());
     views_.setStale(scanner_.showsStale() ? coreWords(scanner_.health().badge) : QString());
     const QString note = // a cab says it in its head
-        held && !panel_.brief() ? tr("Held: %1. Press Follow.").arg(scanName(shown->detection->scan->name, 60)) : QString();
+        scanner_.connected() && !shown ? waitsFor()
+        : held && !panel_.brief()      ? tr("Held: %1. Press Follow.").arg(scanName(shown->detection->scan->name, 60))
+                                       : QString();
     if (std::exchange(heldNote_, note) != note) views_.setNote(note);
     views_.setShapeNote(shapeNote());
+}
+
+/// Before the first line: what is wrong with the connection, or that nothing is.
+QString Live::waitsFor() const {
+    const std::string& wrong = scanner_.health().sentence;
+    return wrong.empty() ? tr("Waiting for the first line") : coreSentence(wrong);
 }
 
 /// Also after Stop and of a recording, while lengths and rocks have the sign too.
@@ -216,7 +230,8 @@ QString Live::shapeNote() const {
     if (!shown) return {};
     const scanner::SweepSettings sweep = panel_.sweep();
     if (scanner_.connected() && showsScanner() && !panel_.bridge() && (sweep.axisAssumed || sweep.stepAssumed))
-        return tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
+        return panel_.brief() ? QString() // its strip has the badge
+                              : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
     return mountingAssumed(*shown->detection->scan) ? tr("▲ mounting assumed") : QString();
 }
 

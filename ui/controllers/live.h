@@ -49,6 +49,9 @@ public:
     [[nodiscard]] LivePanel& panel() { return panel_; }
     [[nodiscard]] Timeline& timeline() { return timeline_; }
 
+    /// What a connected scanner without a line yet waits for.
+    [[nodiscard]] QString waitsFor() const;
+
 signals:
     /// grows() may have changed without a new picture.
     void growthChanged();

@@ -23,6 +23,7 @@ constexpr int kFromRight = 12, kFromTop = 90;  // px, of the window's frame
 constexpr int kFrame = 48;                     // px: above and below the card, at most
 constexpr int kWidest = 420, kNarrowest = 260; // px, of the texts
 constexpr double kShare = 0.42;                // of a narrow window: a cell is free at one of the sides
+constexpr int kRoomForBeside = 600;            // px of the screen
 constexpr int kRing = 16;                      // px around a cell
 constexpr int kRim = 12;                       // px
 constexpr int kUsualLines = 24;                // of text, with a picture: one click after another finds the card as high
@@ -121,9 +122,6 @@ WhyCard::WhyCard(QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     beside_->setObjectName("why-beside");
     beside_->setAutoDefault(false);
-    QSizePolicy place = beside_->sizePolicy();
-    place.setRetainSizeWhenHidden(true);
-    beside_->setSizePolicy(place);
     beside_->hide();
     connect(beside_, &QPushButton::clicked, this, &WhyCard::nearestEdgeRequested);
     auto* content = new QWidget;
@@ -142,12 +140,15 @@ WhyCard::WhyCard(QWidget* parent)
 void WhyCard::fit() {
     const int wide = parentWidget() == nullptr ? kWidest : static_cast<int>(kShare * parentWidget()->width()) - kFrame;
     for (QLabel* each : {plain_, cell_, verdict_, numbers_}) each->setMinimumWidth(std::clamp(wide, kNarrowest, kWidest));
+    const QRect room = screen()->availableGeometry();
+    QSizePolicy place = beside_->sizePolicy();
+    place.setRetainSizeWhenHidden(room.height() >= kRoomForBeside); // a low screen gives its place to the text
+    beside_->setSizePolicy(place);
     QWidget& content = *content_->widget();
     content.ensurePolished();
     const int high = content.layout()->heightForWidth(std::max(content_->viewport()->width(), content.layout()->minimumSize().width()));
     kept_ = std::max({kept_, high, kUsualLines * fontMetrics().lineSpacing() + picture_->height()});
     content_->setMinimumHeight(0);
-    const QRect room = screen()->availableGeometry();
     const int others = layout()->minimumSize().height() - content_->minimumSizeHint().height();
     content_->setMinimumHeight(std::min(kept_, room.height() - kFromTop - others - kFrame));
     adjustSize();
