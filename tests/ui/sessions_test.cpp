@@ -235,7 +235,7 @@ private slots:
         QVERIFY(!on.viewer.views.cloud().isVisible() && on.viewer.views.edges().isVisible());
         // A session saved in cab mode does not change docks: outside cab mode they have their former places.
         on.window.cab().set(true);
-        QVERIFY(on.window.layoutKept().empty());
+        QCOMPARE(on.window.layoutKept().size(), std::size_t(1)); // which view is large in the cab
         on.window.useLayout({{"docks", "AAAA"}});
         QVERIFY(on.window.cab().on() && on.viewer.views.cloud().isVisible());
         on.window.cab().set(false);
