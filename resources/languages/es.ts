@@ -449,6 +449,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>sweep %1: %2 lines</source><translation>barrido %1: %2 líneas</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>barrido %1: %2/%3 líneas, completo</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>barrido %1: %2/%3 líneas, parcial</translation></message>
+<message><source>Mounting and step are not known.</source><translation>No se conocen montaje ni paso.</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
@@ -456,6 +457,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
+<message><source>Waiting for the first line</source><translation>Se espera la primera línea</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
@@ -647,6 +649,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Where is the scan now?</source><translation>¿Dónde está ahora el escaneo?</translation></message>
 <message><source>The session %1 is not changed: this is another scan.</source><translation>La sesión %1 no se modifica: este es otro escaneo.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 no es el escaneo de esta sesión: su contenido es distinto. Los ajustes y la vista se han restaurado; los objetivos, la selección, las marcas, las rocas, A y la cámara no.</translation></message>
+<message><source>measurements: %1</source><translation>mediciones: %1</translation></message>
+<message><source>settings, view</source><translation>ajustes, vista</translation></message>
+<message><source>Restored: %1. Undo begins here.</source><translation>Restaurado: %1. Deshacer empieza aquí.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen at %1 is stored.</source><translation>EdgeScan terminó sin cerrarse. Lo que había en pantalla el %1 se ha guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar donde estaba</translation></message>
@@ -818,6 +823,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>? not seen in the other</source><translation>? no visto en el otro</translation></message>
 <message><source>surface nearer than in A</source><translation>superficie más cerca que en A</translation></message>
 <message><source>surface farther than in A</source><translation>superficie más lejos que en A</translation></message>
+<message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A tiene %1 celdas de borde: %2 perdidas, %3 junto a bordes de B, %4 sin punto de B</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ FUERA DE TOLERANCIA</translation></message>
 <message><source>colour by distance from A</source><translation>color según la distancia a A</translation></message>
 <message><source>cells</source><translation>celdas</translation></message>
@@ -914,16 +920,18 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 cells will be saved.</source><translation>Se guardarán %1 celdas.</translation></message>
 <message><source>doubtful</source><translation>dudoso</translation></message>
 <message><source>detected</source><translation>deducido</translation></message>
+<message><source>assumed</source><translation>supuesto</translation></message>
 <message><source>given by you</source><translation>como se indicó</translation></message>
 <message><source>from the file</source><translation>según el archivo</translation></message>
 <message><source>Does This Look Right?</source><translation>¿Parece correcto?</translation></message>
 <message><source>&amp;Close</source><translation>&amp;Cerrar</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adoptar</translation></message>
-<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Haga clic en otra lectura para ver el escaneo leído así. Adoptar la toma, y Ctrl+Z lo deshace. Cerrar restaura la lectura anterior.</translation></message>
 <message><source>or</source><translation>o</translation></message>
 <message><source>%1: there is no other way to read it.</source><translation>%1: no hay otra forma de leerlo.</translation></message>
 <message><source>%1: something contradicts how it was read.</source><translation>%1: algo contradice cómo se leyó.</translation></message>
+<message><source>%1: assumed (%2), and the scan itself does not contradict it.</source><translation>%1: supuesto (%2), y el propio escaneo no lo contradice.</translation></message>
 <message><source>%1: nothing contradicts how it was read.</source><translation>%1: nada contradice cómo se leyó.</translation></message>
+<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Haga clic en otra lectura para ver el escaneo leído así. Adoptar la toma, y Ctrl+Z lo deshace. Cerrar restaura la lectura anterior.</translation></message>
 <message><source>grid north</source><translation>norte de la cuadrícula</translation></message>
 <message><source>true north</source><translation>norte verdadero</translation></message>
 <message><source>the vertical</source><translation>la vertical</translation></message>
@@ -1441,22 +1449,26 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rocks</source><translation>Rocas</translation></message>
+<message><source>Rock…</source><translation>Roca…</translation></message>
+<message><source>What can be done with rocks</source><translation>Qué se puede hacer con las rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Images</source><translation>Imágenes</translation></message>
+<message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
 <message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Inicial</translation></message>
 <message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
-<message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
-<message><source>Range image</source><translation>Imagen de distancias</translation></message>
-<message><source>Edge map</source><translation>Mapa de bordes</translation></message>
+<message><source>Others…</source><translation>Otros…</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
 <message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
+<message><source>Range image</source><translation>Imagen de distancias</translation></message>
+<message><source>Edge map</source><translation>Mapa de bordes</translation></message>
+<message><source>Small picture</source><translation>Imagen pequeña</translation></message>
 <message><source>Close EdgeScan?</source><translation>¿Cerrar EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Se está escribiendo una grabación.</translation></message>
 <message><source>A file is still being written.</source><translation>Todavía se está escribiendo un archivo.</translation></message>
@@ -1898,9 +1910,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep: el motor paso a paso gira en torno a la línea 0/180 grados; %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, en torno a la línea 0/180 grados: %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>Las paredes se curvan con el montaje sweep: %1 de %2 trozos planos están en tres planos, con spin son %3.</translation></message>
-<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados, %4 en total; %1 de %2 trozos planos están en tres planos</translation></message>
-<message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados: %1 de %2 trozos planos están en tres planos</translation></message>
+<message><source>a step of %3 degrees, %4 in all: %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados, %4 en total: %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Las paredes se curvan con los ángulos de línea que se tomaron: %1 de %2 trozos planos están en tres planos, otros pasos dan más.</translation></message>
+<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados, %4 en total; %1 de %2 trozos planos están en tres planos</translation></message>
+<message><source>a step of %3 degrees, %4 in all; rough rock cannot show it: choose how far the motor turned in all</source><translation>un paso de %3 grados, %4 en total; la roca rugosa no puede mostrarlo: elija cuánto giró el motor en total</translation></message>
 <message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>ángulos de las líneas de %1 a %2 grados; ninguna distancia dice si izquierda y derecha están intercambiadas</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>al revés: izquierda y derecha intercambiadas</translation></message>
 <message><source>%1 lines of %2 beams, found from the directions of the points</source><translation>%1 líneas de %2 haces, halladas por las direcciones de los puntos</translation></message>

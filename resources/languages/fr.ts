@@ -449,6 +449,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>sweep %1: %2 lines</source><translation>balayage %1 : %2 lignes</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>balayage %1 : %2/%3 lignes, complet</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>balayage %1 : %2/%3 lignes, partiel</translation></message>
+<message><source>Mounting and step are not known.</source><translation>Montage et pas sont inconnus.</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
@@ -456,6 +457,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
+<message><source>Waiting for the first line</source><translation>En attente de la première ligne</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
@@ -647,6 +649,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Where is the scan now?</source><translation>Où est le scan maintenant ?</translation></message>
 <message><source>The session %1 is not changed: this is another scan.</source><translation>La session %1 n'est pas modifiée : ceci est un autre scan.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 n'est pas le scan de cette session : son contenu diffère. Réglages et vue sont repris ; cibles, sélection, marques, blocs, A et caméra ne le sont pas.</translation></message>
+<message><source>measurements: %1</source><translation>mesures : %1</translation></message>
+<message><source>settings, view</source><translation>réglages, vue</translation></message>
+<message><source>Restored: %1. Undo begins here.</source><translation>Rétabli : %1. Annuler commence ici.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen at %1 is stored.</source><translation>EdgeScan s'est arrêté sans être fermé. Ce qui était à l'écran le %1 est gardé.</translation></message>
 <message><source>Go on where I was</source><translation>Reprendre où j'en étais</translation></message>
@@ -818,6 +823,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>? not seen in the other</source><translation>? non vu dans l'autre</translation></message>
 <message><source>surface nearer than in A</source><translation>surface plus proche que dans A</translation></message>
 <message><source>surface farther than in A</source><translation>surface plus loin que dans A</translation></message>
+<message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A a %1 cellules d'arête : %2 perdues, %3 près d'arêtes de B, %4 sans point de B</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ HORS TOLÉRANCE</translation></message>
 <message><source>colour by distance from A</source><translation>couleur selon la distance à A</translation></message>
 <message><source>cells</source><translation>cellules</translation></message>
@@ -914,16 +920,18 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 cellules seront enregistrées.</translation></message>
 <message><source>doubtful</source><translation>douteux</translation></message>
 <message><source>detected</source><translation>déduit</translation></message>
+<message><source>assumed</source><translation>supposé</translation></message>
 <message><source>given by you</source><translation>comme indiqué</translation></message>
 <message><source>from the file</source><translation>d'après le fichier</translation></message>
 <message><source>Does This Look Right?</source><translation>Est-ce que cela paraît juste ?</translation></message>
 <message><source>&amp;Close</source><translation>&amp;Fermer</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adopter</translation></message>
-<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Cliquez une autre lecture pour voir le scan lu ainsi. Adopter la prend, et Ctrl+Z l'annule. Fermer rétablit la lecture d'avant.</translation></message>
 <message><source>or</source><translation>ou</translation></message>
 <message><source>%1: there is no other way to read it.</source><translation>%1 : il n'y a pas d'autre façon de le lire.</translation></message>
 <message><source>%1: something contradicts how it was read.</source><translation>%1 : quelque chose contredit sa lecture.</translation></message>
+<message><source>%1: assumed (%2), and the scan itself does not contradict it.</source><translation>%1 : supposé (%2), et le scan lui-même ne le contredit pas.</translation></message>
 <message><source>%1: nothing contradicts how it was read.</source><translation>%1 : rien ne contredit sa lecture.</translation></message>
+<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Cliquez une autre lecture pour voir le scan lu ainsi. Adopter la prend, et Ctrl+Z l'annule. Fermer rétablit la lecture d'avant.</translation></message>
 <message><source>grid north</source><translation>nord de la grille</translation></message>
 <message><source>true north</source><translation>nord géographique</translation></message>
 <message><source>the vertical</source><translation>la verticale</translation></message>
@@ -1441,22 +1449,26 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rocks</source><translation>Blocs</translation></message>
+<message><source>Rock…</source><translation>Bloc…</translation></message>
+<message><source>What can be done with rocks</source><translation>Ce qu'on peut faire avec les blocs</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
+<message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
 <message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
 <message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
-<message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
-<message><source>Range image</source><translation>Image de distances</translation></message>
-<message><source>Edge map</source><translation>Carte des arêtes</translation></message>
+<message><source>Others…</source><translation>Autres…</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
 <message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
+<message><source>Range image</source><translation>Image de distances</translation></message>
+<message><source>Edge map</source><translation>Carte des arêtes</translation></message>
+<message><source>Small picture</source><translation>Petite image</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fermer EdgeScan ?</translation></message>
 <message><source>A recording is being written.</source><translation>Un enregistrement est en cours d'écriture.</translation></message>
 <message><source>A file is still being written.</source><translation>Un fichier est encore en cours d'écriture.</translation></message>
@@ -1898,9 +1910,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep : le moteur pas à pas tourne autour de la ligne 0/180 degrés ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, autour de la ligne 0/180 degrés : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>Les parois se courbent avec le montage sweep : %1 morceaux plats sur %2 sont sur trois plans, contre %3 avec spin.</translation></message>
-<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés, %4 en tout ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
-<message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
+<message><source>a step of %3 degrees, %4 in all: %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés, %4 en tout : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Les parois se courbent avec les angles de ligne retenus : %1 morceaux plats sur %2 sont sur trois plans, d'autres pas en donnent plus.</translation></message>
+<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés, %4 en tout ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
+<message><source>a step of %3 degrees, %4 in all; rough rock cannot show it: choose how far the motor turned in all</source><translation>un pas de %3 degrés, %4 en tout ; une roche rugueuse ne peut pas le montrer : choisissez de combien le moteur a tourné en tout</translation></message>
 <message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>angles des lignes de %1 à %2 degrés ; aucune distance ne dit si la gauche et la droite sont échangées</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>dans l'autre sens : gauche et droite échangées</translation></message>
 <message><source>%1 lines of %2 beams, found from the directions of the points</source><translation>%1 lignes de %2 faisceaux, trouvées d'après les directions des points</translation></message>

@@ -449,6 +449,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>sweep %1: %2 lines</source><translation>varredura %1: %2 linhas</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>varredura %1: %2/%3 linhas, completa</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>varredura %1: %2/%3 linhas, parcial</translation></message>
+<message><source>Mounting and step are not known.</source><translation>Montagem e passo são desconhecidos.</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Não é possível ligar a %1: escreva o nome ou o endereço do scanner, ou ws://ROBOT para um robô com ROS.</translation></message>
@@ -456,6 +457,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
+<message><source>Waiting for the first line</source><translation>À espera da primeira linha</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
@@ -647,6 +649,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Where is the scan now?</source><translation>Onde está a varredura agora?</translation></message>
 <message><source>The session %1 is not changed: this is another scan.</source><translation>A sessão %1 não é alterada: esta é outra varredura.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é a varredura desta sessão: o conteúdo é outro. Ajustes e vista foram restaurados; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
+<message><source>measurements: %1</source><translation>medições: %1</translation></message>
+<message><source>settings, view</source><translation>ajustes, vista</translation></message>
+<message><source>Restored: %1. Undo begins here.</source><translation>Restaurado: %1. Desfazer começa aqui.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro uma varredura.</translation></message>
 <message><source>EdgeScan ended without being closed. What was on the screen at %1 is stored.</source><translation>O EdgeScan terminou sem ser fechado. O que estava na tela em %1 foi guardado.</translation></message>
 <message><source>Go on where I was</source><translation>Continuar onde estava</translation></message>
@@ -818,6 +823,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>? not seen in the other</source><translation>? não visto no outro</translation></message>
 <message><source>surface nearer than in A</source><translation>superfície mais perto que em A</translation></message>
 <message><source>surface farther than in A</source><translation>superfície mais longe que em A</translation></message>
+<message><source>A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B</source><translation>A tem %1 células de borda: %2 perdidas, %3 junto a bordas de B, %4 sem ponto de B</translation></message>
 <message><source>▲ OUT OF SPEC</source><translation>▲ FORA DE TOLERÂNCIA</translation></message>
 <message><source>colour by distance from A</source><translation>cor conforme a distância a A</translation></message>
 <message><source>cells</source><translation>células</translation></message>
@@ -914,16 +920,18 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 cells will be saved.</source><translation>%1 células serão salvas.</translation></message>
 <message><source>doubtful</source><translation>duvidoso</translation></message>
 <message><source>detected</source><translation>deduzido</translation></message>
+<message><source>assumed</source><translation>suposto</translation></message>
 <message><source>given by you</source><translation>como indicado</translation></message>
 <message><source>from the file</source><translation>segundo o arquivo</translation></message>
 <message><source>Does This Look Right?</source><translation>Parece correto?</translation></message>
 <message><source>&amp;Close</source><translation>&amp;Fechar</translation></message>
 <message><source>&amp;Adopt</source><translation>&amp;Adotar</translation></message>
-<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Clique em outra leitura para ver a varredura lida assim. Adotar a toma, e Ctrl+Z o desfaz. Fechar restaura a leitura anterior.</translation></message>
 <message><source>or</source><translation>ou</translation></message>
 <message><source>%1: there is no other way to read it.</source><translation>%1: não há outra forma de lê-lo.</translation></message>
 <message><source>%1: something contradicts how it was read.</source><translation>%1: algo contradiz como foi lido.</translation></message>
+<message><source>%1: assumed (%2), and the scan itself does not contradict it.</source><translation>%1: suposto (%2), e o próprio escaneamento não o contradiz.</translation></message>
 <message><source>%1: nothing contradicts how it was read.</source><translation>%1: nada contradiz como foi lido.</translation></message>
+<message><source>Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading.</source><translation>Clique em outra leitura para ver a varredura lida assim. Adotar a toma, e Ctrl+Z o desfaz. Fechar restaura a leitura anterior.</translation></message>
 <message><source>grid north</source><translation>norte da quadrícula</translation></message>
 <message><source>true north</source><translation>norte verdadeiro</translation></message>
 <message><source>the vertical</source><translation>a vertical</translation></message>
@@ -1441,22 +1449,26 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rocks</source><translation>Rochas</translation></message>
+<message><source>Rock…</source><translation>Rocha…</translation></message>
+<message><source>What can be done with rocks</source><translation>O que se pode fazer com as rochas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Images</source><translation>Imagens</translation></message>
+<message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
 <message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Padrão</translation></message>
 <message><source>Remove: %1</source><translation>Remover: %1</translation></message>
-<message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
-<message><source>Range image</source><translation>Imagem de distâncias</translation></message>
-<message><source>Edge map</source><translation>Mapa de bordas</translation></message>
+<message><source>Others…</source><translation>Outros…</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
 <message><source>Rock, visible a × b</source><translation>Rocha, a × b visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
+<message><source>Range image</source><translation>Imagem de distâncias</translation></message>
+<message><source>Edge map</source><translation>Mapa de bordas</translation></message>
+<message><source>Small picture</source><translation>Imagem pequena</translation></message>
 <message><source>Close EdgeScan?</source><translation>Fechar o EdgeScan?</translation></message>
 <message><source>A recording is being written.</source><translation>Uma gravação está sendo escrita.</translation></message>
 <message><source>A file is still being written.</source><translation>Um arquivo ainda está sendo escrito.</translation></message>
@@ -1898,9 +1910,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep: o motor de passo gira em torno da linha 0/180 graus; %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, em torno da linha 0/180 graus: %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>As paredes curvam-se com a montagem sweep: %1 de %2 pedaços planos estão em três planos, com spin são %3.</translation></message>
-<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus, %4 no total; %1 de %2 pedaços planos estão em três planos</translation></message>
-<message><source>a step of %3 degrees: %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus: %1 de %2 pedaços planos estão em três planos</translation></message>
+<message><source>a step of %3 degrees, %4 in all: %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus, %4 no total: %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>As paredes curvam-se com os ângulos de linha adotados: %1 de %2 pedaços planos estão em três planos, outros passos dão mais.</translation></message>
+<message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus, %4 no total; %1 de %2 pedaços planos estão em três planos</translation></message>
+<message><source>a step of %3 degrees, %4 in all; rough rock cannot show it: choose how far the motor turned in all</source><translation>um passo de %3 graus, %4 no total; a rocha rugosa não o pode mostrar: escolha quanto o motor girou no total</translation></message>
 <message><source>line angles from %1 to %2 degrees; ranges cannot show whether left and right are exchanged</source><translation>ângulos das linhas de %1 a %2 graus; nenhuma distância diz se esquerda e direita estão trocadas</translation></message>
 <message><source>the other way round: left and right exchanged</source><translation>ao contrário: esquerda e direita trocadas</translation></message>
 <message><source>%1 lines of %2 beams, found from the directions of the points</source><translation>%1 linhas de %2 feixes, achadas pelas direções dos pontos</translation></message>

@@ -217,9 +217,13 @@ private slots:
         QTRY_VERIFY(remove->isEnabled() && on.viewer.targets.settled());
         QMenu* menu = opened(remove);
         QVERIFY(menu != nullptr);
-        QCOMPARE(menu->actions().size(), 3); // the first closes it
+        QCOMPARE(menu->actions().size(), 3); // the first closes it; the measurement is chosen, and the target is one of the others
+        QVERIFY2(menu->actions()[1]->text().startsWith("Remove: M1 Distance"), qPrintable(menu->actions()[1]->text()));
+        QCOMPARE(menu->actions()[2]->text(), QString("Others…"));
+        choose(menu, 2);
+        QTRY_VERIFY(menu->isVisible() && menu->actions()[1]->text().startsWith("Remove: Target 1 · "));
         const QString words = menu->actions()[1]->text();
-        QVERIFY2(words.startsWith("Remove: Target 1 · ") && words.contains(" m") && words.contains("x "), qPrintable(words));
+        QVERIFY2(words.contains(" m") && words.contains("x "), qPrintable(words));
         QVERIFY2(menu->actions()[2]->text().startsWith("Remove: M1 Distance"), qPrintable(menu->actions()[2]->text()));
         choose(menu, 2);
         QTRY_VERIFY(on.viewer.targets.notebook().measures.empty());
@@ -228,9 +232,11 @@ private slots:
         choose(menu, 1);
         QTRY_VERIFY(on.viewer.targets.notebook().targets.empty() && !remove->isEnabled());
         QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton);
+        QVERIFY2(on.viewer.targets.active() != nullptr, "what came back is chosen");
         QTest::mouseClick(tool(on.window, "cab-undo"), Qt::LeftButton);
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         QCOMPARE(on.viewer.targets.notebook().measures.size(), std::size_t(1));
+        QVERIFY(on.viewer.targets.chosenMeasure() == std::size_t(0) && on.viewer.targets.active() == nullptr);
     }
 
     void whatNeedsAScanWaitsForIt() {

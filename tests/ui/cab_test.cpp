@@ -96,8 +96,7 @@ private slots:
         const QRect words = corner.fontMetrics().boundingRect(0, 0, corner.width() - 16, 1 << 14, Qt::TextWordWrap, corner.text());
         QVERIFY2(corner.height() >= words.height() + std::min(pictureAt, corner.parentWidget()->height() * 2 / 5),
                  qPrintable(QString("%1 of %2").arg(corner.height()).arg(words.height())));
-        press(on.window, "cab-images");
-        press(on.window, "cab-images");
+        QVERIFY(tapEntry(on.window, "cab-images", SmallEntry));
         QVERIFY(!on.window.cab().corner().isVisible());
         QCOMPARE(overlay->marks().captionRoom, 0);
         on.window.cab().set(false);
@@ -115,7 +114,7 @@ private slots:
                 resizeTo(on.window, size);
                 for (const bool swapped : {false, true}) {
                     QAbstractButton* corner = swapped ? on.window.findChild<CornerPicture*>("cab-back") : &on.window.cab().corner();
-                    if (swapped) QTest::mouseClick(&on.window.cab().corner(), Qt::LeftButton);
+                    if (swapped) QVERIFY(tapEntry(on.window, "cab-images", RangeEntry));
                     QTRY_VERIFY(corner->isVisible());
                     for (const bool unfolded : {false, true}) {
                         NoticeBar& notice = on.viewer.notice;
@@ -127,7 +126,7 @@ private slots:
                                      qPrintable(QString("%1 at %2, unfolded %3").arg(language.code).arg(size.width()).arg(unfolded)));
                         notice.hide();
                     }
-                    if (swapped) QTest::mouseClick(corner, Qt::LeftButton);
+                    if (swapped) QVERIFY(tapEntry(on.window, "cab-images", CloudEntry));
                 }
             }
         }
@@ -317,7 +316,8 @@ private slots:
         }
     }
 
-    // A measurement with many remarks is whole where the stepper leaves it no room, and a bar says that there is more where nothing helps.
+    // A measurement with many remarks is whole where the stepper leaves it no room, and a button says that there is more where nothing
+    // helps.
     void noRemarkOfAMeasurementIsCut() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
@@ -346,7 +346,7 @@ private slots:
                                                                                              .arg(side->height())));
             side->showNumbers(many);
             if (low)
-                QTRY_VERIFY(!whole() && area->verticalScrollBar()->isVisible() && area->verticalScrollBar()->width() <= 10);
+                QTRY_VERIFY(!whole() && area->findChild<QToolButton*>("cab-page")->isVisible());
             else
                 QTRY_VERIFY2(whole(), qPrintable(QString("%1 px in %2").arg(rows->height()).arg(rows->parentWidget()->height())));
         }
@@ -842,16 +842,18 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         resizeTo(on.window, {1280, 800});
-        const auto* sign = tool(on.window, "cab-rocks")->findChild<QLabel*>("menu-sign");
-        QVERIFY(sign != nullptr && !sign->isVisible()); // a switch
+        QVERIFY(tool(on.window, "cab-rocks")->findChild<QLabel*>("menu-sign") == nullptr); // a switch
+        QVERIFY(!tool(on.window, "cab-rock")->isEnabled());
         press(on.window, "cab-rocks");
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
-        QVERIFY(sign->isVisible());
-        for (const char* name : {"cab-menu", "cab-measure", "cab-compare", "cab-remove"})
+        for (const char* name : {"cab-menu", "cab-measure", "cab-rock", "cab-compare", "cab-images", "cab-remove"})
             QVERIFY2(tool(on.window, name)->findChild<QLabel*>("menu-sign")->isVisible(), name);
         QVERIFY(!on.window.findChild<QAction*>("rocks-largest")->isShortcutVisibleInContextMenu());
         press(on.window, "cab-rocks");
-        QVERIFY2(on.viewer.rocks.shown() && tool(on.window, "cab-rocks")->isChecked(), "the second touch hides nothing");
+        QVERIFY2(!on.viewer.rocks.shown() && !tool(on.window, "cab-rocks")->isChecked(), "a lit button switches off");
+        press(on.window, "cab-rocks");
+        QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
+        press(on.window, "cab-rock");
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         QVERIFY(menu != nullptr);
         QAction* largest = on.window.findChild<QAction*>("rocks-largest");
@@ -1132,10 +1134,28 @@ private slots:
         QTRY_VERIFY(on.viewer.views.gray().isVisible() && !on.viewer.views.cloud().isVisible());
         auto* back = on.window.findChild<CornerPicture*>("cab-back");
         QVERIFY(back->isVisible() && back->height() >= kGlovePx);
-        QTest::mouseClick(back, Qt::LeftButton);
+        // A second tap at the place of the button, on the button that came there or on the image, is of the same finger.
+        const auto tap = [&](QPoint at) { QTest::mouseClick(on.window.windowHandle(), Qt::LeftButton, Qt::NoModifier, at); };
+        QTRY_VERIFY(on.viewer.views.gray().width() > on.window.width() / 2); // laid out
+        const QPoint onBack = back->mapTo(&on.window, back->rect().center());
+        tap(onBack);
+        QVERIFY(on.viewer.views.gray().isVisible());
+        QTRY_VERIFY((tap(onBack), on.viewer.views.cloud().isVisible() && !on.viewer.views.gray().isVisible())); // later it is one
+        tap(onBack);
+        QVERIFY(on.viewer.views.cloud().isVisible() && on.viewer.targets.notebook().empty());
+        QVERIFY(tapEntry(on.window, "cab-images", EdgesEntry));
+        QTRY_VERIFY(on.viewer.views.edges().isVisible() && !on.viewer.views.cloud().isVisible());
+        QVERIFY(tapEntry(on.window, "cab-images", RangeEntry));
+        QTRY_VERIFY(on.viewer.views.gray().isVisible() && !on.viewer.views.edges().isVisible());
+        // Fit is of what is seen, and the scanner's view is a view of the cloud.
+        const CameraPose camera = on.viewer.views.cloud().camera();
+        press(on.window, "cab-zoom-in");
+        QVERIFY(!on.viewer.gray.viewPort()->fitted());
+        press(on.window, "cab-fit");
+        QVERIFY(on.viewer.gray.viewPort()->fitted() && on.viewer.views.cloud().camera() == camera);
+        press(on.window, "cab-scanner");
         QTRY_VERIFY(on.viewer.views.cloud().isVisible() && !on.viewer.views.gray().isVisible());
-        press(on.window, "cab-images"); // the edge map
-        QTest::mouseClick(&corner, Qt::LeftButton);
+        QVERIFY(tapEntry(on.window, "cab-images", EdgesEntry));
         QTRY_VERIFY(on.viewer.views.edges().isVisible());
         on.window.cab().set(false); // cab mode can be left from there too
         QTRY_VERIFY(on.viewer.views.cloud().isVisible() && on.viewer.views.gray().isVisible());

@@ -75,7 +75,7 @@ private slots:
         const double wide = on.viewer.views.gray().viewPort()->cellSize().width();
         press(on.window, "cab-zoom-in");
         QVERIFY(on.viewer.views.gray().viewPort()->cellSize().width() > 1.1 * wide);
-        QTest::mouseClick(on.window.findChild<QWidget*>("cab-back"), Qt::LeftButton);
+        QVERIFY(tapEntry(on.window, "cab-images", CloudEntry));
         QTRY_VERIFY(cloud.isVisible() && tool(on.window, "cab-zoom-in")->isVisible());
         on.window.cab().set(false);
         QVERIFY(!tool(on.window, "cab-zoom-in")->isVisible());
@@ -357,6 +357,79 @@ private slots:
         QTest::mouseClick(on.window.findChild<StateBadge*>("cab-origin"), Qt::LeftButton);
         QVERIFY2(on.viewer.notice.text().contains(QString::fromStdString(on.picture().detection->scan->name)),
                  qPrintable(on.viewer.notice.text()));
+    }
+
+    // A tool that is lit ends with a tap on it, and Undo takes back the last point of a measurement that is being made.
+    void aLitToolEnds() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QVERIFY(tapEntry(on.window, "cab-measure", 1));
+        const QToolButton &measure = *tool(on.window, "cab-measure"), &undo = *tool(on.window, "cab-undo");
+        QTRY_VERIFY(on.viewer.measures.kind() && measure.isChecked());
+        QVERIFY(!undo.isEnabled());
+        QVERIFY(tapEntry(on.window, "cab-images", RangeEntry));
+        ImageView& image = on.viewer.gray;
+        QTRY_VERIFY(image.isVisible());
+        QTest::mouseClick(&image, Qt::LeftButton, Qt::NoModifier, image.rect().center());
+        QCOMPARE(on.viewer.measures.picked().size(), std::size_t(1));
+        QVERIFY(undo.isEnabled());
+        QCOMPARE(undo.accessibleName(), QString("Take the last point back"));
+        press(on.window, "cab-undo");
+        QVERIFY(on.viewer.measures.picked().empty() && on.viewer.measures.kind() && !undo.isEnabled());
+        press(on.window, "cab-measure");
+        QVERIFY(!on.viewer.measures.kind() && !measure.isChecked() && QApplication::activePopupWidget() == nullptr);
+        // Why, while a target is chosen.
+        on.viewer.views.pin(100 * 240 + 120);
+        press(on.window, "cab-why");
+        QVERIFY(tool(on.window, "cab-why")->isChecked());
+        press(on.window, "cab-why");
+        QVERIFY(!tool(on.window, "cab-why")->isChecked());
+    }
+
+    // On a low screen the numbers have pages of whole rows and a button for the next page, and Tune has the strength.
+    void theNumbersOfALowScreenHavePages() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {853, 480});
+        on.viewer.targets.settled();
+        on.viewer.views.pin(100 * 240 + 120);
+        QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
+        QToolButton& page = *tool(on.window, "cab-page");
+        QTRY_VERIFY(page.isVisible() && page.height() >= 48 && page.text().startsWith("▼"));
+        const auto* area = qobject_cast<const QScrollArea*>(page.parentWidget());
+        const auto wholeRows = [&] {
+            const QRect seen(area->mapToGlobal(QPoint()), QSize(area->width(), page.y()));
+            QStringList cut;
+            for (const QLabel* each : area->widget()->findChildren<QLabel*>()) {
+                const QRect place = placeOf(*each);
+                if (each->isVisible() && place.intersects(seen) && !seen.adjusted(0, -1, 0, 1).contains(place))
+                    cut << QString("%1: %2 to %3 of %4 to %5")
+                               .arg(each->text())
+                               .arg(place.top())
+                               .arg(place.bottom())
+                               .arg(seen.top())
+                               .arg(seen.bottom());
+            }
+            return cut.join(", ");
+        };
+        QTRY_VERIFY2(wholeRows().isEmpty(), qPrintable(wholeRows()));
+        const auto* warned = area->widget()->findChild<QLabel*>("cab-size-remark");
+        QVERIFY(placeOf(*warned).top() >= placeOf(page).top());
+        for (int n = 0; n < 4 && !page.text().startsWith("▲"); ++n) {
+            QTest::mouseClick(&page, Qt::LeftButton);
+            QVERIFY2(wholeRows().isEmpty(), qPrintable(wholeRows()));
+        }
+        QVERIFY(page.text().startsWith("▲"));
+        QTest::mouseClick(&page, Qt::LeftButton);
+        QCOMPARE(area->verticalScrollBar()->value(), 0);
+        const QToolButton& tune = *tool(on.window, "cab-tune");
+        QCOMPARE(tune.text(), "Tune\n" + on.window.cab().frame().side().mainStepper()->value());
+        QVERIFY(!tune.text().endsWith('\n') && tune.height() >= tune.sizeHint().height());
+        resizeTo(on.window, {1280, 800});
+        QTRY_VERIFY(!page.isVisible());
+        QCOMPARE(tune.text(), QString("Tune"));
     }
 };
 

@@ -14,6 +14,7 @@
 #include "ui/panels/start/tour.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/status_line.h"
+#include "ui/window/cab_mode.h"
 #include "ui/window/tool_bar.h"
 
 #include <QAction>
@@ -23,6 +24,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
@@ -82,6 +84,29 @@ private slots:
         settings.afterBlast = true;
         after_ = save(sim::simulate(settings)->scan, "after.json");
         other_ = save(test::boxesScan(60, 80, 3, 0.02), "boxes.json");
+    }
+
+    // Rows count edges of both scans; one sentence counts all edges of A.
+    void theEdgesOfAAddUp() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        const std::size_t all = on.picture().detection->edges->size();
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_) && known(on));
+        const ChangeLegend& legend = on.viewer.changeLegend;
+        const auto* label = legend.findChild<QLabel*>("change-sum");
+        QVERIFY(label->isVisible());
+        std::vector<std::size_t> numbers;
+        static const QRegularExpression digits("[0-9][0-9,]*");
+        for (auto each = digits.globalMatch(legend.sumText()); each.hasNext();) numbers.push_back(numberIn(each.next().captured()));
+        QCOMPARE(numbers.size(), std::size_t(4));
+        QCOMPARE(numbers[0], all);
+        QCOMPARE(numbers[1] + numbers[2] + numbers[3], all);
+        QCOMPARE(numbers[1], numberIn(legend.counted(ChangeRow::Lost)));
+        on.window.cab().set(true);
+        on.window.resize(1280, 800);
+        QTRY_VERIFY(label->isVisible());
+        on.window.cab().set(false);
     }
 
     void twoSettingsOfOneScanAreGainedLostAndKept() {

@@ -9,9 +9,13 @@
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/dialogs/opening_card.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/window/cab_mode.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QStyle>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -27,12 +31,13 @@ class OpeningWindowTest : public QObject {
     std::string metres_;
 
     // Whole numbers in tenths of a metre: read as millimetres they are ten to twenty times too near.
-    static void writeTable(const std::string& path) {
+    static void writeTable(const std::string& path, int unitMm = 10) {
         const Scan scan = test::boxesScan(40, 1141, 3, 0.0);
         std::ofstream file(path);
         for (int i = 0; i < scan.lines(); ++i) {
             for (int j = 0; j < scan.beams(); ++j)
-                file << (j > 0 ? "," : "") << (scan.state.at(i, j) == CellState::Valid ? static_cast<int>(scan.rangeMm.at(i, j) / 10) : 0);
+                file << (j > 0 ? "," : "")
+                     << (scan.state.at(i, j) == CellState::Valid ? static_cast<int>(scan.rangeMm.at(i, j)) / unitMm : 0);
             file << "\n";
         }
     }
@@ -265,6 +270,47 @@ private slots:
         QVERIFY(on.show());
         on.viewer.opening.show();
         QVERIFY(on.viewer.notice.isVisible() && on.viewer.opening.card() == nullptr);
+    }
+
+    // In a cab the operator judges the picture: the card leaves most of the cloud in sight, and its texts do not cover its list.
+    void theCardIsBesideThePicture() {
+        const std::string path = (folder_ / "assumed.csv").string();
+        writeTable(path, 1);
+        const std::vector<std::pair<const char*, QSize>> all{
+            {"es", {853, 480}}, {"fr", {853, 480}}, {"pt", {1024, 743}}, {"en", {853, 480}}, {"en", {1280, 775}}};
+        for (const auto& [code, size] : all) {
+            QVERIFY(useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+            WindowFixture on;
+            QVERIFY(on.showWith(path) && checked(on));
+            on.window.cab().set(true);
+            on.window.resize(size);
+            QTRY_COMPARE(on.window.size(), size);
+            on.viewer.opening.show();
+            OpeningCard& card = *on.viewer.opening.card();
+            QVERIFY(QTest::qWaitForWindowExposed(&card, kPatienceMs));
+            const auto check = [&, code = code, size = size](const char* when) {
+                const QRect place = card.frameGeometry();
+                const CloudView& cloud = on.viewer.views.cloud();
+                const QByteArray where = QString("%1 %2 %3").arg(code).arg(size.width()).arg(when).toUtf8();
+                QVERIFY2(place.left() - cloud.mapToGlobal(QPoint()).x() >= 0.45 * cloud.width(), where);
+                QVERIFY2(card.screen()->availableGeometry().contains(place), where);
+                for (const QLabel* each : card.findChildren<QLabel*>()) {
+                    QVERIFY2(each->height() >= each->heightForWidth(each->width()), where + each->text().toUtf8());
+                    QVERIFY2(!each->geometry().intersects(card.list()->geometry()), where + each->text().toUtf8());
+                }
+            };
+            check("opened");
+            if (QString(code) == "en") {
+                QVERIFY2(card.verdict().contains("assumed (mounting, line angles), and the scan itself does not contradict it"),
+                         qPrintable(card.verdict()));
+                QVERIFY(choose(card, "a step of"));
+                QApplication::processEvents();
+                check("looked at");
+            }
+            card.reject();
+            QVERIFY(on.settled());
+            on.window.cab().set(false);
+        }
     }
 };
 

@@ -235,7 +235,7 @@ private slots:
         QVERIFY(!on.viewer.views.cloud().isVisible() && on.viewer.views.edges().isVisible());
         // A session saved in cab mode does not change docks: outside cab mode they have their former places.
         on.window.cab().set(true);
-        QVERIFY(on.window.layoutKept().empty());
+        QCOMPARE(on.window.layoutKept().size(), std::size_t(1)); // which view is large in the cab
         on.window.useLayout({{"docks", "AAAA"}});
         QVERIFY(on.window.cab().on() && on.viewer.views.cloud().isVisible());
         on.window.cab().set(false);
@@ -557,6 +557,39 @@ private slots:
         QCOMPARE(differenceOf(inspect::sessionText(again->state, "/", ""), inspect::sessionText(first->state, "/", "")), QString());
         // The log uses the language of the sources, whatever the language of the window.
         QCOMPARE(w.viewer().undo.text(0), QString("Keep as A"));
+    }
+
+    // In a cab the large view is part of the session; after a crash a line names what is there again, and Undo has nothing.
+    void theLargeViewOfACabComesBackAfterACrash() {
+        QDir().mkpath(inFolder("cab/sessions"));
+        const QString path = inFolder("cab/sessions/running-999999-0") + inspect::kSessionEnding;
+        {
+            WindowFixture on;
+            QVERIFY(on.showWith(boxes_));
+            on.window.cab().set(true);
+            on.viewer.views.pin(100);
+            QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
+            on.window.cab().useViews("edges edges");
+            QVERIFY(on.viewer.views.edges().isVisible());
+            QFile file(path);
+            const std::string text = on.window.sessions().textFor(inFolder("cab/sessions"));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text.data(), static_cast<qint64>(text.size())) > 0);
+            on.window.cab().set(false);
+        }
+        WindowFixture on(inFolder("cab/viewer.ini"));
+        QVERIFY(on.show());
+        on.window.cab().set(true);
+        on.window.sessions().offerToContinue();
+        auto* button = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QTRY_VERIFY(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        QTRY_VERIFY(on.viewer.views.edges().isVisible() && !on.viewer.views.cloud().isVisible());
+        QCOMPARE(on.window.cab().viewsKept(), std::string("edges edges"));
+        QVERIFY2(on.viewer.notice.text().startsWith("Restored: 1 target"), qPrintable(on.viewer.notice.text()));
+        QVERIFY(!on.viewer.undo.canUndo() && on.viewer.targets.active() != nullptr);
+        on.window.cab().set(false);
+        QVERIFY(on.viewer.views.cloud().isVisible());
     }
 };
 

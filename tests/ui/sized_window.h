@@ -4,7 +4,11 @@
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
 
+#include <QMenu>
+#include <QToolButton>
 #include <QtTest>
+
+#include <algorithm>
 
 namespace edgescan::ui {
 
@@ -14,6 +18,20 @@ inline void resizeTo(MainWindow& window, QSize size) {
     QTRY_COMPARE(window.size(), size);
     QApplication::processEvents();
 }
+
+/// Taps an entry of the menu of this button in a cab; entry 0 closes it. False: there is no such entry.
+inline bool tapEntry(MainWindow& window, const char* button, int entry) {
+    QTest::mouseClick(tool(window, button), Qt::LeftButton);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    QList<QAction*> entries = menu == nullptr ? QList<QAction*>() : menu->actions();
+    entries.erase(std::remove_if(entries.begin(), entries.end(), [](const QAction* each) { return each->isSeparator(); }), entries.end());
+    if (entry >= entries.size()) return false;
+    QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(entries[entry]).center());
+    return true;
+}
+
+/// Of the menu of Images in a cab.
+enum ViewEntry { CloudEntry = 1, RangeEntry, EdgesEntry, SmallEntry };
 
 /// Boxes in front of a wall, 300 lines x 340 beams, some cells without a range.
 inline Scan boxesToShow() { return test::boxesScan(300, 340, 3, 0.05); }

@@ -195,6 +195,22 @@ void drawMeasure(QPainter& painter, const ScreenMarks::Measure& measure) {
     for (const QPointF& end : measure.ends) painter.drawEllipse(end, kEndDot, kEndDot);
 }
 
+/// No tag covers the chosen measurement: its lines and ends as small squares.
+void takeChosen(const ScreenMarks& marks, std::vector<QRectF>& taken) {
+    constexpr double kStep = 10.0; // px
+    for (const ScreenMarks::Measure& measure : marks.measures) {
+        if (!measure.active) continue;
+        for (const QPointF& end : measure.ends)
+            taken.emplace_back(end - QPointF(kMarkRing, kMarkRing), end + QPointF(kMarkRing, kMarkRing));
+        for (const QLineF& line : measure.lines) {
+            for (double along = 0.0; along <= line.length(); along += kStep) {
+                const QPointF here = line.pointAt(along / std::max(1.0, line.length()));
+                taken.emplace_back(here - QPointF(kStep, kStep) / 2.0, here + QPointF(kStep, kStep) / 2.0);
+            }
+        }
+    }
+}
+
 /// A dotted line from the click, which has a small cross.
 void drawMove(QPainter& painter, const QLineF& move) {
     constexpr double kCross = 4.0; // px
@@ -270,16 +286,17 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
             if (seen(target.place.at)) taken.emplace_back(target.place.at - corner, target.place.at + corner);
         }
     }
+    takeChosen(marks, taken);
     {
         Tags tags(painter, place, taken);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
             if (seen(target->place.at)) // a tag without its mark would name another place
                 tags.place({false, target->cell}, target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
         }
-        for (const ScreenMarks::Measure& measure : marks.measures) {
-            if (!measure.lines.empty() && seen(measure.labelAt))
-                tags.place({true, measure.index}, measure.labelAt, kTagOffset, kTagOffset, measure.label, measure.active,
-                           measure.lines.front());
+        for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) { // the chosen one first
+            if (!measure->lines.empty() && seen(measure->labelAt))
+                tags.place({true, measure->index}, measure->labelAt, kTagOffset, kTagOffset, measure->label, measure->active,
+                           measure->lines.front());
         }
         drawn = tags.draw();
     }

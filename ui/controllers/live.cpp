@@ -50,8 +50,12 @@ QString sweepName(const scanner::SweepProgress& sweep) {
         .arg(sweep.expected);
 }
 
-QString mountingQuestion() {
-    return Live::tr("How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.");
+/// `brief`: for a cab.
+QString mountingQuestion(bool brief) {
+    return brief
+               ? Live::tr("Mounting and step are not known.")
+               : Live::tr(
+                     "How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.");
 }
 
 } // namespace
@@ -108,7 +112,9 @@ void Live::connectPanel() {
     });
     connect(&panel_, &LivePanel::disconnectRequested, this, [this] {
         scanner_.disconnectScanner();
-        if (!showsScanner()) panel_.forgetScanner();
+        if (showsScanner()) return;
+        panel_.forgetScanner();
+        notice_.withdraw({mountingQuestion(false), mountingQuestion(true)}); // of a sweep without a line
     });
     connect(&panel_, &LivePanel::recordRequested, this, &Live::record);
     connect(&panel_, &LivePanel::keepRequested, this, &Live::keepLastMinute);
@@ -163,7 +169,7 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);
     if (scanner.bridge || (!sweep.axisAssumed && !sweep.stepAssumed)) return;
-    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion());
+    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion(panel_.brief()));
     notice_.offer(tr("Give them…"), [this] { panel_.askSweep(); });
 }
 
@@ -172,7 +178,7 @@ void Live::useSweep() {
     const std::optional<int> gone = scanner_.useSweep(sweep);
     if (!gone) return;
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
-    if (!sweep.axisAssumed && !sweep.stepAssumed) notice_.withdraw({mountingQuestion()});
+    if (!sweep.axisAssumed && !sweep.stepAssumed) notice_.withdraw({mountingQuestion(false), mountingQuestion(true)});
     QStringList remarks;
     if (*gone > 0) remarks << tr("The first %1 lines of this sweep are too old to be moved to their new places.").arg(*gone);
     if (scanner_.recording())
@@ -210,7 +216,15 @@ void Live::showHealth() {
     views_.setPictureFrame(scanner_.showsStale() ? PictureFrame{lost ? kLostFrame : kStaleFrame, coreWords(scanner_.health().badge)}
                            : held                ? PictureFrame{kHeldFrame}
                                                  : PictureFrame{});
+    const QString note = scanner_.connected() && !shown ? waitsFor() : QString();
+    if (std::exchange(waitNote_, note) != note) views_.setNote(note);
     views_.setShapeNote(shapeNote());
+}
+
+/// Before the first line: what is wrong with the connection, or that nothing is.
+QString Live::waitsFor() const {
+    const std::string& wrong = scanner_.health().sentence;
+    return wrong.empty() ? tr("Waiting for the first line") : coreSentence(wrong);
 }
 
 /// Also after Stop and of a recording, while lengths and rocks have the sign too.
@@ -219,7 +233,8 @@ QString Live::shapeNote() const {
     if (!shown) return {};
     const scanner::SweepSettings sweep = panel_.sweep();
     if (scanner_.connected() && showsScanner() && !panel_.bridge() && (sweep.axisAssumed || sweep.stepAssumed))
-        return tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
+        return panel_.brief() ? QString() // its strip has the badge
+                              : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
     return mountingAssumed(*shown->detection->scan) ? tr("▲ mounting assumed") : QString();
 }
 

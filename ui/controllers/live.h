@@ -49,6 +49,9 @@ public:
     [[nodiscard]] LivePanel& panel() { return panel_; }
     [[nodiscard]] Timeline& timeline() { return timeline_; }
 
+    /// What a connected scanner without a line yet waits for.
+    [[nodiscard]] QString waitsFor() const;
+
 signals:
     /// grows() may have changed without a new picture.
     void growthChanged();
@@ -75,6 +78,7 @@ private:
     NoticeBar& notice_;
     Preferences& preferences_;
     ScannerLink scanner_;
+    QString waitNote_;
     QString endNote_;                      // of the last sweep that ended
     std::shared_ptr<const Scan> fileScan_; // of the recording on the timeline, as read from the file
     QString recordingFolder_;

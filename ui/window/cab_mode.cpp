@@ -68,6 +68,9 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     connectSide();
     addTools();
     connect(corner_, &CornerPicture::reachChanged, this, &CabMode::showCorner);
+    connect(back_, &CornerPicture::reachChanged, this, [this](int reach) {
+        if (large_ != Large::Cloud) imageView().setTaken(reach); // no prompt is below it
+    });
     for (CornerPicture* each : {corner_, back_}) connect(each, &QAbstractButton::clicked, this, &CabMode::swap);
     follow();
     nameUndone();
@@ -188,7 +191,8 @@ void CabMode::nameUndone() {
 
 void CabMode::set(bool on) {
     if (std::exchange(on_, on) == on) return;
-    if (swapped_) swap();
+    showLarge(Large::Cloud);
+    on ? qApp->installEventFilter(this) : qApp->removeEventFilter(this);
     useTouchWords(on);
     QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, on); // a cab has no keyboard, and each menu counts as such
     window_.viewer().measures.show();                                           // the prompts of the tool in use
@@ -262,6 +266,8 @@ void CabMode::showScan() {
     button->setVisible(!warnings.isEmpty());
     for (QWidget* each : ofScan_) each->setEnabled(picture != nullptr);
     zoom_->setVisible(picture != nullptr);
+    Live& live = window_.viewer().live;
+    if (picture == nullptr && live.scanner().connected()) return frame_->head().showScan(tr("Scanner"), live.waitsFor());
     if (picture == nullptr) return frame_->head().showScan(tr("No scan"), tr("Open one, or connect to a scanner"));
     const Scan& scan = *picture->detection->scan;
     const int expected = std::max(picture->source.growth.expectedLines, scan.lines());

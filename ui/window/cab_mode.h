@@ -1,10 +1,13 @@
 // Cab mode: the same window for operators with gloves. Tools, numbers and steppers replace menus, cards and sliders.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QRect>
 #include <QTimer>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 class QAbstractButton;
@@ -20,6 +23,7 @@ namespace edgescan::ui {
 class CabFrame;
 class CornerPicture;
 class GloveMenus;
+class ImageView;
 class Keypad;
 class ZoomButtons;
 class MainWindow;
@@ -41,20 +45,28 @@ public:
     [[nodiscard]] CabFrame& frame() { return *frame_; }
     [[nodiscard]] CornerPicture& corner() { return *corner_; }
     [[nodiscard]] Keypad& keypad() { return *keypad_; }
+    /// What is large and what is in the corner, for a session.
+    [[nodiscard]] std::string viewsKept() const;
+    void useViews(const QString& kept);
 
 signals:
     void changed(bool on);
     /// The operator held the button for a second.
     void leaveRequested();
+    /// Another view is large, or in the corner.
+    void viewsChanged();
 
 private:
-    enum class Corner { Range, Edges, None };
+    enum class Large { Cloud, Range, Edges };
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void connectHead();
     void fillMenu();
     void addTools();
     void addSideButtons();
     void addMeasures(QMenu& menu);
-    void fillRemoval(QMenu& menu) const;
+    void fillRemoval(QMenu& menu, bool all);
+    void fillViews(QMenu& menu);
+    [[nodiscard]] QToolButton* undoButton();
     void connectSide();
     void follow();
     void nameUndone();
@@ -65,6 +77,9 @@ private:
     void showSettings();
     void showCorner();
     void swap();
+    void showLarge(Large which);
+    [[nodiscard]] ImageView& imageView() const;
+    void fit();
     void zoom(double factor);
     void lockDocks(bool on);
     [[nodiscard]] TargetNumbers numbers() const;
@@ -87,9 +102,12 @@ private:
     QToolButton* remove_ = nullptr;
     std::vector<QWidget*> ofScan_; // useless without a scan
     QTimer cancelSoon_;
-    Corner shown_ = Corner::Range;
+    Large large_ = Large::Cloud, image_ = Large::Range; // image_: in the corner, or the one that was large last
+    bool small_ = true;                                 // there is a picture in the corner
+    QElapsedTimer sinceSwap_;
+    QRect swapPlace_;        // of the button that exchanged the views, on the screen
+    bool secondTap_ = false; // at that place
     bool on_ = false;
-    bool swapped_ = false; // the large pane is an image, and the cloud is in the corner
 };
 
 } // namespace edgescan::ui

@@ -33,8 +33,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kNearHigh = 48;            // px
-constexpr std::size_t kMostRemovals = 6; // measurements in the menu: the chosen one, then the newest
-constexpr std::size_t kMostPins = 3;     // targets in it, while none is chosen: the newest
+constexpr std::size_t kMostRemovals = 4; // newest measurements in the menu
+constexpr std::size_t kMostPins = 4;     // newest targets in it
 
 void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
 
@@ -83,9 +83,11 @@ void CabMode::addTools() {
         pin->setChecked(window_.viewer().views.tool() == Tool::Pin && window_.viewer().rocks.tool() == RockTool::None);
         measure->setChecked(window_.viewer().measures.kind().has_value());
     };
-    connect(measure, &QToolButton::clicked, this, [kinds, measure, followTool] {
+    connect(measure, &QToolButton::clicked, this, [this, kinds, measure, followTool] {
+        const bool on = window_.viewer().measures.kind().has_value();
+        if (on) window_.viewer().measures.stop();
         followTool(); // the chosen tool determines which button is on
-        openNextTo(*kinds, *measure);
+        if (!on) openNextTo(*kinds, *measure);
     });
     connect(&views, &LinkedViews::toolChanged, this, followTool);
     connect(&window_.viewer().measures, &Measures::kindChanged, this, followTool);
@@ -93,17 +95,18 @@ void CabMode::addTools() {
     followTool();
     QToolButton* rocks = column.add("cab-rocks", "rocks", tr("Rocks"));
     rocks->setCheckable(true);
-    connect(rocks, &QToolButton::clicked, this, [this, rocks] { // the first tap shows them, the next one offers what is done with them
-        Rocks& shown = window_.viewer().rocks;
-        rocks->setChecked(true);
-        if (!shown.shown()) return shown.setShown(true);
-        if (QMenu* menu = menuWith(window_, "rocks-largest")) openNextTo(*menu, *rocks);
+    connect(rocks, &QToolButton::clicked, &window_.viewer().rocks, &Rocks::setShown);
+    QToolButton* rock = column.add("cab-rock", "rock", tr("Rock…"));
+    rock->setAccessibleName(tr("What can be done with rocks"));
+    connect(rock, &QToolButton::clicked, this, [this, rock] {
+        if (QMenu* menu = menuWith(window_, "rocks-largest")) openNextTo(*menu, *rock);
     });
-    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, [rocks](bool on) {
+    const auto followRocks = [rocks, rock](bool on) {
         rocks->setChecked(on);
-        showMenuSign(*rocks, on);
-    });
-    showMenuSign(*rocks, window_.viewer().rocks.shown());
+        rock->setEnabled(on);
+    };
+    connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, followRocks);
+    followRocks(window_.viewer().rocks.shown());
     QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
     connect(compare, &QToolButton::clicked, this, [this, compare] {
         if (QMenu* menu = menuWith(window_, "compare-keep")) openNextTo(*menu, *compare);
@@ -112,48 +115,63 @@ void CabMode::addTools() {
     why->setCheckable(true);
     const auto followWhy = [this, why] { why->setChecked(window_.viewer().views.tool() == Tool::Why); }; // it waits for a tap
     connect(why, &QToolButton::clicked, this, [this, followWhy] {
-        window_.viewer().explanation.explainMarked();
+        LinkedViews& shown = window_.viewer().views;
+        shown.tool() == Tool::Why ? shown.setTool(Tool::Pin) : window_.viewer().explanation.explainMarked();
         followWhy();
     });
     connect(&views, &LinkedViews::toolChanged, why, followWhy);
     QToolButton* scanner = column.add("cab-scanner", "view-from-scanner", tr("Scanner"));
-    connect(scanner, &QToolButton::clicked, &views.cloud(), &CloudView::viewFromScanner);
-    QToolButton* fit = column.add("cab-fit", "fit", tr("Fit"));
-    connect(fit, &QToolButton::clicked, this, [this] {
-        window_.viewer().views.cloud().zoomToFit();
-        window_.viewer().views.gray().viewPort()->fit();
+    connect(scanner, &QToolButton::clicked, this, [this] {
+        showLarge(Large::Cloud);
+        window_.viewer().views.cloud().viewFromScanner();
     });
+    QToolButton* fit = column.add("cab-fit", "fit", tr("Fit"));
+    connect(fit, &QToolButton::clicked, this, &CabMode::fit);
     QToolButton* images = column.add("cab-images", "images", tr("Images"));
-    connect(images, &QToolButton::clicked, this, [this] {
-        if (swapped_) return swap();
-        shown_ = shown_ == Corner::Range ? Corner::Edges : shown_ == Corner::Edges ? Corner::None : Corner::Range;
-        showCorner();
+    auto* choices = new QMenu(images);
+    connect(images, &QToolButton::clicked, this, [this, choices, images] {
+        fillViews(*choices);
+        openNextTo(*choices, *images);
     });
     remove_ = column.add("cab-remove", "remove", tr("Remove"));
     auto* shown = new QMenu(remove_);
     connect(remove_, &QToolButton::clicked, this, [this, shown] {
-        fillRemoval(*shown);
+        fillRemoval(*shown, false);
         openNextTo(*shown, *remove_);
     });
-    QToolButton* undo = gloveButton("cab-undo", "undo", tr("Undo"));
-    connect(undo, &QToolButton::clicked, &window_.viewer().undo, &QUndoStack::undo);
-    connect(&window_.viewer().undo, &QUndoStack::canUndoChanged, undo, &QWidget::setEnabled);
-    undo->setEnabled(window_.viewer().undo.canUndo());
-    connect(&window_.viewer().undo, &QUndoStack::undoTextChanged, undo, [undo](const QString& step) {
-        undo->setAccessibleName(step.isEmpty() ? tr("Undo") : tr("Undo: %1").arg(step));
-        undo->setToolTip(undo->accessibleName());
-    });
-    column.setFoot(undo);
-    const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
+    column.setFoot(undoButton());
+    const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-rocks", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
     for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
-    for (QToolButton* each : {measure, compare, remove_, frame_->head().menu()}) showMenuSign(*each);
+    for (QToolButton* each : {measure, rock, compare, images, remove_, frame_->head().menu()}) showMenuSign(*each);
     addSideButtons();
+}
+
+/// Of a measurement that is being made it takes back the last point.
+QToolButton* CabMode::undoButton() {
+    QToolButton* undo = gloveButton("cab-undo", "undo", tr("Undo"));
+    QUndoStack& stack = window_.viewer().undo;
+    Measures& measures = window_.viewer().measures;
+    connect(undo, &QToolButton::clicked, this, [&stack, &measures] {
+        if (!measures.removeLastPick()) stack.undo();
+    });
+    const auto follow = [undo, &stack, &measures] {
+        const QString step = stack.undoText();
+        undo->setEnabled(!measures.picked().empty() || stack.canUndo());
+        undo->setAccessibleName(!measures.picked().empty() ? tr("Take the last point back")
+                                : step.isEmpty()           ? tr("Undo")
+                                                           : tr("Undo: %1").arg(step));
+        undo->setToolTip(undo->accessibleName());
+    };
+    connect(&stack, &QUndoStack::canUndoChanged, undo, follow);
+    connect(&stack, &QUndoStack::undoTextChanged, undo, follow);
+    connect(&measures, &Measures::asked, undo, follow);
+    follow();
+    return undo;
 }
 
 void CabMode::addSideButtons() {
     QToolButton* tune = gloveButton("cab-tune", "tune", tr("Tune"));
     tune->setCheckable(true);
-    connect(tune, &QToolButton::clicked, &frame_->side(), &NumbersSide::setTuning);
     // In the head of the settings, and where a low screen has room next to the number that is changed most.
     QToolButton* usual = gloveButton("cab-default", "usual", tr("Default"));
     QToolButton* near = gloveButton("cab-default-near", "usual", tr("Default"));
@@ -171,31 +189,39 @@ void CabMode::addSideButtons() {
     connect(report, &QToolButton::clicked, this, [this] { window_.viewer().report.ask(); });
     QToolButton* out = gloveButton("cab-export", "export", tr("Export"));
     connect(out, &QToolButton::clicked, this, [this] { window_.viewer().exports.ask(exports::ExportContent::EdgeCloud); });
-    for (QToolButton* each : {tune, report, out}) frame_->side().addButton(each);
+    frame_->side().addTune(tune);
+    for (QToolButton* each : {report, out}) frame_->side().addButton(each);
     for (QWidget* each : std::initializer_list<QWidget*>{tune, usual, classes, report, out, frame_->side().mainStepper()})
         ofScan_.push_back(each);
 }
 
-/// A menu, not one tap: a glove must not remove what it did not mean.
-void CabMode::fillRemoval(QMenu& menu) const {
+/// A menu, not one tap: a glove must not remove what it did not mean. What is chosen is alone in it, until the operator asks for others.
+void CabMode::fillRemoval(QMenu& menu, bool all) {
     menu.clear();
     Targets& targets = window_.viewer().targets;
     const auto& pins = targets.notebook().targets;
-    const auto add = [&](const inspect::PinnedTarget& target) {
+    const std::vector<QString> measures = targets.measuresInWords();
+    const auto addTarget = [&](const inspect::PinnedTarget& target) {
         menu.addAction(tr("Remove: %1").arg(tr("Target %1").arg(targets.inWords(target))).replace('&', "&&"), &targets,
                        [&targets, number = target.number] { targets.remove(number); });
     };
-    if (targets.active() != nullptr)
-        add(*targets.active());
-    else
-        std::for_each(pins.rbegin(), pins.rbegin() + static_cast<std::ptrdiff_t>(std::min(pins.size(), kMostPins)), add);
-    const std::vector<QString> measures = targets.measuresInWords();
-    std::vector<std::size_t> order;
-    for (std::size_t n = measures.size(); n-- > 0;) order.push_back(n);
-    if (const auto chosen = targets.chosenMeasure()) std::ranges::stable_partition(order, [&](std::size_t n) { return n == *chosen; });
-    if (order.size() > kMostRemovals) order.resize(kMostRemovals);
-    for (const std::size_t n : order)
+    const auto addMeasure = [&](std::size_t n) {
         menu.addAction(tr("Remove: %1").arg(measures[n].simplified()), &targets, [&targets, n] { targets.removeMeasure(n); });
+    };
+    const inspect::PinnedTarget* target = targets.active();
+    const auto measure = targets.chosenMeasure();
+    if (!all && (measure || target != nullptr)) {
+        measure ? addMeasure(*measure) : addTarget(*target);
+        if (pins.size() + measures.size() == 1) return;
+        const auto showOthers = [this, &menu] {
+            fillRemoval(menu, true);
+            openNextTo(menu, *remove_);
+        };
+        menu.addAction(tr("Others…"), this, [this, showOthers] { QMetaObject::invokeMethod(this, showOthers, Qt::QueuedConnection); });
+        return;
+    }
+    std::for_each(pins.rbegin(), pins.rbegin() + static_cast<std::ptrdiff_t>(std::min(pins.size(), kMostPins)), addTarget);
+    for (std::size_t n = measures.size(); n-- > measures.size() - std::min(measures.size(), kMostRemovals);) addMeasure(n);
 }
 
 void CabMode::addMeasures(QMenu& menu) {
@@ -203,57 +229,6 @@ void CabMode::addMeasures(QMenu& menu) {
         if (each.inViews)
             menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });
     }
-    menu.addSeparator();
-    menu.addAction(tr("Take the last point back"), this, [this] {
-        if (!window_.viewer().measures.removeLastPick()) window_.viewer().measures.stop();
-    });
-}
-
-/// Where the image has what is chosen: the ends of a measurement, a rock or a target.
-PictureMark CabMode::chosenPlace() const {
-    const LinkedViews& views = window_.viewer().views;
-    if (!window_.viewer().engine.picture()) return {};
-    PictureMark mark;
-    const auto& measures = views.marks().measures;
-    if (const auto chosen = std::ranges::find_if(measures, &MeasureMark::active); chosen != measures.end()) {
-        for (const std::size_t cell : chosen->cells) mark.cells << views.placeOf(cell);
-        mark.links = chosen->links;
-        return mark;
-    }
-    const rocks::Rock* const rock = chosenRock();
-    if (const auto cell = rock != nullptr ? std::optional<std::size_t>(rock->cell) : views.marked()) mark.cells << views.placeOf(*cell);
-    return mark;
-}
-
-void CabMode::showCorner() {
-    const bool some = on_ && window_.viewer().engine.picture() != nullptr && shown_ != Corner::None;
-    corner_->setVisible(some);
-    window_.viewer().views.cloud().setCaptionMargin(some ? corner_->reach() : 0); // the text about all rocks must stay readable
-    if (!some) return;
-    const bool range = shown_ == Corner::Range;
-    corner_->setWords("⇄ " + (range ? QObject::tr("Range image") : QObject::tr("Edge map")));
-    corner_->show((range ? window_.viewer().views.gray() : window_.viewer().views.edges()).image(), chosenPlace());
-}
-
-/// Exchanges the large view and the corner: image and cloud.
-void CabMode::swap() {
-    swapped_ = !swapped_;
-    ImageView& image = shown_ == Corner::Edges ? window_.viewer().views.edges() : window_.viewer().views.gray();
-    back_->setParent(&image);
-    image.installEventFilter(back_);
-    window_.showAlone(swapped_ ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
-    back_->setVisible(swapped_);
-    swapped_ ? zoom_->setOver(image, *back_) : zoom_->setOver(window_.viewer().views.cloud(), *corner_);
-    image.setTaken(swapped_ ? back_->reach() : 0);
-    back_->setWords(back_->text()); // at the same place
-}
-
-/// Zooms the large view about its middle.
-void CabMode::zoom(double factor) {
-    CloudView& cloud = window_.viewer().views.cloud();
-    if (!swapped_) return cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, factor));
-    ViewPort& images = *window_.viewer().views.gray().viewPort();
-    images.zoomAt(images.centre(), factor);
 }
 
 void CabMode::showSettings() {

@@ -19,6 +19,8 @@ namespace edgescan::ui {
 
 namespace {
 
+const char* const kOfCab = "cab"; // the views of a cab, in place of a layout
+
 /// In the order in which a session gives them back.
 std::vector<StatePart> partsOf(MainWindow& w) {
     using enum GivenBack;
@@ -39,7 +41,8 @@ std::vector<StatePart> partsOf(MainWindow& w) {
         partOf(w.viewer().comparing, &inspect::ViewerState::earlier, OnScan, &Comparing::pictureAChanged, &Comparing::rowsChanged));
     parts.push_back(partOf(w.viewer().layers, &inspect::ViewerState::layers, OnScan, &Layers::changed));
     parts.push_back({[&w](inspect::ViewerState& state) { state.layout = w.layoutKept(); },
-                     [&w](const inspect::ViewerState& state) { w.useLayout(state.layout); }, BeforeScan});
+                     [&w](const inspect::ViewerState& state) { w.useLayout(state.layout); }, BeforeScan,
+                     changesOf(w.cab(), &CabMode::viewsChanged)});
     return parts;
 }
 
@@ -61,8 +64,9 @@ std::vector<Command> sessionCommands(MainWindow& w) {
 }
 
 std::map<std::string, std::string> MainWindow::layoutKept() const {
-    if (cab_->on() || docks_->locked()) return {}; // the layout outside cab mode is the one to store
     const auto text = [](const QByteArray& bytes) { return bytes.toBase64().toStdString(); };
+    if (cab_->on()) return {{kOfCab, text(QByteArray::fromStdString(cab_->viewsKept()))}}; // docks and splitters are those of the desk
+    if (docks_->locked()) return {};
     const QByteArray alone = maximised_ == nullptr ? QByteArray() : maximised_->content()->objectName().toUtf8();
     return {{"docks", text(saveState())},
             {"views", text(splitter_->saveState())},
@@ -77,7 +81,8 @@ void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
         const auto found = layout.find(name);
         return found == layout.end() ? QByteArray() : QByteArray::fromBase64(QByteArray::fromStdString(found->second));
     };
-    if (cab_->on() || layout.empty()) return;
+    if (cab_->on()) return cab_->useViews(QString::fromUtf8(bytes(kOfCab)));
+    if (layout.empty() || layout.contains(kOfCab)) return;
     restoreState(bytes("docks"));
     docks_->wantOpen();
     docks_->setDraggedWidth(bytes("panel").toInt());

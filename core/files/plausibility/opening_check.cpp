@@ -102,7 +102,7 @@ bool anglesWereTaken(const Scan& scan) { return warned("does not say its angles"
 
 OpeningPoint mountingOf(const Scan& scan, const PolarGeometry& polar, const ReadingOptions& options, const CommonPlanes& now) {
     const bool assumed = anglesWereTaken(scan) || warned("ASSUMED: the axis", scan);
-    OpeningPoint point{"Mounting", options.axis ? Source::Typed : assumed ? Source::Guessed : Source::Said};
+    OpeningPoint point{"Mounting", options.axis ? Source::Typed : assumed ? Source::Assumed : Source::Said};
     point.taken = {wordsOf(polar.axis).taken, flatOf(now)};
     PolarGeometry turned = polar;
     turned.axis = polar.axis == Axis::Spin ? Axis::Sweep : Axis::Spin;
@@ -129,30 +129,49 @@ ReadingOptions withLines(ReadingOptions options, double startDeg, double stepDeg
     return options;
 }
 
+/// By what the angles of the lines are multiplied: usual mistakes, and before them usual turns in all where the step was assumed.
+std::vector<double> timesOf(double allDeg, bool assumed) {
+    constexpr double kMostDeg = 400.0;
+    std::vector<double> times;
+    const auto add = [&](double by) {
+        const bool known = std::ranges::any_of(times, [by](double other) { return std::abs(other / by - 1.0) < 0.01; });
+        if (!known && std::abs(by - 1.0) > 0.002 && by * allDeg <= kMostDeg) times.push_back(by);
+    };
+    if (assumed) {
+        for (const double turnDeg : {180.0, 360.0, 90.0, 270.0}) add(turnDeg / allDeg);
+    }
+    for (const double by : {0.5, 2.0 / 3.0, 1.5, 2.0}) add(by);
+    return times;
+}
+
 /// The angle from line to line, which bends walls where it is wrong.
 OpeningPoint stepOf(const Scan& scan, const PolarGeometry& polar, double step, const ReadingOptions& options, const CommonPlanes& now,
                     bool mountingFits) {
     const bool assumed = anglesWereTaken(scan) || (mountingAssumed(scan) && warned("the step from line to line", scan));
-    OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : assumed ? Source::Guessed : Source::Said};
-    const double all = std::abs(step) * static_cast<double>(polar.lineDeg.size() - 1);
-    point.taken = {"a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes",
-                   with(with(flatOf(now), significantText(std::abs(step), 4)), significantText(all, 4))};
-    std::vector<std::pair<int, OtherReading>> tried;
-    for (const double times : {0.5, 2.0 / 3.0, 1.5, 2.0}) {
+    OpeningPoint point{"Line angles", options.lineStepDeg ? Source::Typed : assumed ? Source::Assumed : Source::Said};
+    const double between = static_cast<double>(polar.lineDeg.size() - 1), all = std::abs(step) * between;
+    const auto inWords = [between](const CommonPlanes& planes, double stepDeg) {
+        return with(with(flatOf(planes), significantText(std::abs(stepDeg), 4)), significantText(std::abs(stepDeg) * between, 4));
+    };
+    std::vector<std::pair<int, OtherReading>> tried; // the likelier first: number of pieces on planes, if it shows the step
+    for (const double times : timesOf(all, assumed)) {
         PolarGeometry stretched = polar;
         for (std::size_t i = 0; i < stretched.lineDeg.size(); ++i)
             stretched.lineDeg[i] = polar.lineDeg.front() + times * (polar.lineDeg[i] - polar.lineDeg.front());
-        if (std::abs(stretched.lineDeg.back() - stretched.lineDeg.front()) > 400.0) continue;
         const CommonPlanes other = commonPlanes(scan, stretched);
-        tried.push_back({other.onPlanes,
-                         {{"a step of %3 degrees: %1 of %2 flat pieces lie on three planes",
-                           with(flatOf(other), significantText(std::abs(step * times), 4))},
+        const bool flatter = clearlyFlatter(other, now);
+        tried.push_back({flatter || !assumed ? other.onPlanes : 0,
+                         {{"a step of %3 degrees, %4 in all: %1 of %2 flat pieces lie on three planes", inWords(other, step * times)},
                           withLines(options, polar.lineDeg.front(), step * times)}});
-        if (mountingFits && clearlyFlatter(other, now) && point.against.empty())
+        if (mountingFits && flatter && point.against.empty())
             point.against = {
                 "Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.",
                 flatOf(now)};
     }
+    const bool shows = !assumed || std::ranges::any_of(tried, [](const auto& one) { return one.first > 0; });
+    point.taken = {shows ? "a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes"
+                         : "a step of %3 degrees, %4 in all; rough rock cannot show it: choose how far the motor turned in all",
+                   inWords(now, step)};
     std::ranges::stable_sort(tried, std::greater<>{}, [](const auto& one) { return one.first; });
     for (auto& [flat, other] : tried) point.others.push_back(std::move(other));
     return point;
@@ -233,7 +252,8 @@ bool looksWrong(const std::vector<OpeningPoint>& points) {
 }
 
 bool looksGuessed(const std::vector<OpeningPoint>& points) {
-    return std::ranges::any_of(points, [](const OpeningPoint& point) { return point.source == Source::Guessed; });
+    return std::ranges::any_of(
+        points, [](const OpeningPoint& point) { return point.source == Source::Guessed || point.source == Source::Assumed; });
 }
 
 } // namespace edgescan::files

@@ -21,7 +21,8 @@ struct OpeningPoint {
     enum class Source {
         Said,    ///< by the file
         Typed,   ///< by the person who opened it
-        Guessed, ///< found out from the numbers, or taken as usual
+        Guessed, ///< found out from the numbers
+        Assumed, ///< taken as usual: the file does not say it
     };
     const char* what; ///< "Unit", "Mounting", ...
     Source source = Source::Said;
@@ -43,7 +44,7 @@ inline constexpr std::string_view kDisplacedPoint = "Beams and lines";
 
 /// Something speaks against one of them.
 [[nodiscard]] bool looksWrong(const std::vector<OpeningPoint>& points);
-/// One of them was found out rather than said.
+/// One of them was found out or assumed rather than said.
 [[nodiscard]] bool looksGuessed(const std::vector<OpeningPoint>& points);
 
 } // namespace edgescan::files

@@ -163,6 +163,7 @@ EdgeChanges edgeChanges(const Grid<std::uint8_t>& later, const Grid<std::uint8_t
             changes.cells[k] = change;
             ++count;
         };
+        changes.earlierUnchanged += earlier[k] != 0 && nearLater[k] != 0 ? 1 : 0;
         if (later[k] != 0 && nearEarlier[k] != 0)
             is(EdgeChange::Unchanged, changes.unchanged);
         else if (later[k] != 0)

@@ -35,6 +35,7 @@ inline constexpr std::size_t kSmallestRegion = 40; ///< cells
 struct EdgeChanges {
     Grid<EdgeChange> cells; ///< lines x beams
     std::size_t unchanged = 0, gained = 0, lost = 0, unknown = 0;
+    std::size_t earlierUnchanged = 0; ///< edges of the earlier scan that are in both; `unchanged` counts those of the later one
 };
 
 /// Masks: lines x beams, not 0 = edge. An edge is in both scans if the other has one within `reach` cells, including diagonals; the cells

@@ -70,6 +70,8 @@ QStringList warningsOf(const Picture& picture) {
 namespace {
 
 PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
+    if (picture == nullptr && scanner.connected())
+        return {signOf(scanner.health().liveness), coreWords(scanner.health().badge), coreSentence(scanner.health().sentence)};
     if (picture == nullptr) return {StateBadge::Sign::Off, QObject::tr("NO PICTURE"), QString()};
     const Scan& scan = *picture->detection->scan;
     const Acquisition measured = scan.acquisition ? *scan.acquisition : Acquisition{};

@@ -5,6 +5,7 @@
 #include "core/base/utc_time.h"
 #include "core/base/whole_file.h"
 #include "ui/base/core_words.h"
+#include "ui/base/count_text.h"
 #include "ui/base/save_question.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/files.h"
@@ -250,6 +251,7 @@ void Sessions::restore(inspect::ReadSession read, const QString& file) {
     found_ = nullptr;
     // An autosaved session continues in the file that the operator had given it.
     const bool byItself = QFileInfo(file).absolutePath() == QFileInfo(autosaves_.own()).absolutePath() && !file.isEmpty();
+    byItself_ = byItself;
     if (byItself) wanted_->state.view.images.reset(); // a start shows the images whole
     wantedFile_ = byItself ? exactText(wanted_->state.keptIn.string()) : file;
     autosaves_.markContinued(file);
@@ -325,8 +327,19 @@ void Sessions::giveBack() {
     give(inspect::cutTo(read.state, engine_.picture()->detection->scan->cells()), GivenBack::OnScan);
     file_ = wantedFile_;
     filed_ = inspect::notebookScan(*engine_.picture()->detection->scan);
+    if (byItself_) sayWhatCameBack(read.state);
     emit nameChanged();
     changed();
+}
+
+/// After a crash nothing looks as if it could be undone that cannot be.
+void Sessions::sayWhatCameBack(const inspect::ViewerState& state) {
+    undo_.clear();
+    const inspect::Notebook& notebook = state.targets.notebook;
+    QStringList back{targetCount(notebook.targets.size())};
+    if (!notebook.measures.empty()) back << tr("measurements: %1").arg(notebook.measures.size());
+    back << tr("settings, view");
+    notice_.showNotice(NoticeBar::Kind::Done, tr("Restored: %1. Undo begins here.").arg(back.join(", ")));
 }
 
 QString Sessions::toGoOn() const {

@@ -82,6 +82,7 @@ private:
     void lookInNextSweep();
     void lookAt(const ReplayedSweep& at);
     void giveBack();
+    void sayWhatCameBack(const inspect::ViewerState& state);
     void refuseScan();
     void give(const inspect::ViewerState& state, GivenBack when);
     [[nodiscard]] std::optional<Job> job();
@@ -106,6 +107,7 @@ private:
     inspect::NotebookScan filed_;
     std::optional<inspect::ReadSession> wanted_; // waits for its scan
     QString wantedFile_;
+    bool byItself_ = false; // the wanted session was saved by the viewer itself
     std::size_t place_ = 0;
     std::optional<std::size_t> nextSweep_; // to look at; empty: the sweeps are not looked through
     std::shared_ptr<const Scan> found_;    // the wanted sweep, on its way to the screen

@@ -273,7 +273,7 @@ void Targets::setPart(const inspect::TargetsPart& part) {
         change(stepName("Open Session"), part.notebook);
         emit pinned();
     }
-    if (part.active) views_.pin(*part.active);
+    views_.pin(part.active);
 }
 
 void Targets::change(const QString& what, inspect::Notebook after) {
@@ -290,13 +290,32 @@ void Targets::use(const inspect::Notebook& notebook) {
         if (*chosen_ >= measures.size() || measures[*chosen_] != chosen)
             chosen_ = found == measures.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - measures.begin()));
     }
-    notebook_ = notebook;
+    const inspect::Notebook before = std::exchange(notebook_, notebook);
     keep();
     ask();
     using_ = true;
     if (views_.pinned() && active() == nullptr) views_.pin(std::nullopt);
     using_ = false;
+    chooseWhatCame(before);
     show();
+}
+
+/// The target or measurement that a step brought, or brought back.
+void Targets::chooseWhatCame(const inspect::Notebook& before) {
+    const auto came = [](const auto& all, const auto& earlier) {
+        std::vector<std::size_t> places;
+        for (std::size_t n = 0; n < all.size(); ++n) {
+            if (std::ranges::find(earlier, all[n].number, [](const auto& each) { return each.number; }) == earlier.end())
+                places.push_back(n);
+        }
+        return places;
+    };
+    const auto targets = came(notebook_.targets, before.targets), measures = came(notebook_.measures, before.measures);
+    if (targets.size() + measures.size() != 1) return;
+    if (!targets.empty())
+        views_.pin(notebook_.targets[targets.front()].cell);
+    else
+        chooseMeasure(measures.front());
 }
 
 void Targets::keep() {

@@ -143,6 +143,7 @@ private:
     void followPin(std::optional<std::size_t> cell);
     void change(const QString& what, inspect::Notebook after);
     void use(const inspect::Notebook& notebook);
+    void chooseWhatCame(const inspect::Notebook& before);
     void keep();
     void ask();
     void take(const KnownTargets& known);

@@ -304,14 +304,20 @@ void LinkedViews::setTrail(const EdgeTrail& trail) {
     for (ImageView* view : images_) view->setTrail(trail);
 }
 
+void LinkedViews::setNote(const QString& note) {
+    note_ = note;
+    showNote();
+}
+
 void LinkedViews::setAsked(const QString& words) {
     asked_ = words;
     showNote();
 }
 
 void LinkedViews::showNote() {
-    for (ImageView* view : images_) view->setNote(asked_);
-    cloud_.setNote(asked_.isEmpty() || shapeNote_.isEmpty() ? asked_ + shapeNote_ : asked_ + "\n" + shapeNote_);
+    const QString both = asked_.isEmpty() || note_.isEmpty() ? asked_ + note_ : asked_ + " · " + note_;
+    for (ImageView* view : images_) view->setNote(both);
+    cloud_.setNote(both.isEmpty() || shapeNote_.isEmpty() ? both + shapeNote_ : both + "\n" + shapeNote_);
 }
 
 void LinkedViews::setShapeNote(const QString& note) {

@@ -92,9 +92,10 @@ public:
     /// x = beam, y = line.
     [[nodiscard]] QPoint placeOf(std::size_t cell) const;
 
-    /// What a tool waits for; empty: no tool.
+    void setNote(const QString& note);
+    /// What a tool waits for, before the note; empty: no tool.
     void setAsked(const QString& words);
-    /// In the cloud below it; images have no shape.
+    /// In the cloud below the note; images have no shape.
     void setShapeNote(const QString& note);
     /// Of all views: the picture does not follow the scanner.
     void setPictureFrame(const PictureFrame& frame);
@@ -189,7 +190,7 @@ private:
     std::optional<std::size_t> pinned_;
     Tool tool_ = Tool::Pin;
     bool pinsOnClick_ = true;
-    QString asked_, shapeNote_;
+    QString note_, asked_, shapeNote_;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved it
     bool fitted_ = false;     // to the whole sweep
     bool windowKept_ = false;

@@ -151,7 +151,7 @@ void Keypad::make(QWidget& window) {
 
 void Keypad::openFor(QWidget& field) {
     closedFor_ = nullptr;
-    if (field_ == &field && isVisible()) return;
+    if (field_ == &field && isVisible()) return keys_->raise();
     field_ = &field;
     if (keys_ == nullptr || keys_->parentWidget() != field.window()) {
         if (keys_ != nullptr) keys_->deleteLater();
@@ -160,6 +160,7 @@ void Keypad::openFor(QWidget& field) {
     setCapitals(false);
     showPage(!isNumber(field));
     keys_->show();
+    QMetaObject::invokeMethod(keys_, &QWidget::raise, Qt::QueuedConnection); // a dialog raises itself after it got the focus
 }
 
 /// At the bottom of the screen, or at its top if the field is there. A dialog moves above the keys. If it is too high for that, it stays on

@@ -5,6 +5,7 @@
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
 #include "ui/panels/cab/stepper.h"
+#include "ui/panels/cab/swipes.h"
 
 #include <QFontMetrics>
 #include <QGridLayout>
@@ -18,20 +19,18 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
 
 constexpr int kNumberPx = 42, kLowNumberPx = 32, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17, kLeastNotePx = 15;
 constexpr int kLeastScrolled = 90;
-constexpr int kLowestPx = 480; // a lower side has no stepper next to the numbers: Tune has it
-constexpr int kLowPx = 720;    // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
+constexpr int kSign = 28, kLowSign = 20; // px: of Tune
+constexpr int kLowestPx = 480;           // a lower side has no stepper next to the numbers: Tune has it
+constexpr int kLowPx = 720;              // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
 
-// A sign that there is more, which takes no room from the numbers: a swipe scrolls them.
-const char* const kThinBar = "QScrollBar:vertical { width: 8px; background: transparent; } "
-                             "QScrollBar::handle:vertical { background: #8a9098; border-radius: 4px; min-height: 24px; } "
-                             "QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0; } "
-                             "QScrollBar::add-page:vertical, QScrollBar::sub-page:vertical { background: transparent; }";
+constexpr int kPageHigh = 48; // px: of the button that turns the page
 
 } // namespace
 
@@ -143,7 +142,7 @@ NumbersSide::NumbersSide(QWidget* parent)
       hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
       tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
       sizeRemark_(label("cab-size-remark", kNotePx, false)), warned_(label("cab-warned", kNotePx, false)), coordinates_(new QGridLayout),
-      rows_(new QGridLayout), main_(new Stepper(QString())), foot_(new QGridLayout) {
+      rows_(new QGridLayout), page_(new QToolButton), main_(new Stepper(QString())), foot_(new QGridLayout) {
     for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, warned_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
@@ -156,9 +155,19 @@ NumbersSide::NumbersSide(QWidget* parent)
     auto* column = new QVBoxLayout(numbers);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(head);
-    scroll_ = scrolledColumn(makeNumbers(), Qt::ScrollBarAsNeeded);
-    scroll_->verticalScrollBar()->setStyleSheet(kThinBar);
+    scroll_ = scrolledColumn(makeNumbers(), Qt::ScrollBarAlwaysOff);
+    scroll_->setProperty(kPaged, true);
     column->addWidget(scroll_, 1);
+    page_->setParent(scroll_);
+    page_->setObjectName("cab-page");
+    page_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    page_->setFocusPolicy(Qt::TabFocus);
+    page_->hide();
+    connect(page_, &QToolButton::clicked, this, [this] {
+        fitPages();
+        shownPage_ = (shownPage_ + 1) % (starts_.size() + 1);
+        showPage();
+    });
     column->addWidget(main_);
     pages_->addWidget(numbers);
     pages_->addWidget(scrolledColumn(makeSettings(), Qt::ScrollBarAsNeeded));
@@ -182,9 +191,9 @@ QWidget* NumbersSide::makeNumbers() {
     column->addWidget(hint_);
     auto* name = label("cab-distance-name", kNotePx, false);
     distanceName_ = name;
+    name->setWordWrap(true);       // "Vertical Difference" is whole
     auto* above = new QHBoxLayout; // the uncertainty next to the name: a low screen has no line for it
-    above->addWidget(name);
-    above->addStretch(1);
+    above->addWidget(name, 1);
     above->addWidget(tolerance_);
     column->addLayout(above);
     column->addWidget(distance_);
@@ -225,11 +234,12 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_}) each->setVisible(some);
     distanceName_->setText(numbers.distanceName.isEmpty() ? tr("Distance") : numbers.distanceName);
     for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(entries);
-    title_->setText(some                  ? numbers.title + '\n' + numbers.place
-                    : numbers.targets > 0 ? targetCount(static_cast<std::size_t>(numbers.targets))
-                                          : tr("No target"));
+    titleWords_ = some                  ? numbers.title + '\n' + numbers.place
+                  : numbers.targets > 0 ? targetCount(static_cast<std::size_t>(numbers.targets))
+                                        : tr("No target");
     fitTitle();
     distance_->showText(numbers.distance);
+    tolerance_->setWordWrap(!numbers.tolerance.startsWith("±"));
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);
     rock_->setVisible(!numbers.rock.isEmpty());
@@ -241,7 +251,9 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     warned_->setVisible(!numbers.warned.isEmpty());
     fillRows(*coordinates_, coordinateLabels_, numbers.coordinates, true);
     fillRows(*rows_, rowLabels_, numbers.rows, false);
+    if (std::exchange(shownTitle_, numbers.title) != numbers.title) shownPage_ = 0;
     fitHeight();
+    QMetaObject::invokeMethod(this, &NumbersSide::fitPages, Qt::QueuedConnection); // after the rows have their widths
 }
 
 bool NumbersSide::eventFilter(QObject* watched, QEvent* event) {
@@ -249,20 +261,24 @@ bool NumbersSide::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// Smaller letters, if a word is wider than the room between the arrows.
+/// Smaller letters, if a word is wider than the room between the arrows; a name that is still wider breaks anywhere.
 void NumbersSide::fitTitle() {
     QFont letters = title_->font();
     letters.setPixelSize(kTextPx);
     const int room = title_->contentsRect().width();
-    static const QRegularExpression between("\\s+");
-    for (const QString& word : title_->text().split(between)) {
+    static const QRegularExpression between("\\s+"), anywhere("(?<=\\S)(?=\\S)");
+    QString shown = titleWords_;
+    for (const QString& word : titleWords_.split(between)) {
         while (letters.pixelSize() > kLeastNotePx - 2 && QFontMetrics(letters).horizontalAdvance(word) > room)
             letters.setPixelSize(letters.pixelSize() - 1);
+        if (QFontMetrics(letters).horizontalAdvance(word) > room) shown.replace(word, QString(word).replace(anywhere, QChar(0x200B)));
     }
+    title_->setText(shown);
     if (letters.pixelSize() != title_->font().pixelSize()) title_->setFont(letters);
 }
 
 void NumbersSide::fitHeight() {
+    facts_->layout()->setContentsMargins(0, 0, 0, 0); // without the rest of the last page
     const bool low = height() < kLowPx;
     // The part of it that is in the window: with the stepper it would not become lower than the stepper needs.
     const int seen = std::min(height(), window()->height() - mapTo(window(), QPoint()).y());
@@ -277,6 +293,62 @@ void NumbersSide::fitHeight() {
     }
     const bool held = main_->less()->isDown() || main_->more()->isDown();
     main_->setVisible(stepped_ && seen >= kLowestPx && (held || factsFitAbove(main_->sizeHint().height())));
+    showValueInTune();
+    fitPages();
+}
+
+/// The rows that begin the pages after the first one: what belongs together is on one page.
+std::vector<const QWidget*> NumbersSide::pageStarts(int room, int high) const {
+    std::vector<const QWidget*> firsts;
+    for (const auto& [name, value] : coordinateLabels_) firsts.push_back(value);
+    firsts.insert(firsts.end(), {warned_, rock_->isVisibleTo(facts_) ? rock_ : sizeRemark_});
+    for (const auto& [name, value] : rowLabels_) firsts.push_back(value);
+    std::erase_if(firsts, [this](const QWidget* each) { return !each->isVisibleTo(facts_); });
+    std::vector<const QWidget*> starts;
+    for (std::size_t n = 0; n < firsts.size(); ++n) {
+        const int end = n + 1 < firsts.size() ? firsts[n + 1]->y() : high, start = starts.empty() ? 0 : starts.back()->y();
+        if (end - start > room && firsts[n]->y() > start) starts.push_back(firsts[n]);
+    }
+    return starts;
+}
+
+/// Where the facts have no room, they have pages of whole rows, and a button for the next one.
+void NumbersSide::fitPages() {
+    pages_->widget(0)->layout()->activate();
+    facts_->layout()->setContentsMargins(0, 0, 0, 0);
+    const QSize room = scroll_->viewport()->size();
+    factsHigh_ = facts_->layout()->heightForWidth(room.width());
+    starts_.clear();
+    if (factsHigh_ > room.height() && isVisible()) {
+        facts_->resize(room.width(), factsHigh_);
+        facts_->layout()->activate();
+        starts_ = pageStarts(room.height() - kPageHigh, factsHigh_);
+        const int last = starts_.empty() ? 0 : starts_.back()->y();
+        facts_->layout()->setContentsMargins(0, 0, 0, std::max(0, last + room.height() - factsHigh_));
+        facts_->resize(room.width(), std::max(factsHigh_, last + room.height()));
+    }
+    shownPage_ = std::min(shownPage_, starts_.size());
+    showPage();
+}
+
+void NumbersSide::showPage() {
+    facts_->layout()->activate();
+    const bool last = shownPage_ == starts_.size();
+    page_->setVisible(!starts_.empty());
+    page_->setText(last ? "▲ " + tr("Back") : "▼ " + tr("More"));
+    const QSize room = scroll_->viewport()->size();
+    const int start = shownPage_ == 0 ? 0 : starts_[shownPage_ - 1]->y(), end = last ? factsHigh_ : starts_[shownPage_]->y();
+    const int from = std::min(room.height() - kPageHigh, end - start);
+    page_->setGeometry(0, from, room.width(), room.height() - from);
+    scroll_->verticalScrollBar()->setValue(start);
+}
+
+/// Where there is no room for the stepper, its value is on the button that opens it.
+void NumbersSide::showValueInTune() {
+    if (tune_ == nullptr) return;
+    const bool hidden = stepped_ && !tuning() && !main_->isVisibleTo(this);
+    tune_->setText(hidden ? tuneWord_ + '\n' + main_->value() : tuneWord_);
+    tune_->setIconSize(hidden ? QSize(kLowSign, kLowSign) : QSize(kSign, kSign));
 }
 
 /// The facts of what is chosen are seen whole; Tune has the stepper too.
@@ -371,6 +443,13 @@ QString NumbersSide::sizeShown() const { return size_->text(); }
 void NumbersSide::addButton(QToolButton* button) {
     foot_->addWidget(button, 0, buttons_);
     ++buttons_;
+}
+
+void NumbersSide::addTune(QToolButton* button) {
+    tune_ = button;
+    tuneWord_ = button->text();
+    connect(button, &QToolButton::clicked, this, &NumbersSide::setTuning);
+    addButton(button);
 }
 
 void NumbersSide::addSettingsButton(QToolButton* button) { settingsHead_->addWidget(button); }

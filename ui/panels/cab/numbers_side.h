@@ -62,6 +62,8 @@ public:
     [[nodiscard]] QString sizeShown() const;
     /// Adds a button such as Report or Export at the bottom.
     void addButton(QToolButton* button);
+    /// The button that opens the settings; it has the first value where that has no room.
+    void addTune(QToolButton* button);
     /// Adds one above the settings.
     void addSettingsButton(QToolButton* button);
 
@@ -87,6 +89,10 @@ private:
     void connectStepper(Stepper& stepper);
 
     [[nodiscard]] bool factsFitAbove(int stepperHigh) const;
+    [[nodiscard]] std::vector<const QWidget*> pageStarts(int room, int high) const;
+    void fitPages();
+    void showPage();
+    void showValueInTune();
 
     QStackedWidget* pages_;
     QScrollArea* scroll_ = nullptr; // of the numbers
@@ -105,6 +111,11 @@ private:
     QGridLayout* coordinates_;
     QGridLayout* rows_;
     std::vector<std::pair<QLabel*, QLabel*>> coordinateLabels_, rowLabels_;
+    QToolButton* page_;                  // turns the page of the facts
+    std::vector<const QWidget*> starts_; // the first rows of the pages after the first one
+    int factsHigh_ = 0;
+    std::size_t shownPage_ = 0;
+    QString shownTitle_, titleWords_;
     bool stepped_ = false; // the main stepper has a setting
     Stepper* main_;
     QString mainKey_, ofLess_, ofMore_;
@@ -113,6 +124,8 @@ private:
     std::vector<std::pair<QString, Stepper*>> steppers_;
     QGridLayout* foot_;
     int buttons_ = 0;
+    QToolButton* tune_ = nullptr;
+    QString tuneWord_;
 };
 
 } // namespace edgescan::ui

@@ -14,7 +14,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kWide = 72, kHigh = 64, kLeastHigh = 54, kBetween = 6; // px
+constexpr int kWide = 72, kHigh = 64, kLeastHigh = 50, kBetween = 6; // px
 constexpr int kSign = 28;
 constexpr int kWordPx = 15;
 constexpr int kFewest = 3; // rows

@@ -90,6 +90,7 @@ constexpr int kAround = 32;        // px: of the plate and of the view
 constexpr int kBeforeName = 70;    // px of a row: switch, colour, gaps
 constexpr int kBetweenButtons = 6; // px
 constexpr int kForGloves = 48;     // px
+constexpr int kBesideZoom = 80;    // px: of the zoom buttons of a cab
 constexpr int kLeastLetters = 12;  // px
 
 QString nameOf(ChangeRow row) {
@@ -128,6 +129,14 @@ QString broken(const QString& text, const QFontMetrics& letters, int width) {
     return result.chopped(1);
 }
 
+/// Where the edges of A are: the rows count those of B too, and an edge of one may be next to several of the other.
+QString sumOf(const Comparison& comparison) {
+    const inspect::EdgeChanges& edges = comparison.change.edges;
+    const std::size_t all = comparison.earlier->detection->edges->size(), counted = edges.lost + edges.earlierUnchanged;
+    return ChangeLegend::tr("A has %1 edge cells: %2 lost, %3 next to edges of B, %4 without a point of B")
+        .arg(countText(all), countText(edges.lost), countText(edges.earlierUnchanged), countText(all - std::min(all, counted)));
+}
+
 QString outOfSpecWords() { return ChangeLegend::tr("▲ OUT OF SPEC"); }
 
 QLabel* wordsOf(QWidget* parent, const char* name) {
@@ -141,12 +150,12 @@ QLabel* wordsOf(QWidget* parent, const char* name) {
 
 ChangeLegend::ChangeLegend(QWidget* parent)
     : ViewPlate(parent), title_(wordsOf(this, "change-title")), unit_(wordsOf(this, "change-unit")), how_(wordsOf(this, "change-how")),
-      overRocks_(wordsOf(this, "change-over-rocks")), region_(wordsOf(this, "change-region")), summary_(wordsOf(this, "change-summary")),
-      byDistance_(new QCheckBox(tr("colour by distance from A"), this)), histogram_(new DistanceView(this)),
-      distances_(wordsOf(this, "change-distances")), fold_(new QToolButton(this)), previous_(new QToolButton(this)),
-      next_(new QToolButton(this)), end_(new QToolButton(this)) {
+      sum_(wordsOf(this, "change-sum")), overRocks_(wordsOf(this, "change-over-rocks")), region_(wordsOf(this, "change-region")),
+      summary_(wordsOf(this, "change-summary")), byDistance_(new QCheckBox(tr("colour by distance from A"), this)),
+      histogram_(new DistanceView(this)), distances_(wordsOf(this, "change-distances")), fold_(new QToolButton(this)),
+      previous_(new QToolButton(this)), next_(new QToolButton(this)), end_(new QToolButton(this)) {
     setObjectName("change-legend");
-    for (QLabel* label : {title_, how_, region_}) words_[label] = QString();
+    for (QLabel* label : {title_, how_, sum_, region_}) words_[label] = QString();
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     auto* content = new QWidget;
     auto* grid = new QGridLayout(content);
@@ -177,10 +186,11 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     byDistance_->setObjectName("change-by-distance");
     byDistance_->setFocusPolicy(Qt::TabFocus);
     connect(byDistance_, &QCheckBox::toggled, this, &ChangeLegend::distancesRequested);
-    grid->addWidget(how_, kChangeRows + 2, 0, 1, 2);
+    grid->addWidget(sum_, kChangeRows + 2, 0, 1, 2);
+    grid->addWidget(how_, kChangeRows + 3, 0, 1, 2);
     setWords(*overRocks_, tr("Other points have the colours of rocks"));
     overRocks_->hide();
-    grid->addWidget(overRocks_, kChangeRows + 3, 0, 1, 2);
+    grid->addWidget(overRocks_, kChangeRows + 4, 0, 1, 2);
     previous_->setArrowType(Qt::LeftArrow);
     previous_->setToolTip(tr("Previous changed region"));
     previous_->setAccessibleName(previous_->toolTip());
@@ -208,10 +218,10 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         fit();
     });
     connect(end_, &QToolButton::clicked, this, &ChangeLegend::endRequested);
-    grid->addWidget(byDistance_, kChangeRows + 4, 0, 1, 2);
-    grid->addWidget(histogram_, kChangeRows + 5, 0, 1, 2);
-    grid->addWidget(distances_, kChangeRows + 6, 0, 1, 2);
-    grid->addWidget(region_, kChangeRows + 7, 0, 1, 2);
+    grid->addWidget(byDistance_, kChangeRows + 5, 0, 1, 2);
+    grid->addWidget(histogram_, kChangeRows + 6, 0, 1, 2);
+    grid->addWidget(distances_, kChangeRows + 7, 0, 1, 2);
+    grid->addWidget(region_, kChangeRows + 8, 0, 1, 2);
     setContent(*content, foot);
     connect(previous_, &QToolButton::clicked, this, &ChangeLegend::previousRegionRequested);
     connect(next_, &QToolButton::clicked, this, &ChangeLegend::nextRegionRequested);
@@ -270,6 +280,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
                               .arg(inspect::kChangeSigmas * comparison->change.noise.at(5.0), 0, 'f', 0);
     }
     howWords_ = how;
+    setWords(*sum_, comparison != nullptr && comparison->isOfTwoScans() ? sumOf(*comparison) : QString());
     const auto distances = comparison != nullptr && rowsShown_ ? comparison->distances : nullptr;
     histogram_->showDistances(distances);
     hasDistances_ = distances != nullptr;
@@ -297,8 +308,10 @@ void ChangeLegend::setWords(QLabel& label, const QString& words) {
 /// Breaks texts into lines that a narrow view has room for.
 void ChangeLegend::fit() {
     if (parentWidget() == nullptr) return;
-    const int room = parentWidget()->width() - kAround - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    for (const auto& [label, words] : words_) label->setText(label == region_ ? QString() : broken(words, label->fontMetrics(), room));
+    const int line = parentWidget()->width() - kAround - (brief_ ? kBesideZoom : 0); // no bar is next to the buttons
+    const int room = line - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const auto isInRest = [this](const QLabel* label) { return label == region_ || label == sum_; }; // they do not make the plate wider
+    for (const auto& [label, words] : words_) label->setText(isInRest(label) ? QString() : broken(words, label->fontMetrics(), room));
     int counts = 0;
     for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
     for (int n = 0; n < kChangeRows; ++n) {
@@ -314,9 +327,8 @@ void ChangeLegend::fit() {
             wide += each->isVisibleTo(this) ? std::max(each->sizeHint().width(), each->minimumWidth()) + kBetweenButtons : 0;
         return wide;
     };
-    summary_->setFont(QFont());                         // that of the plate
-    const int line = parentWidget()->width() - kAround; // no bar is next to the buttons
-    if (buttonsWide() > line) next_->setText(tr("Next"));
+    summary_->setFont(QFont()); // that of the plate
+    if (brief_ || buttonsWide() > line) next_->setText(tr("Next"));
     QFont letters = summary_->font();
     for (int px = QFontInfo(letters).pixelSize(); buttonsWide() > line && px > kLeastLetters; --px) {
         letters.setPixelSize(px);
@@ -325,7 +337,7 @@ void ChangeLegend::fit() {
     const int buttons = buttonsWide();
     // The text of a region does not make the plate wider: its buttons stay under the pointer.
     const int wide = std::max(region_->parentWidget()->sizeHint().width(), std::min(buttons, line));
-    region_->setText(broken(words_.at(region_), region_->fontMetrics(), wide));
+    for (QLabel* label : {region_, sum_}) label->setText(broken(words_.at(label), label->fontMetrics(), wide));
     fitContent();
 }
 
@@ -368,6 +380,7 @@ void ChangeLegend::showRows() {
         shown_[n]->setMinimumHeight(brief_ ? kForGloves : 0);
         shown_[n]->setChecked(n == static_cast<std::size_t>(shown));
     }
+    sum_->setVisible(open && rowsShown_ && !words_.at(sum_).isEmpty());
     unit_->setVisible(open && compared_ && rowsShown_ && !brief_);
     how_->setVisible(!compared_ || (rowsShown_ && (warned_ || (open && !brief_))));
     setWords(*how_, open || !warned_ ? howWords_ : outOfSpecWords());
@@ -425,6 +438,7 @@ void ChangeLegend::showRegion(const QString& words, const QString& brief) {
 
 QString ChangeLegend::counted(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].count->text(); }
 QString ChangeLegend::howText() const { return words_.at(how_); }
+QString ChangeLegend::sumText() const { return words_.at(sum_); }
 QString ChangeLegend::titleText() const { return words_.at(title_); }
 QString ChangeLegend::regionText() const { return words_.at(region_); }
 

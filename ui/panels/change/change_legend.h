@@ -42,6 +42,7 @@ public:
     [[nodiscard]] QCheckBox* row(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].box; }
     [[nodiscard]] QString counted(ChangeRow row) const;
     [[nodiscard]] QString howText() const;
+    [[nodiscard]] QString sumText() const;
     [[nodiscard]] QString titleText() const;
     [[nodiscard]] QString regionText() const;
     [[nodiscard]] QToolButton* next() const { return next_; }
@@ -73,7 +74,7 @@ private:
     [[nodiscard]] QString summaryText() const;
     void foldIfLow();
 
-    QLabel *title_, *unit_, *how_, *overRocks_, *region_;
+    QLabel *title_, *unit_, *how_, *sum_, *overRocks_, *region_;
     QLabel* summary_; // next to the buttons, while all else is folded in a cab
     std::array<Row, kChangeRows> rows_;
     QCheckBox* byDistance_;

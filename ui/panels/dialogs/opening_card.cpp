@@ -2,11 +2,13 @@
 #include "ui/panels/dialogs/opening_card.h"
 
 #include "ui/base/shown_text.h"
+#include "ui/base/window_room.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QShowEvent>
 #include <QStyle>
 #include <QTreeWidget>
@@ -19,11 +21,14 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kAroundWords = 8; // total px above and below the text of a row
+constexpr QSize kLeastList(260, 120);
+constexpr int kWidest = 700, kHighest = 620, kHead = 72; // px; the head: that of a cab, or the menus
 
 /// An icon and a word, without colour.
 QString signOf(const files::OpeningPoint& point) {
     if (!point.against.empty()) return "▲ " + OpeningCard::tr("doubtful");
     if (point.source == files::OpeningPoint::Source::Guessed) return "? " + OpeningCard::tr("detected");
+    if (point.source == files::OpeningPoint::Source::Assumed) return "? " + OpeningCard::tr("assumed");
     return "✓ " + (point.source == files::OpeningPoint::Source::Typed ? OpeningCard::tr("given by you") : OpeningCard::tr("from the file"));
 }
 
@@ -33,6 +38,15 @@ QTreeWidgetItem* rowOf(const QStringList& words) {
     return row;
 }
 
+/// "mounting, line angles"; empty: nothing was assumed.
+QString assumedNames(const std::vector<files::OpeningPoint>& points) {
+    QStringList names;
+    for (const files::OpeningPoint& point : points) {
+        if (point.source == files::OpeningPoint::Source::Assumed) names << QObject::tr(point.what).toLower();
+    }
+    return names.join(", ");
+}
+
 } // namespace
 
 QString shownSentence(const files::Sentence& sentence) {
@@ -40,10 +54,10 @@ QString shownSentence(const files::Sentence& sentence) {
 }
 
 OpeningCard::OpeningCard(QWidget* parent)
-    : QDialog(parent), verdict_(new QLabel), state_(new QLabel), list_(new QTreeWidget), adopt_(nullptr) {
+    : QDialog(parent), verdict_(new QLabel), about_(new QLabel), list_(new QTreeWidget), adopt_(nullptr) {
     setObjectName("opening-card");
     setWindowTitle(tr("Does This Look Right?"));
-    for (QLabel* label : {verdict_, state_}) {
+    for (QLabel* label : {verdict_, about_}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::PlainText);
     }
@@ -51,7 +65,7 @@ OpeningCard::OpeningCard(QWidget* parent)
     list_->setColumnCount(2);
     list_->setHeaderHidden(true);
     list_->setWordWrap(true);
-    list_->setMinimumSize(660, 300);
+    list_->setMinimumSize(kLeastList);
     list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     list_->header()->setStretchLastSection(true);
     connect(list_->header(), &QHeaderView::sectionResized, this, &OpeningCard::fitRows);
@@ -59,14 +73,10 @@ OpeningCard::OpeningCard(QWidget* parent)
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     adopt_ = buttons->addButton(tr("&Adopt"), QDialogButtonBox::ApplyRole);
     adopt_->setEnabled(false);
-    auto* about = new QLabel(tr(
-        "Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. Close restores the former reading."));
-    about->setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     column->addWidget(verdict_);
-    column->addWidget(about);
+    column->addWidget(about_);
     column->addWidget(list_, 1);
-    column->addWidget(state_);
     column->addWidget(buttons);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this] {
         int point = 0, other = 0;
@@ -96,8 +106,18 @@ void OpeningCard::fitRows() {
 }
 
 void OpeningCard::showEvent(QShowEvent* event) {
+    placeBeside();
     QDialog::showEvent(event);
     QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // after the columns have their widths
+}
+
+/// Over the right half of the window: the operator judges the picture in the rest.
+void OpeningCard::placeBeside() {
+    const QWidget& below = *parentWidget()->window();
+    const int wide = std::clamp(below.width() / 2, minimumSizeHint().width(), kWidest);
+    const int high = std::min(std::max(minimumSizeHint().height(), below.height() - kHead), kHighest);
+    setGeometry(fittedInScreen({below.mapToGlobal(QPoint(below.width() - wide, kHead)), QSize(wide, high)}, {},
+                               below.screen()->availableGeometry()));
 }
 
 bool OpeningCard::chosen(int& point, int& other) const {
@@ -125,13 +145,19 @@ void OpeningCard::showPoints(const QString& scan, const std::vector<files::Openi
     }
     QMetaObject::invokeMethod(this, &OpeningCard::fitRows, Qt::QueuedConnection); // after the columns have their widths
     adopt_->setEnabled(false);
+    const QString assumed = assumedNames(points);
     verdict_->setText(points.empty()              ? tr("%1: there is no other way to read it.").arg(scan)
                       : files::looksWrong(points) ? tr("%1: something contradicts how it was read.").arg(scan)
+                      : !assumed.isEmpty()        ? tr("%1: assumed (%2), and the scan itself does not contradict it.").arg(scan, assumed)
                                                   : tr("%1: nothing contradicts how it was read.").arg(scan));
     showState(QString());
 }
 
-void OpeningCard::showState(const QString& words) { state_->setText(words); }
+void OpeningCard::showState(const QString& words) {
+    about_->setText(!words.isEmpty() ? words
+                                     : tr("Click another reading to see the scan read that way. Adopt takes it, and Ctrl+Z undoes that. "
+                                          "Close restores the former reading."));
+}
 
 QString OpeningCard::verdict() const { return verdict_->text(); }
 

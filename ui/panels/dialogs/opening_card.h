@@ -21,7 +21,7 @@ public:
     explicit OpeningCard(QWidget* parent);
 
     void showPoints(const QString& scan, const std::vector<files::OpeningPoint>& points);
-    /// A sentence below the list about the scan on the screen.
+    /// A sentence about the scan on the screen in place of that about the list; empty: that about the list.
     void showState(const QString& words);
     /// Rows of the first level are questions; the rows below them are other readings, in order.
     [[nodiscard]] QTreeWidget* list() const { return list_; }
@@ -36,10 +36,11 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void placeBeside();
     void fitRows();
     [[nodiscard]] bool chosen(int& point, int& other) const;
 
-    QLabel *verdict_, *state_;
+    QLabel *verdict_, *about_;
     QTreeWidget* list_;
     QPushButton* adopt_;
 };

@@ -25,6 +25,7 @@ constexpr int kAround = 12, kTitleBar = 30;    // px, from the views' border
 constexpr int kWidest = 420, kNarrowest = 260; // px, of the texts
 constexpr int kFrame = 48;                     // px: left and right of the texts, at most
 constexpr double kShare = 0.42;                // of narrow views: a cell is free at one of the sides
+constexpr int kRoomForBeside = 600;            // px of the screen
 constexpr int kRing = 16;                      // px around a cell
 constexpr int kRim = 12;                       // px
 constexpr int kLines = 12;                     // of text, with a picture
@@ -129,9 +130,6 @@ WhyCard::WhyCard(QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     beside_->setObjectName("why-beside");
     beside_->setAutoDefault(false);
-    QSizePolicy place = beside_->sizePolicy();
-    place.setRetainSizeWhenHidden(true);
-    beside_->setSizePolicy(place);
     beside_->hide();
     connect(beside_, &QPushButton::clicked, this, &WhyCard::nearestEdgeRequested);
     auto* content = new QWidget;
@@ -153,6 +151,9 @@ void WhyCard::fit() {
     const int wide = views.isEmpty() ? kWidest : static_cast<int>(kShare * views.width()) - kFrame;
     const int clamped = std::clamp(wide, kNarrowest, kWidest);
     for (QLabel* each : {plain_, cell_, verdict_, numbers_}) each->setMinimumWidth(clamped);
+    QSizePolicy place = beside_->sizePolicy();
+    place.setRetainSizeWhenHidden(screen()->availableGeometry().height() >= kRoomForBeside); // a low screen gives its place to the text
+    beside_->setSizePolicy(place);
     content_->widget()->ensurePolished();
     content_->setFixedWidth(clamped + content_->verticalScrollBar()->sizeHint().width());
     content_->setFixedHeight(0);

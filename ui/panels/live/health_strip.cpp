@@ -69,8 +69,10 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
           !notFollowing              ? health.badge
           : picture == Picture::Held ? tr("HELD").toStdString()
                                      : tr("CONNECTED, another picture is shown").toStdString());
-    // The badge at the head of a cab says LIVE and HELD.
-    if (brief_ && (notFollowing ? picture == Picture::Held : health.badge == "LIVE")) badge_->hide();
+    // The badge at the head of a cab says the same.
+    const bool inHead =
+        notFollowing ? picture == Picture::Held : picture == Picture::Follows || health.liveness == files::Liveness::Stopped;
+    if (brief_ && inHead) badge_->hide();
     // Another picture counts the lines of its own sweep.
     const QString lines = coreWords(health.lines);
     lines_->setText(picture == Picture::Follows || lines.isEmpty() ? lines : tr("sweep %1: %2").arg(health.sweep).arg(lines));

@@ -74,7 +74,6 @@ LivePanel::LivePanel(QWidget* parent)
     host_->setToolTip(tr("Name or address of the scanner; ws://ROBOT is a robot with ROS on which foxglove_bridge runs"));
     host_->setAccessibleName(tr("Name or address of the scanner"));
     host_->setInputMethodHints(Qt::ImhPreferNumbers); // most scanners have an address, not a name
-    host_->setMaximumWidth(220);
     port_->setObjectName("live-port");
     port_->setAccessibleName(tr("Port of the scanner"));
     port_->setToolTip(tr("Port of the scanner"));
@@ -287,6 +286,10 @@ void LivePanel::showFields() {
 void LivePanel::reserveWidths() {
     reserveWidth(*connect_, {tr("Stop"), tr("Connect")});
     reserveWidth(*record_, {tr("Stop recording"), tr("Record")});
+    constexpr int kFrame = 24, kUsualField = 220; // px
+    const int words = host_->fontMetrics().horizontalAdvance(host_->placeholderText()) + kFrame;
+    host_->setMinimumWidth(words);
+    host_->setMaximumWidth(std::max(kUsualField, words));
     const QFontMetrics letters(recorded_->font());
     constexpr int kSignAndMargins = 34; // px
     recorded_->setFixedWidth(letters.horizontalAdvance(coreWords("recording 9999.9 MB")) + kSignAndMargins);

@@ -323,7 +323,11 @@ void ImageView::drawMarks(QPainter& painter) {
         return MarkPlace{viewPort_->toPixel(at, size()), false};
     };
     screenMarks_ = screenMarks(marks_, placeOf, width() < kRoomForTags);
-    tags_ = drawScreenMarks(painter, rect(), screenMarks_);
+    std::vector<QRectF> plates; // buttons of a cab
+    for (const QWidget* each : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (each->isVisible()) plates.emplace_back(each->geometry());
+    }
+    tags_ = drawScreenMarks(painter, rect(), screenMarks_, plates, {});
 }
 
 void ImageView::drawDragged(QPainter& painter) const {

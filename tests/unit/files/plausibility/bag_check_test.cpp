@@ -78,7 +78,7 @@ TEST(BagCheck, TopicsSweepsAndJointsAreChoicesThatOpen) {
     const auto rest = openingCheck(*guessed, {});
     const OpeningPoint* mounting = named(rest, "Mounting");
     ASSERT_TRUE(mounting != nullptr);
-    EXPECT_EQ(mounting->source, OpeningPoint::Source::Guessed) << "a joint does not say the axis";
+    EXPECT_EQ(mounting->source, OpeningPoint::Source::Assumed) << "a joint does not say the axis";
 }
 
 TEST(BagCheck, WhatWasSaidIsNotAGuess) {

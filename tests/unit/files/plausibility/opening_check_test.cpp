@@ -106,15 +106,33 @@ TEST(OpeningCheck, WhatWasFoundFromABareListIsGuessed) {
     Scan scan = room(Axis::Spin, 1.0);
     scan.warnings.push_back(std::string(kListsOnlyPoints) + "120 lines, 120 beams and mounting spin were found from them.");
     const auto points = openingCheck(scan, {});
-    for (const char* what : {"Mounting", "Line angles", "Order of the lines", "Grid"})
-        EXPECT_EQ(pointOf(points, what).source, OpeningPoint::Source::Guessed) << what;
+    for (const char* what : {"Order of the lines", "Grid"}) EXPECT_EQ(pointOf(points, what).source, OpeningPoint::Source::Guessed) << what;
+    for (const char* what : {"Mounting", "Line angles"}) EXPECT_EQ(pointOf(points, what).source, OpeningPoint::Source::Assumed) << what;
+    EXPECT_TRUE(looksGuessed(points));
 }
 
 TEST(OpeningCheck, AStepThatWasAssumedIsNotFromTheFile) {
     Scan scan = room(Axis::Spin, 1.0);
     EXPECT_EQ(pointOf(openingCheck(scan, {}), "Line angles").source, OpeningPoint::Source::Said);
     scan.warnings.push_back(std::string(kMountingAssumed) + "the step from line to line (0.18 degrees).");
-    EXPECT_EQ(pointOf(openingCheck(scan, {}), "Line angles").source, OpeningPoint::Source::Guessed);
+    EXPECT_EQ(pointOf(openingCheck(scan, {}), "Line angles").source, OpeningPoint::Source::Assumed);
+}
+
+TEST(OpeningCheck, WhereRoughRockCannotShowAnAssumedStepUsualTurnsAreOffered) {
+    Scan scan = room(Axis::Spin, 1.0);
+    std::uint32_t random = 1;
+    for (float& range : scan.rangeMm.cells) { // no piece is flat
+        random = random * 1664525U + 1013904223U;
+        range = 4000.0F + static_cast<float>(random >> 22U);
+    }
+    auto& lines = std::get<PolarGeometry>(scan.geometry).lineDeg;
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = 0.18 * static_cast<double>(i);
+    scan.warnings.push_back(std::string(kMountingAssumed) + "the step from line to line (0.18 degrees).");
+    const OpeningPoint angles = pointOf(openingCheck(scan, {}), "Line angles");
+    EXPECT_NE(angles.taken.text().find("rough rock cannot show it"), std::string::npos) << angles.taken.text();
+    ASSERT_FALSE(angles.others.empty());
+    EXPECT_NEAR(*angles.others.front().options.lineStepDeg * 119, 180.0, 1e-6);
+    EXPECT_NE(angles.others.front().words.text().find("180 in all"), std::string::npos) << angles.others.front().words.text();
 }
 
 TEST(OpeningCheck, ARealCorridorSaysHowItsScannerWasMounted) {

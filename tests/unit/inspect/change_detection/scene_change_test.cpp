@@ -50,6 +50,7 @@ TEST(EdgeChanges, AreThoseOfASlowVersion) {
         };
         const EdgeChanges found = edgeChanges(later, earlier, laterState, earlierState, reach);
         std::array<std::size_t, 5> counts{};
+        std::size_t earlierUnchanged = 0;
         for (int i = 0; i < lines; ++i) {
             for (int j = 0; j < beams; ++j) {
                 const bool hasLater = near(i, j, reach, [&](int a, int b) { return later.at(a, b) != 0; });
@@ -57,6 +58,7 @@ TEST(EdgeChanges, AreThoseOfASlowVersion) {
                 const int looks = std::max(1, reach);
                 const bool sawLater = near(i, j, looks, [&](int a, int b) { return laterState.at(a, b) == CellState::Valid; });
                 const bool sawEarlier = near(i, j, looks, [&](int a, int b) { return earlierState.at(a, b) == CellState::Valid; });
+                earlierUnchanged += earlier.at(i, j) != 0 && hasLater ? 1 : 0;
                 EdgeChange expected = EdgeChange::None;
                 if (later.at(i, j) != 0)
                     expected = hasEarlier ? EdgeChange::Unchanged : sawEarlier ? EdgeChange::Gained : EdgeChange::Unknown;
@@ -67,6 +69,7 @@ TEST(EdgeChanges, AreThoseOfASlowVersion) {
             }
         }
         EXPECT_EQ(found.unchanged, counts[1]);
+        EXPECT_EQ(found.earlierUnchanged, earlierUnchanged);
         EXPECT_EQ(found.gained, counts[2]);
         EXPECT_EQ(found.lost, counts[3]);
         EXPECT_EQ(found.unknown, counts[4]);

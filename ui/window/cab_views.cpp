@@ -1,0 +1,148 @@
+// The views of cab mode: which one is large, the picture in the corner, and zoom.
+#include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/cab/zoom_buttons.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
+#include "ui/views/image/viewport.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/main_window.h"
+
+#include <QMenu>
+#include <QMouseEvent>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr qint64 kSecondTapMs = 400;
+
+}
+
+/// Where the image has what is chosen: the ends of a measurement, a rock or a target.
+PictureMark CabMode::chosenPlace() const {
+    const LinkedViews& views = window_.viewer().views;
+    if (!window_.viewer().engine.picture()) return {};
+    PictureMark mark;
+    const auto& measures = views.marks().measures;
+    if (const auto chosen = std::ranges::find_if(measures, &MeasureMark::active); chosen != measures.end()) {
+        for (const std::size_t cell : chosen->cells) mark.cells << views.placeOf(cell);
+        mark.links = chosen->links;
+        return mark;
+    }
+    const rocks::Rock* const rock = chosenRock();
+    if (const auto cell = rock != nullptr ? std::optional<std::size_t>(rock->cell) : views.marked()) mark.cells << views.placeOf(*cell);
+    return mark;
+}
+
+void CabMode::showCorner() {
+    const bool some = on_ && window_.viewer().engine.picture() != nullptr && small_;
+    corner_->setVisible(some);
+    window_.viewer().views.cloud().setCaptionMargin(some ? corner_->reach() : 0); // the text about all rocks must stay readable
+    if (!some) return;
+    corner_->setWords("⇄ " + (image_ == Large::Range ? QObject::tr("Range image") : QObject::tr("Edge map")));
+    corner_->show(imageView().image(), chosenPlace());
+}
+
+ImageView& CabMode::imageView() const {
+    LinkedViews& views = window_.viewer().views;
+    return image_ == Large::Edges ? views.edges() : views.gray();
+}
+
+/// Exchanges the large view and the corner: image and cloud. A second tap at the place of the button is meant for the button that was
+/// there.
+void CabMode::swap() {
+    const CornerPicture& used = large_ == Large::Cloud ? *corner_ : *back_;
+    if (used.isVisible()) swapPlace_ = QRect(used.mapToGlobal(QPoint()), used.size());
+    showLarge(large_ == Large::Cloud ? image_ : Large::Cloud);
+    sinceSwap_.start();
+}
+
+void CabMode::showLarge(Large which) {
+    if (std::exchange(large_, which) == which) return;
+    if (which != Large::Cloud) image_ = which;
+    const bool isImage = which != Large::Cloud;
+    ImageView& image = imageView();
+    for (ImageView* each : {&window_.viewer().views.gray(), &window_.viewer().views.edges()}) {
+        each->removeEventFilter(back_);
+        each->setTaken(0);
+    }
+    back_->setParent(&image);
+    image.installEventFilter(back_);
+    window_.showAlone(isImage ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
+    back_->setVisible(isImage);
+    isImage ? zoom_->setOver(image, *back_) : zoom_->setOver(window_.viewer().views.cloud(), *corner_);
+    back_->setWords(back_->text()); // at the same place
+    if (isImage) image.setTaken(back_->reach());
+    showCorner();
+    emit viewsChanged();
+}
+
+/// Each does what it says, whatever is large.
+void CabMode::fillViews(QMenu& menu) {
+    menu.clear();
+    for (const auto& [which, words] : {std::pair(Large::Cloud, QObject::tr("Cloud")), std::pair(Large::Range, QObject::tr("Range image")),
+                                       std::pair(Large::Edges, QObject::tr("Edge map"))}) {
+        QAction* action = menu.addAction(words, this, [this, which = which] { showLarge(which); });
+        action->setCheckable(true);
+        action->setChecked(large_ == which);
+    }
+    if (large_ != Large::Cloud) return; // no picture in the corner
+    menu.addSeparator();
+    QAction* small = menu.addAction(tr("Small picture"), this, [this](bool on) {
+        small_ = on;
+        showCorner();
+        emit viewsChanged();
+    });
+    small->setCheckable(true);
+    small->setChecked(small_);
+}
+
+std::string CabMode::viewsKept() const {
+    const char* names[]{"cloud", "range", "edges"};
+    return std::string(names[static_cast<int>(large_)]) + (image_ == Large::Edges ? " edges" : " range") + (small_ ? " small" : "");
+}
+
+void CabMode::useViews(const QString& kept) {
+    const QStringList words = kept.split(' ');
+    const QStringList names{"cloud", "range", "edges"};
+    const auto large = names.indexOf(words.value(0));
+    if (large < 0) return;
+    showLarge(Large::Cloud);
+    image_ = words.value(1) == "edges" ? Large::Edges : Large::Range;
+    small_ = words.contains("small");
+    showLarge(static_cast<Large>(large));
+    showCorner();
+}
+
+/// Shows all of the large view.
+void CabMode::fit() {
+    if (large_ == Large::Cloud)
+        window_.viewer().views.cloud().zoomToFit();
+    else
+        window_.viewer().views.gray().viewPort()->fit();
+}
+
+/// Zooms the large view about its middle.
+void CabMode::zoom(double factor) {
+    CloudView& cloud = window_.viewer().views.cloud();
+    if (large_ == Large::Cloud) return cloud.setCamera(zoomed(cloud.camera(), cloud.camera().focus, factor));
+    ViewPort& images = *window_.viewer().views.gray().viewPort();
+    images.zoomAt(images.centre(), factor);
+}
+
+bool CabMode::eventFilter(QObject* watched, QEvent* event) {
+    const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
+    if (press) {
+        const QPoint at = static_cast<QMouseEvent*>(event)->globalPos();
+        secondTap_ = sinceSwap_.isValid() && sinceSwap_.elapsed() < kSecondTapMs && swapPlace_.contains(at);
+    }
+    if (event->type() == QEvent::TouchBegin && sinceSwap_.isValid() && sinceSwap_.elapsed() < kSecondTapMs) {
+        event->ignore(); // Qt sends the mouse event instead
+        return true;
+    }
+    return ((press || follows) && secondTap_) || QObject::eventFilter(watched, event);
+}
+
+} // namespace edgescan::ui
