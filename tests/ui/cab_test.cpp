@@ -960,6 +960,8 @@ private slots:
         on.viewer.targets.removeMeasure(1);
         QCOMPARE(title->text(), QString("M1\n1 of 1"));
         on.viewer.undo.undo();
+        QCOMPARE(title->text(), QString("M2\n2 of 2")); // what came back is chosen
+        on.viewer.targets.chooseMeasure(0);
         on.viewer.targets.removeMeasure(0);
         QCOMPARE(on.viewer.targets.notebook().measures.front().number, 2); // it stays that of the other
         QTRY_COMPARE(title->text(), QString("1 target"));

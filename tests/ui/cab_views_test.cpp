@@ -10,6 +10,7 @@
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/change/change_legend.h"
+#include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/window/cab_mode.h"
@@ -32,7 +33,7 @@ class CabViewsTest : public QObject {
     test::TemporaryFolder folder_;
     std::string scan_, other_;
 
-    static void press(MainWindow& window, const char* name) { QTest::mouseClick(tool(window, name), Qt::LeftButton); }
+    static void press(MainWindow& window, const char* name) { QTest::mouseClick(window.findChild<QAbstractButton*>(name), Qt::LeftButton); }
     static QRect placeOf(const QWidget& of) { return {of.mapToGlobal(QPoint()), of.size()}; }
 
 private slots:
@@ -430,6 +431,21 @@ private slots:
         resizeTo(on.window, {1280, 800});
         QTRY_VERIFY(!page.isVisible());
         QCOMPARE(tune.text(), QString("Tune"));
+    }
+
+    // After Connect the state is in sight, before any line came; after Stop nothing of it is left.
+    void aScannerWithoutALineSaysItsState() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        on.window.cab().set(true);
+        on.viewer.live.connectTo("127.0.0.1", 1, {}); // nothing listens there
+        QTRY_COMPARE(on.window.findChild<QLabel*>("cab-name")->toolTip(), QString("Scanner"));
+        QCOMPARE(on.viewer.live.panel().isVisible(), true);
+        QTRY_VERIFY(!on.window.findChild<StateBadge*>("cab-origin")->accessibleName().contains("NO PICTURE"));
+        QVERIFY(!on.viewer.live.waitsFor().isEmpty());
+        press(on.window, "live-connect");
+        QTRY_COMPARE(on.window.findChild<QLabel*>("cab-name")->toolTip(), QString("No scan"));
+        QVERIFY2(!on.viewer.notice.isVisible(), qPrintable(on.viewer.notice.text()));
     }
 };
 
