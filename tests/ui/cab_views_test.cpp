@@ -393,7 +393,6 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
-        resizeTo(on.window, {853, 480});
         on.viewer.targets.settled();
         on.viewer.views.pin(100 * 240 + 120);
         QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
