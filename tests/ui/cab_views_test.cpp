@@ -393,7 +393,7 @@ private slots:
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
-        on.viewer.targets.settled();
+        resizeTo(on.window, {853, 480});
         on.viewer.views.pin(100 * 240 + 120);
         QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
         QToolButton& page = *tool(on.window, "cab-page");

@@ -186,7 +186,7 @@ private slots:
         const QColor ground = follow.palette().color(QPalette::Button);
         QTRY_VERIFY(!window.viewer().live.scanner().following()); // held at the end of a sweep
         QVERIFY(!hold.isEnabled() && follow.isEnabled() && follow.palette().color(QPalette::Button) != ground);
-        QTRY_VERIFY(window.viewer().views.gray().note().contains("Press Follow"));
+        QTRY_VERIFY(window.viewer().views.gray().pictureFrame().colour.isValid());
         const auto& sentence = *window.viewer().live.panel().findChild<QLabel*>("live-sentence");
         QTRY_COMPARE(sentence.toolTip(), QString("Sweep 1 is held on the screen. Follow shows sweep 2, which grows now."));
         QVERIFY(sentence.isVisible());

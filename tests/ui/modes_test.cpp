@@ -398,7 +398,6 @@ private slots:
                 } else {
                     on.viewer.views.clearPin();
                 }
-                on.viewer.notice.hide();
                 for (const QSize size : {QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
                     on.window.resize(size);
                     CloudView& cloud = on.viewer.cloud;
@@ -407,6 +406,7 @@ private slots:
                     double free = 0.0;
                     for (int n = 0; n < 40 && (n < 5 || free < kFreeInCab); ++n) { // what folds waits for a frame
                         QVERIFY(eventually([&] { return on.window.size() == size; }));
+                        on.viewer.notice.hide(); // the end of a sweep may have one
                         (void)cloud.grabFrame(CloudView::Points::All);
                         cloud.findChild<CloudOverlay*>()->repaint();
                         QApplication::processEvents();
