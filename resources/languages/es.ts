@@ -365,6 +365,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>más lejos</translation></message>
 <message><source>nearer</source><translation>más cerca</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>No se pudieron comparar las dos imágenes (%1); conserve un escaneo más pequeño.</translation></message>
+<message><source>The comparison ended: A was forgotten.</source><translation>La comparación terminó: se olvidó A.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Todavía no hay imagen que conservar: abra primero un escaneo.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
 <message><source>Forget A</source><translation>Olvidar A</translation></message>
@@ -1460,6 +1461,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Default</source><translation>Inicial</translation></message>
 <message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
 <message><source>Others…</source><translation>Otros…</translation></message>
+<message><source>End measuring</source><translation>Terminar la medición</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>

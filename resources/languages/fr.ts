@@ -365,6 +365,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>farther</source><translation>plus loin</translation></message>
 <message><source>nearer</source><translation>plus près</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Les deux images n'ont pas pu être comparées (%1) ; gardez un scan plus petit.</translation></message>
+<message><source>The comparison ended: A was forgotten.</source><translation>La comparaison est terminée : A est oublié.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Il n'y a pas encore d'image à garder : ouvrez d'abord un scan.</translation></message>
 <message><source>Keep as A</source><translation>Garder comme A</translation></message>
 <message><source>Forget A</source><translation>Oublier A</translation></message>
@@ -1460,6 +1461,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
 <message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
 <message><source>Others…</source><translation>Autres…</translation></message>
+<message><source>End measuring</source><translation>Terminer la mesure</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>

@@ -365,6 +365,7 @@ visível %6 m², a %7 m</translation></message>
 <message><source>farther</source><translation>mais longe</translation></message>
 <message><source>nearer</source><translation>mais perto</translation></message>
 <message><source>The two pictures could not be compared (%1); keep a smaller scan.</source><translation>Não foi possível comparar as duas imagens (%1); guarde uma varredura menor.</translation></message>
+<message><source>The comparison ended: A was forgotten.</source><translation>A comparação terminou: A foi esquecido.</translation></message>
 <message><source>There is no picture to keep yet: open a scan first.</source><translation>Ainda não há imagem para guardar: abra primeiro uma varredura.</translation></message>
 <message><source>Keep as A</source><translation>Guardar como A</translation></message>
 <message><source>Forget A</source><translation>Esquecer A</translation></message>
@@ -1460,6 +1461,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Default</source><translation>Padrão</translation></message>
 <message><source>Remove: %1</source><translation>Remover: %1</translation></message>
 <message><source>Others…</source><translation>Outros…</translation></message>
+<message><source>End measuring</source><translation>Terminar a medição</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>

@@ -360,7 +360,7 @@ private slots:
                  qPrintable(on.viewer.notice.text()));
     }
 
-    // A tool that is lit ends with a tap on it, and Undo takes back the last point of a measurement that is being made.
+    // A tool that is lit ends with a tap on it, or in its menu, and Undo takes back the last point of a measurement that is being made.
     void aLitToolEnds() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
@@ -378,8 +378,14 @@ private slots:
         QCOMPARE(undo.accessibleName(), QString("Take the last point back"));
         press(on.window, "cab-undo");
         QVERIFY(on.viewer.measures.picked().empty() && on.viewer.measures.kind() && !undo.isEnabled());
-        press(on.window, "cab-measure");
-        QVERIFY(!on.viewer.measures.kind() && !measure.isChecked() && QApplication::activePopupWidget() == nullptr);
+        press(on.window, "cab-measure"); // its menu, as its sign says
+        auto* kinds = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(kinds != nullptr && on.viewer.measures.kind());
+        const auto entries = kinds->actions();
+        const auto end = std::ranges::find(entries, QString("End measuring"), &QAction::text);
+        QVERIFY(end != entries.end() && (*end)->isVisible());
+        QTest::mouseClick(kinds, Qt::LeftButton, Qt::NoModifier, kinds->actionGeometry(*end).center());
+        QTRY_VERIFY(!on.viewer.measures.kind() && !measure.isChecked() && QApplication::activePopupWidget() == nullptr);
         // Why, while a target is chosen.
         on.viewer.views.pin(100 * 240 + 120);
         press(on.window, "cab-why");

@@ -268,6 +268,36 @@ private slots:
         }
     }
 
+    // Of some cells that are drawn over the others: each visible one whose square covers the pixel, the nearest of them.
+    void pickOfWhatIsDrawnOverEqualsBruteForce() {
+        std::mt19937 random(12);
+        const auto cloud = makeCloudGeometry(*demo::room(120, 160));
+        std::vector<std::uint32_t> some;
+        for (std::uint32_t k = 0; k < cloud->cells(); ++k) {
+            if (random() % 7 == 0) some.push_back(k);
+        }
+        int hits = 0;
+        for (int i = 0; i < 300; ++i) {
+            std::uniform_real_distribution<double> angle(-0.5, 0.5), x(0.0, 700.0), y(0.0, 500.0);
+            const CameraPose start = fromScanner(*cloud, lens(), kAspect);
+            const ScreenView view = viewOf(*cloud, tumbled(start, start.focus, angle(random), angle(random)), 500.0, 3.0);
+            const double px = x(random), py = y(random), half = 2.0;
+            std::optional<std::uint32_t> best;
+            double least = half;
+            for (const std::uint32_t k : some) {
+                if (!cloud->drawable(k)) continue;
+                const ScreenPoint p = toScreen(view, cloud->point(k));
+                const double away = std::max(std::abs(p.x - px), std::abs(p.y - py));
+                if (!p.inside || away > least || (best && away == least) || isPointHidden(*cloud, view, k)) continue;
+                best = k;
+                least = away;
+            }
+            QCOMPARE(pickDrawnOver(*cloud, view, px, py, half, some), best);
+            hits += best.has_value();
+        }
+        QVERIFY2(hits > 20 && hits < 280, qPrintable(QString::number(hits)));
+    }
+
     void pickedPointIsNeverHidden() {
         const auto cloud = makeCloudGeometry(*demo::room(120, 160));
         CameraPose pose = fromScanner(*cloud, lens(), kAspect);

@@ -17,6 +17,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/tool_bar.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
 #include <QDockWidget>
@@ -590,6 +591,10 @@ private slots:
         QVERIFY(legend.isVisible());
         QTest::mouseClick(legend.findChild<QToolButton*>("change-end"), Qt::LeftButton);
         QVERIFY(on.viewer.comparing.pictureA() == nullptr && !legend.isVisible());
+        QVERIFY(on.viewer.notice.isVisible() && on.viewer.notice.text().startsWith("The comparison ended"));
+        QTest::mouseClick(on.viewer.notice.findChild<QAbstractButton*>("notice-action"), Qt::LeftButton); // Undo
+        QVERIFY(on.viewer.comparing.pictureA() != nullptr && legend.isVisible());
+        on.viewer.undo.redo();
         // The button of the menu has no frame as under the pointer after its menu.
         auto* button = tool(on.window, "tool-compare");
         QCursor::setPos(on.window.mapToGlobal(QPoint(5, 5)));

@@ -318,7 +318,7 @@ std::optional<MarkName> markAt(const ScreenMarks& marks, const std::vector<MarkT
                std::ranges::none_of(marks.targets, [&](const auto& each) { return each.isTarget && each.cell == mark.which; });
     };
     for (const MarkTag& tag : tags) {
-        if (!isRemark(tag.of)) take(tag.of, QLineF(nearestOn(tag, at), at).length());
+        if (!isRemark(tag.of)) take({tag.of.isMeasure, tag.of.which, true}, QLineF(nearestOn(tag, at), at).length());
     }
     for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) {
         if (target->isTarget) take({false, target->cell}, fromRing(target->place.at, kMarkRing));

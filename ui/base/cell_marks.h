@@ -49,6 +49,7 @@ struct CellMarks {
 struct MarkName {
     bool isMeasure = false;
     std::size_t which = 0; ///< the cell of a target, or the index of a measurement
+    bool byLabel = false;  ///< its label was meant, which may be far from its cell
 
     bool operator==(const MarkName&) const = default;
 };

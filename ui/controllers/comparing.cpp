@@ -82,7 +82,11 @@ Comparing::Comparing(Engine& engine, LinkedViews& views, ChangeLegend& legend, F
         emit byDistanceChanged(on);
     });
     connect(&legend_, &ChangeLegend::nextRegionRequested, this, &Comparing::nextRegion);
-    connect(&legend_, &ChangeLegend::endRequested, this, &Comparing::forget);
+    connect(&legend_, &ChangeLegend::endRequested, this, [this] {
+        forget();
+        notice_.showNotice(NoticeBar::Kind::Done, tr("The comparison ended: A was forgotten."));
+        notice_.offerUndo(undo_);
+    });
     connect(&legend_, &ChangeLegend::previousRegionRequested, this, &Comparing::previousRegion);
     connect(&engine_, &Engine::streamChanged, this, [this] {
         forgetDemo();

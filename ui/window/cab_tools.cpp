@@ -84,10 +84,8 @@ void CabMode::addTools() {
         measure->setChecked(window_.viewer().measures.kind().has_value());
     };
     connect(measure, &QToolButton::clicked, this, [this, kinds, measure, followTool] {
-        const bool on = window_.viewer().measures.kind().has_value();
-        if (on) window_.viewer().measures.stop();
         followTool(); // the chosen tool determines which button is on
-        if (!on) openNextTo(*kinds, *measure);
+        openNextTo(*kinds, *measure);
     });
     connect(&views, &LinkedViews::toolChanged, this, followTool);
     connect(&window_.viewer().measures, &Measures::kindChanged, this, followTool);
@@ -225,6 +223,9 @@ void CabMode::fillRemoval(QMenu& menu, bool all) {
 }
 
 void CabMode::addMeasures(QMenu& menu) {
+    Measures& measures = window_.viewer().measures;
+    QAction* end = menu.addAction(tr("End measuring"), &measures, &Measures::stop);
+    connect(&menu, &QMenu::aboutToShow, end, [end, &measures] { end->setVisible(measures.kind().has_value()); });
     for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
         if (each.inViews)
             menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });

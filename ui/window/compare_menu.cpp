@@ -29,7 +29,8 @@ Command compareMenu(Comparing& comparing) {
             kLine,
             linked(toggle("Show &A", "", nullptr, false, [&comparing](bool on) { comparing.flip(on); }), flipped),
             linked(toggle("Show What &Changed", "Shift+D", nullptr, true, [&comparing](bool on) { comparing.setDifferenceShown(on); }),
-                   [&comparing](QAction& action) {
+                   [&comparing, whileKept](QAction& action) {
+                       whileKept(action);
                        action.setChecked(true);
                        action.setProperty(kInSessions, "compare/changes");
                        QObject::connect(&comparing, &Comparing::differenceShownChanged, &action, &QAction::setChecked);

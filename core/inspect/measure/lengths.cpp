@@ -320,6 +320,11 @@ bool MeasuredCells::isLongerThanClicks() const {
     return kind == MeasureKind::Throat && clicksM > 0.0 && fromClicks > 0 && lengths.front().valueM > clicksM;
 }
 
+bool MeasuredCells::narrowsOn() const {
+    if (narrowerM <= 0.0 || (mostM > 0.0 && narrowerM >= leastM)) return false;
+    return lengths.empty() || narrowerM < lengths.front().valueM - lengths.front().toleranceM;
+}
+
 bool MeasuredCells::isWarned() const {
     return behindM > 0.0 || clickBehindM > 0.0 || endsApartM() > 0.0 || narrowsOn() || isLongerThanClicks();
 }

@@ -68,8 +68,8 @@ struct MeasuredCells {
     double clickBehindM = 0.0;        ///< only for Throat: how far a click is behind its end, across a jump; 0: neither click is
     double narrowerM = 0.0;           ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
 
-    /// Only for Throat: true if a way farther along is narrower than all that clicks around these find.
-    [[nodiscard]] bool narrowsOn() const { return narrowerM > 0.0 && (mostM <= 0.0 || narrowerM < leastM); }
+    /// Only for Throat: true if a way farther along is narrower than all that clicks around these find, by more than its tolerance.
+    [[nodiscard]] bool narrowsOn() const;
     /// Only for Throat: how much farther away than the other one an end is, if that is a large share of the length; else 0.
     [[nodiscard]] double endsApartM() const;
     /// Only for Throat: true if the way between the clicks is shorter, because its sides are not where they are.

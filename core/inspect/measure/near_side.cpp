@@ -21,6 +21,7 @@ constexpr int kMixedAtEnd = 2;                 // a chosen cell may be one of th
 constexpr double kStair = 0.35;                // of the limit of a jump
 constexpr double kOffSurface = 0.3;            // least jumps: a cell at a rim that is this much behind its surface is a mixed pixel
 constexpr std::ptrdiff_t kFewestCells = 4;     // of a surface: fewer are dust
+constexpr int kEdgeReach = 2;                  // cells from a surface's cell to its edge
 constexpr int kFewestBefore = 2;               // cells next to a rim that are in front of the chosen cell too
 constexpr std::array<std::array<int, 2>, 4> kSides{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
 
@@ -218,6 +219,30 @@ MeantCell meantCell(const Scan& scan, std::uint32_t k) {
     meant.cell = square.cellOf(chosen);
     if (const auto other = rimBeforeChosen(square, chosen)) meant.alsoNear = square.cellOf(*other);
     if (meant.moved() && meant.reason == SnapReason::AsClicked) meant.reason = SnapReason::MixedPixel;
+    if (scan.state[k] == CellState::Valid) meant.nearerM = static_cast<double>(scan.rangeMm[k] - scan.rangeMm[meant.cell]) / 1000.0;
+    return meant;
+}
+
+MeantCell meantEdge(const Scan& scan, const Grid<std::uint8_t>& mask, std::uint32_t k) {
+    MeantCell meant = meantCell(scan, k);
+    if (!meant.measured() || mask.cells[k] != 255 || mask.cells[meant.cell] == 255) return meant;
+    const int line = static_cast<int>(meant.cell) / scan.beams(), beam = static_cast<int>(meant.cell) % scan.beams();
+    const double rangeM = static_cast<double>(scan.rangeMm[meant.cell]) / 1000.0;
+    std::optional<std::uint32_t> best;
+    int least = kEdgeReach * kEdgeReach * 2 + 1;
+    for (int i = -kEdgeReach; i <= kEdgeReach; ++i) {
+        for (int j = -kEdgeReach; j <= kEdgeReach; ++j) {
+            if (i * i + j * j >= least || !mask.contains(line + i, beam + j) || mask.at(line + i, beam + j) != 255) continue;
+            if (scan.state.at(line + i, beam + j) != CellState::Valid) continue;
+            const double awayM = static_cast<double>(scan.rangeMm.at(line + i, beam + j)) / 1000.0 - rangeM;
+            if (std::abs(awayM) > kStair * leastJumpM(rangeM)) continue;
+            least = i * i + j * j;
+            best = static_cast<std::uint32_t>(mask.index(line + i, beam + j));
+        }
+    }
+    if (!best) return meant;
+    meant.cell = *best;
+    if (!meant.moved()) meant.reason = SnapReason::AsClicked;
     if (scan.state[k] == CellState::Valid) meant.nearerM = static_cast<double>(scan.rangeMm[k] - scan.rangeMm[meant.cell]) / 1000.0;
     return meant;
 }

@@ -38,5 +38,8 @@ struct MeantCell {
 
 /// Depends on the ranges alone. `k` must be a cell of the scan.
 [[nodiscard]] MeantCell meantCell(const Scan& scan, std::uint32_t k);
+/// Of a click on an edge of `mask` (lines x beams, 255 = edge): the nearest edge cell on the surface of meantCell(), within two cells of
+/// that. Otherwise meantCell().
+[[nodiscard]] MeantCell meantEdge(const Scan& scan, const Grid<std::uint8_t>& mask, std::uint32_t k);
 
 } // namespace edgescan::inspect

@@ -278,7 +278,10 @@ QVector<QPoint> LinkedViews::onScreen(std::size_t cell) const {
 }
 
 inspect::MeantCell LinkedViews::meant(std::size_t clicked) const {
-    return inspect::meantCell(*shown()->detection->scan, static_cast<std::uint32_t>(clicked));
+    const edges::Detection& detection = *shown()->detection;
+    const auto cell = static_cast<std::uint32_t>(clicked);
+    // A target is on the edge that was clicked; lengths are between surfaces.
+    return tool_ == Tool::Pin ? inspect::meantEdge(*detection.scan, *detection.mask, cell) : inspect::meantCell(*detection.scan, cell);
 }
 
 void LinkedViews::pinByClick(const inspect::MeantCell& click) {

@@ -97,9 +97,10 @@ void LinkedViews::clickAt(std::size_t cell) {
     click(QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? inspect::exactly(cell) : meant(cell));
 }
 
-/// A target is its cell, for every tool that takes a cell. A measurement is chosen; a tool takes what is behind it.
+/// A click on a target, or on its label, chooses it. Tools take the cell of a target where its ring is clicked, and otherwise what is
+/// behind the mark: a label may be far from its cell, and moves.
 void LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> behind) {
-    if (pinsOnClick_ && !mark.isMeasure) return click(inspect::exactly(mark.which));
+    if (pinsOnClick_ && !mark.isMeasure && (tool_ == Tool::Pin || !mark.byLabel)) return click(inspect::exactly(mark.which));
     const bool whole = mark.which < marks_.measures.size() && !marks_.measures[mark.which].label.isEmpty();
     if (whole && tool_ == Tool::Pin && pinsOnClick_) return emit measureClicked(mark.which);
     if (behind) clickAt(*behind);

@@ -206,7 +206,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     auto* buttons = new QHBoxLayout;
     foot->addLayout(switchOfTwo());
     foot->addLayout(buttons);
-    for (QToolButton* button : {fold_, previous_, next_, end_}) {
+    for (QToolButton* button : {end_, fold_, previous_, next_}) { // what ends it is never where another button was
         button->setFocusPolicy(Qt::TabFocus);
         buttons->addWidget(button, 0, Qt::AlignBottom); // where it is when the legend unfolds
         if (button == fold_) buttons->addWidget(summary_);

@@ -112,7 +112,6 @@ TargetsPanel::TargetsPanel(QWidget* parent)
         connect(targets_, chosen, this, [this](QListWidgetItem* item) { emit targetChosen(targets_->row(item)); });
         connect(measures_, chosen, this, [this](QListWidgetItem* item) { emit measureChosen(measures_->row(item)); });
     }
-    connect(measures_, &QListWidget::currentRowChanged, removeMeasure_, [this](int row) { removeMeasure_->setEnabled(row >= 0); });
     connect(targets_, &QListWidget::itemDoubleClicked, this, [this](QListWidgetItem* item) { emit nameRequested(targets_->row(item)); });
     targets_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(targets_, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
@@ -121,9 +120,9 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     });
     connect(copyAll_, &QPushButton::clicked, this, &TargetsPanel::copyAllRequested);
     connect(letGoOfAll_, &QPushButton::clicked, this, &TargetsPanel::removeAllRequested);
-    connect(measures_, &QListWidget::currentRowChanged, this, &TargetsPanel::showRemarks);
+    connect(measures_, &QListWidget::itemSelectionChanged, this, &TargetsPanel::showRemarks);
     connect(removeMeasure_, &QPushButton::clicked, this, [this] {
-        if (measures_->currentRow() >= 0) emit measureRemoved(measures_->currentRow());
+        if (const auto chosen = measures_->selectedItems(); !chosen.isEmpty()) emit measureRemoved(measures_->row(chosen.front()));
     });
     removeMeasure_->setEnabled(false);
     showAsked({});
@@ -200,8 +199,9 @@ void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
 }
 
 void TargetsPanel::showRemarks() {
-    const QListWidgetItem* chosen = measures_->currentItem();
-    remarks_->setText(chosen != nullptr ? chosen->toolTip() : QString());
+    const auto chosen = measures_->selectedItems(); // a current row may have no mark
+    removeMeasure_->setEnabled(!chosen.isEmpty());
+    remarks_->setText(chosen.isEmpty() ? QString() : chosen.front()->toolTip());
     remarks_->setVisible(!remarks_->text().isEmpty());
 }
 

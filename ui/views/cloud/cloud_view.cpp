@@ -172,6 +172,10 @@ void CloudView::applyCamera() {
     requestFrame();
 }
 
+double CloudView::pixelsOfEdge() const { return std::round(edgeSizeFor(pointSize_) * devicePixelRatioF()); }
+
+bool CloudView::edgesDrawn() const { return edgesVisible_ && (!faces_ || edgesOverFaces_ || edgesOver_ == EdgesOver::Always); }
+
 void CloudView::applyColours() {
     CloudLook look;
     look.background = background_;
@@ -179,9 +183,9 @@ void CloudView::applyColours() {
     look.cloud = cloudDimmed_ && edgesVisible_ ? kCloudDimmed : kCloudBright;
     look.edge = drawnColours(edgeColours_, byClass_);
     look.pointSize = pixelsOfPoint();
-    look.edgeSize = std::round(edgeSizeFor(pointSize_) * devicePixelRatioF());
+    look.edgeSize = pixelsOfEdge();
     look.halo = std::floor(devicePixelRatioF());
-    look.edges = edgesVisible_ && (!faces_ || edgesOverFaces_ || edgesOver_ == EdgesOver::Always);
+    look.edges = edgesDrawn();
     scene_->setLook(look);
     requestFrame();
     const bool covered = edgesVisible_ && !look.edges;

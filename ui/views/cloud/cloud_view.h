@@ -134,7 +134,7 @@ public:
     /// The current projection of the points to the screen, device pixels.
     [[nodiscard]] ScreenView screenView() const;
 
-    /// The point drawn under a widget position, within 8 px.
+    /// The point drawn under a widget position, within 8 px; an edge that is drawn over the pixel before nearer points.
     [[nodiscard]] std::optional<std::uint32_t> cellAt(QPointF pixel) const;
     /// The widget position of a cell's point; empty if the point is behind the camera or not valid.
     [[nodiscard]] std::optional<QPointF> pixelOf(std::uint32_t cell) const;
@@ -242,6 +242,9 @@ private:
     void usePointSize(double pixels);
     /// As drawn, device pixels: whole ones, and rounded up, because a smaller point leaves a black line between two scan lines.
     [[nodiscard]] double pixelsOfPoint() const;
+    [[nodiscard]] double pixelsOfEdge() const;
+    [[nodiscard]] bool edgesDrawn() const;
+    [[nodiscard]] std::optional<std::uint32_t> edgeAt(QPointF pixel) const;
     void followSpacing();
     void fitPane();
     void updateOverlay();

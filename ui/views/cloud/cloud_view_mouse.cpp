@@ -45,10 +45,18 @@ Vector3d CloudView::anchorAt(QPointF pixel) const {
     return underCursor(pose_, x, y, depth > 0.0 ? depth : pose_.distance(), aspect());
 }
 
+/// Of an edge that is drawn over the pixel: several points may be nearer to it.
+std::optional<std::uint32_t> CloudView::edgeAt(QPointF pixel) const {
+    if (!edgesDrawn() || edges_.all == nullptr) return std::nullopt;
+    const double dpr = devicePixelRatioF();
+    return pickDrawnOver(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, pixelsOfEdge() / 2.0, *edges_.all);
+}
+
 std::optional<std::uint32_t> CloudView::cellAt(QPointF pixel) const {
     if (!cloud_) return std::nullopt;
     const double dpr = devicePixelRatioF();
-    const auto cell = pickPoint(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, kPickPx * dpr);
+    auto cell = pickPoint(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, kPickPx * dpr);
+    if (const auto edge = edgeAt(pixel)) cell = edge;
     // What a layer covers is not what the operator points at.
     return cell && !layers_.empty() && layerInFront(pixel, cell) ? std::nullopt : cell;
 }

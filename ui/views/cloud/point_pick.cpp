@@ -159,6 +159,23 @@ std::optional<std::uint32_t> pickPoint(const CloudGeometry& cloud, const ScreenV
     return nearest(candidates(cloud, view, window), window, view, x, y, radius);
 }
 
+std::optional<std::uint32_t> pickDrawnOver(const CloudGeometry& cloud, const ScreenView& view, double x, double y, double half,
+                                           std::span<const std::uint32_t> cells) {
+    const Window window = windowAround(x, y, half + view.pointSize);
+    const std::vector<Candidate> points = candidates(cloud, view, window);
+    if (points.empty()) return std::nullopt;
+    const DepthPatch patch(window, points, view.pointSize);
+    std::optional<std::uint32_t> best;
+    double least = half;
+    for (const Candidate& c : points) {
+        const double away = std::max(std::abs(c.at.x - x), std::abs(c.at.y - y));
+        if (away > least || (best && away == least) || !std::ranges::binary_search(cells, c.cell) || patch.hides(c.at)) continue;
+        best = c.cell;
+        least = away;
+    }
+    return best;
+}
+
 std::optional<std::uint32_t> pickPointSlowly(const CloudGeometry& cloud, const ScreenView& view, double x, double y, double radius) {
     const Window window = windowAround(x, y, radius + view.pointSize);
     std::vector<Candidate> points;

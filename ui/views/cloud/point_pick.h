@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace edgescan::ui {
@@ -39,7 +40,12 @@ struct ScreenSegment {
 /// at 1.14 M points.
 [[nodiscard]] std::optional<std::uint32_t> pickPoint(const CloudGeometry& cloud, const ScreenView& view, double x, double y, double radius);
 
-/// The same result by visiting every point; the oracle of the tests.
+/// The same among `cells`, ascending, whose points are drawn over all others as squares with sides of 2 * `half` device pixels: the one
+/// that covers the pixel and is not hidden. Empty: there is none.
+[[nodiscard]] std::optional<std::uint32_t> pickDrawnOver(const CloudGeometry& cloud, const ScreenView& view, double x, double y,
+                                                         double half, std::span<const std::uint32_t> cells);
+
+/// The same result as pickPoint() by visiting every point; the oracle of the tests.
 [[nodiscard]] std::optional<std::uint32_t> pickPointSlowly(const CloudGeometry& cloud, const ScreenView& view, double x, double y,
                                                            double radius);
 

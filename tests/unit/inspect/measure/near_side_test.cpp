@@ -226,4 +226,21 @@ TEST(NearSide, NoiseDoesNotChooseTheCell) {
 }
 
 } // namespace
+// A click on an edge that is moved to the near surface means the edge of that surface.
+TEST(NearSide, AClickOnAnEdgeMeansTheEdgeOfTheNearSurface) {
+    const Scan scan = test::makeScan(30, 30, [](int, int j) { return j < 15 ? 5000.0 : 8000.0; });
+    Grid<std::uint8_t> mask(30, 30);
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(scan.rangeMm.index(i, j)); };
+    for (int i = 0; i < 30; ++i) mask.cells[at(i, 13)] = mask.cells[at(i, 15)] = 255; // one of each side, not next to the other
+    EXPECT_EQ(meantCell(scan, at(12, 15)).cell, at(12, 14));
+    EXPECT_EQ(meantEdge(scan, mask, at(12, 15)).cell, at(12, 13));
+    EXPECT_EQ(meantEdge(scan, mask, at(12, 13)).cell, at(12, 13));
+    EXPECT_EQ(meantEdge(scan, mask, at(12, 16)).cell, meantCell(scan, at(12, 16)).cell) << "no edge was clicked";
+    mask.cells[at(12, 13)] = 0;
+    EXPECT_EQ(meantEdge(scan, mask, at(12, 15)).cell, at(11, 13)) << "the nearest, also of another line";
+    Grid<std::uint8_t> farther(30, 30);
+    farther.cells[at(12, 15)] = 255;
+    EXPECT_EQ(meantEdge(scan, farther, at(12, 15)).cell, at(12, 14)) << "no edge of the near surface";
+}
+
 } // namespace edgescan::inspect
