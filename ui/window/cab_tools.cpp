@@ -223,13 +223,13 @@ void CabMode::fillRemoval(QMenu& menu, bool all) {
 }
 
 void CabMode::addMeasures(QMenu& menu) {
-    Measures& measures = window_.viewer().measures;
-    QAction* end = menu.addAction(tr("End measuring"), &measures, &Measures::stop);
-    connect(&menu, &QMenu::aboutToShow, end, [end, &measures] { end->setVisible(measures.kind().has_value()); });
     for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
         if (each.inViews)
             menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });
     }
+    Measures& measures = window_.viewer().measures;
+    QAction* end = menu.addAction(tr("End measuring"), &measures, &Measures::stop);
+    connect(&menu, &QMenu::aboutToShow, end, [end, &measures] { end->setVisible(measures.kind().has_value()); });
 }
 
 void CabMode::showSettings() {
