@@ -34,8 +34,6 @@ bool hasPlace(const Scan& scan, const PinnedTarget& target) {
     return target.cell < scan.cells() && scan.state[target.cell] == CellState::Valid;
 }
 
-std::string edgeOf(const edges::Probe& probe) { return edges::edgeName(probe.edge, probe.kind); }
-
 std::string csvTargets(const edges::Detection& detection, const TargetList& targets, CoordinateFrame frame) {
     const Scan& scan = *detection.scan;
     const FramePoints points(scan, frame);
@@ -55,9 +53,12 @@ std::string csvTargets(const edges::Detection& detection, const TargetList& targ
             text += ",,,,,";
         }
         const auto beams = static_cast<std::uint32_t>(scan.beams());
-        const bool exists = target.cell < scan.cells();
-        text += "," + std::to_string(target.cell / beams) + "," + std::to_string(target.cell % beams) + "," +
-                (exists ? edgeOf(edges::probeCell(detection, target.cell)) : "") + "," + csvCell(target.pinnedUtc) + "\n";
+        text += "," + std::to_string(target.cell / beams) + "," + std::to_string(target.cell % beams) + ",";
+        if (target.cell < scan.cells()) {
+            const edges::Probe probe = edges::probeCell(detection, target.cell);
+            text += edges::edgeName(probe.edge, probe.kind);
+        }
+        text += "," + csvCell(target.pinnedUtc) + "\n";
     }
     return text;
 }

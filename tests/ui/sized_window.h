@@ -19,7 +19,7 @@ inline void resizeTo(MainWindow& window, QSize size) {
     QApplication::processEvents();
 }
 
-/// Taps an entry of the menu of this button in a cab; entry 0 closes it. False: there is no such entry.
+/// Taps an entry of the menu of this button in a cab; entry 0 closes it. False: the menu has fewer entries.
 inline bool tapEntry(MainWindow& window, const char* button, int entry) {
     QTest::mouseClick(tool(window, button), Qt::LeftButton);
     auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());

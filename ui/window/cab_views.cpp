@@ -134,11 +134,12 @@ void CabMode::zoom(double factor) {
 bool CabMode::eventFilter(QObject* watched, QEvent* event) {
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
+    const bool soon = sinceSwap_.isValid() && sinceSwap_.elapsed() < kSecondTapMs;
     if (press) {
         const QPoint at = static_cast<QMouseEvent*>(event)->globalPos();
-        secondTap_ = sinceSwap_.isValid() && sinceSwap_.elapsed() < kSecondTapMs && swapPlace_.contains(at);
+        secondTap_ = soon && swapPlace_.contains(at);
     }
-    if (event->type() == QEvent::TouchBegin && sinceSwap_.isValid() && sinceSwap_.elapsed() < kSecondTapMs) {
+    if (event->type() == QEvent::TouchBegin && soon) {
         event->ignore(); // Qt sends the mouse event instead
         return true;
     }

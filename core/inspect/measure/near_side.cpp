@@ -205,6 +205,11 @@ std::optional<Place> rimBeforeChosen(const Square& square, Place chosen) {
     return best;
 }
 
+double nearerM(const Scan& scan, const MeantCell& meant) {
+    if (scan.state[meant.clicked] != CellState::Valid) return 0.0;
+    return static_cast<double>(scan.rangeMm[meant.clicked] - scan.rangeMm[meant.cell]) / 1000.0;
+}
+
 } // namespace
 
 MeantCell meantCell(const Scan& scan, std::uint32_t k) {
@@ -219,7 +224,7 @@ MeantCell meantCell(const Scan& scan, std::uint32_t k) {
     meant.cell = square.cellOf(chosen);
     if (const auto other = rimBeforeChosen(square, chosen)) meant.alsoNear = square.cellOf(*other);
     if (meant.moved() && meant.reason == SnapReason::AsClicked) meant.reason = SnapReason::MixedPixel;
-    if (scan.state[k] == CellState::Valid) meant.nearerM = static_cast<double>(scan.rangeMm[k] - scan.rangeMm[meant.cell]) / 1000.0;
+    meant.nearerM = nearerM(scan, meant);
     return meant;
 }
 
@@ -243,7 +248,7 @@ MeantCell meantEdge(const Scan& scan, const Grid<std::uint8_t>& mask, std::uint3
     if (!best) return meant;
     meant.cell = *best;
     if (!meant.moved()) meant.reason = SnapReason::AsClicked;
-    if (scan.state[k] == CellState::Valid) meant.nearerM = static_cast<double>(scan.rangeMm[k] - scan.rangeMm[meant.cell]) / 1000.0;
+    meant.nearerM = nearerM(scan, meant);
     return meant;
 }
 

@@ -55,8 +55,8 @@ std::optional<std::uint32_t> CloudView::edgeAt(QPointF pixel) const {
 std::optional<std::uint32_t> CloudView::cellAt(QPointF pixel) const {
     if (!cloud_) return std::nullopt;
     const double dpr = devicePixelRatioF();
-    auto cell = pickPoint(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, kPickPx * dpr);
-    if (const auto edge = edgeAt(pixel)) cell = edge;
+    const auto edge = edgeAt(pixel);
+    const auto cell = edge ? edge : pickPoint(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, kPickPx * dpr);
     // What a layer covers is not what the operator points at.
     return cell && !layers_.empty() && layerInFront(pixel, cell) ? std::nullopt : cell;
 }
