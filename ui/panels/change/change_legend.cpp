@@ -7,7 +7,6 @@
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 #include "ui/panels/change/distance_view.h"
-#include "ui/views/cloud/cloud_colours.h"
 
 #include <QCheckBox>
 #include <QEvent>
