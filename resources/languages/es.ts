@@ -458,6 +458,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
+<message><source>last line %1</source><translation>última línea %1</translation></message>
+<message><source>last line %1 at %2 UTC</source><translation>última línea %1 a las %2 UTC</translation></message>
 <message><source>Waiting for the first line</source><translation>Se espera la primera línea</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
@@ -578,10 +580,13 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
 <message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
+<message><source>HELD, sweep %1 grows</source><translation>RETENIDO, el barrido %1 crece</translation></message>
+<message><source>HELD</source><translation>RETENIDO</translation></message>
+<message><source>HELD, 1 line behind</source><translation>RETENIDO, 1 línea atrás</translation></message>
+<message><source>HELD, %1 lines behind</source><translation>RETENIDO, %1 líneas atrás</translation></message>
 <message><source> · no time</source><translation> · sin hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Lo que el escáner envía ahora, con la hora de su línea más reciente. %1</translation></message>
 <message><source>The connection to the scanner has ended: the time is that of the newest line</source><translation>El escáner ya no está conectado: la hora es la de la línea más reciente</translation></message>
-<message><source>HELD</source><translation>RETENIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>El escáner continúa, esta imagen no: la hora es la de su línea más reciente</translation></message>
 <message><source>NO PICTURE</source><translation>SIN IMAGEN</translation></message>
 <message><source>RECORDED</source><translation>GRABADO</translation></message>

@@ -458,6 +458,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
+<message><source>last line %1</source><translation>dernière ligne %1</translation></message>
+<message><source>last line %1 at %2 UTC</source><translation>dernière ligne %1 à %2 UTC</translation></message>
 <message><source>Waiting for the first line</source><translation>En attente de la première ligne</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
@@ -578,10 +580,13 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
 <message><source>Placed by %1</source><translation>Placé par %1</translation></message>
+<message><source>HELD, sweep %1 grows</source><translation>FIGÉ, le balayage %1 grandit</translation></message>
+<message><source>HELD</source><translation>FIGÉ</translation></message>
+<message><source>HELD, 1 line behind</source><translation>FIGÉ, 1 ligne de retard</translation></message>
+<message><source>HELD, %1 lines behind</source><translation>FIGÉ, %1 lignes de retard</translation></message>
 <message><source> · no time</source><translation> · sans heure</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>Ce que le scanner envoie maintenant, avec l'heure de sa ligne la plus récente. %1</translation></message>
 <message><source>The connection to the scanner has ended: the time is that of the newest line</source><translation>Le scanner n'est plus connecté : l'heure est celle de la ligne la plus récente</translation></message>
-<message><source>HELD</source><translation>FIGÉ</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>Le scanner continue, cette image non : l'heure est celle de sa ligne la plus récente</translation></message>
 <message><source>NO PICTURE</source><translation>PAS D'IMAGE</translation></message>
 <message><source>RECORDED</source><translation>ENREGISTRÉ</translation></message>

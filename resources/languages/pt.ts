@@ -458,6 +458,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
+<message><source>last line %1</source><translation>última linha %1</translation></message>
+<message><source>last line %1 at %2 UTC</source><translation>última linha %1 às %2 UTC</translation></message>
 <message><source>Waiting for the first line</source><translation>À espera da primeira linha</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
@@ -578,10 +580,13 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
 <message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
+<message><source>HELD, sweep %1 grows</source><translation>RETIDO, a varredura %1 cresce</translation></message>
+<message><source>HELD</source><translation>RETIDO</translation></message>
+<message><source>HELD, 1 line behind</source><translation>RETIDO, 1 linha atrás</translation></message>
+<message><source>HELD, %1 lines behind</source><translation>RETIDO, %1 linhas atrás</translation></message>
 <message><source> · no time</source><translation> · sem hora</translation></message>
 <message><source>What the scanner sends now, with the time of its newest line. %1</source><translation>O que o scanner envia agora, com a hora da sua linha mais recente. %1</translation></message>
 <message><source>The connection to the scanner has ended: the time is that of the newest line</source><translation>O scanner já não está conectado: a hora é a da linha mais recente</translation></message>
-<message><source>HELD</source><translation>RETIDO</translation></message>
 <message><source>The scanner goes on, this picture does not: the time is that of its newest line</source><translation>O scanner continua, esta imagem não: a hora é a da sua linha mais recente</translation></message>
 <message><source>NO PICTURE</source><translation>SEM IMAGEM</translation></message>
 <message><source>RECORDED</source><translation>GRAVADO</translation></message>

@@ -155,8 +155,9 @@ private slots:
         press(window, "live-hold");
         QTRY_COMPARE(badge.text(), QString("HELD"));
         QVERIFY(badge.sign() != StateBadge::Sign::Good);
-        // The badge of the picture agrees, with the time of its newest line.
-        const QRegularExpression time("^HELD · [0-9]{4}-[0-9]{2}-[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2} UTC$");
+        // The badge of the picture agrees, with the time of its newest line and the lines that came since.
+        QTRY_VERIFY(QRegularExpression("^HELD, ([2-9]|[1-9][0-9]) lines behind · ").match(window.viewer().origin.text()).hasMatch());
+        const QRegularExpression time("^HELD, [0-9]+ lines behind · [0-9]{4}-[0-9]{2}-[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2} UTC$");
         QVERIFY2(time.match(window.viewer().origin.text()).hasMatch(), qPrintable(window.viewer().origin.text()));
         QVERIFY(window.viewer().origin.sign() == StateBadge::Sign::Waiting);
         press(window, "live-follow");

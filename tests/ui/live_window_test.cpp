@@ -315,6 +315,9 @@ private slots:
                      window.viewer().views.gray().pictureFrame().words.startsWith("LOST"),
                  qPrintable(window.viewer().views.gray().pictureFrame().words));
         QCOMPARE(window.viewer().views.edges().pictureFrame().words, window.viewer().views.gray().pictureFrame().words);
+        const QString last = window.viewer().views.gray().pictureFrame().more;
+        QVERIFY2(QRegularExpression("^last line [1-9][0-9]* at [0-2][0-9]:[0-5][0-9]:[0-5][0-9] UTC$").match(last).hasMatch(),
+                 qPrintable(last));
         QCOMPARE(window.viewer().views.cloud().pictureFrame().words, window.viewer().views.gray().pictureFrame().words);
         const QImage stale = seen(window.viewer().views.gray());
         for (int eighth = 0; eighth < 8; ++eighth) { // the whole picture, not a corner

@@ -58,6 +58,31 @@ void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QS
     painter.drawText(box, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, text);
 }
 
+namespace {
+
+void drawPlate(QPainter& painter, const QRect& place, const PictureFrame& frame) {
+    constexpr int kFlags = static_cast<int>(Qt::AlignHCenter | Qt::AlignTop) | Qt::TextWordWrap;
+    const QFont usual = painter.font();
+    QFont large = usual;
+    large.setBold(true);
+    large.setPointSizeF(large.pointSizeF() * 2.0);
+    painter.setFont(large);
+    QRect words = painter.boundingRect(place, kFlags, frame.words);
+    painter.setFont(usual);
+    QRect more = frame.more.isEmpty() ? QRect() : painter.boundingRect(place, kFlags, frame.more);
+    words.moveTop(place.center().y() - (words.height() + more.height()) / 2);
+    more.moveTop(words.bottom() + 1);
+    painter.setPen(QPen(frame.colour, 2.0));
+    painter.setBrush(QColor(27, 29, 31));
+    painter.drawRect((more.isEmpty() ? words : words.united(more)).adjusted(-12, -6, 12, 6));
+    painter.setPen(Qt::white);
+    painter.drawText(more, kFlags, frame.more);
+    painter.setFont(large);
+    painter.drawText(words, kFlags, frame.words);
+}
+
+} // namespace
+
 void drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame) {
     if (!frame.colour.isValid()) return;
     constexpr int kBorder = 4, kHatch = 32; // px
@@ -73,18 +98,7 @@ void drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame&
     }
     painter.setPen(QPen(frame.colour, kBorder, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter.drawRect(place.adjusted(kBorder / 2, kBorder / 2, -kBorder / 2, -kBorder / 2));
-    if (!frame.words.isEmpty()) {
-        QFont large = painter.font();
-        large.setBold(true);
-        large.setPointSizeF(large.pointSizeF() * 2.0);
-        painter.setFont(large);
-        const QRect box = painter.boundingRect(place, Qt::AlignCenter | Qt::TextWordWrap, frame.words).adjusted(-12, -6, 12, 6);
-        painter.setPen(QPen(frame.colour, 2.0));
-        painter.setBrush(QColor(27, 29, 31));
-        painter.drawRect(box);
-        painter.setPen(Qt::white);
-        painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, frame.words);
-    }
+    if (!frame.words.isEmpty()) drawPlate(painter, place, frame);
     painter.restore();
 }
 

@@ -34,6 +34,7 @@ void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QS
 struct PictureFrame {
     QColor colour{}; ///< invalid: no frame
     QString words{}; ///< "STALE 3 s": in large letters, on a hatch over the whole picture; empty: only the border
+    QString more{};  ///< below them in usual letters
     bool operator==(const PictureFrame&) const = default;
 };
 void drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame);

@@ -3,6 +3,8 @@
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
+#include "core/base/utc_time.h"
+#include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/assumed_mounting.h"
 #include "core/scanner/cola/host_port.h"
 #include "ui/base/core_words.h"
@@ -213,12 +215,23 @@ void Live::showHealth() {
                                            : HealthStrip::Picture::Follows,
                       own ? note(held) : QString());
     const bool lost = scanner_.health().liveness == files::Liveness::Lost;
-    views_.setPictureFrame(scanner_.showsStale() ? PictureFrame{lost ? kLostFrame : kStaleFrame, coreWords(scanner_.health().badge)}
-                           : held                ? PictureFrame{kHeldFrame}
-                                                 : PictureFrame{});
+    views_.setPictureFrame(scanner_.showsStale()
+                               ? PictureFrame{lost ? kLostFrame : kStaleFrame, coreWords(scanner_.health().badge), lastLine()}
+                           : held ? PictureFrame{kHeldFrame}
+                                  : PictureFrame{});
     const QString note = scanner_.connected() && !shown ? waitsFor() : QString();
     if (std::exchange(waitNote_, note) != note) views_.setNote(note);
     views_.setShapeNote(shapeNote());
+}
+
+/// "last line 612 at 10:31:44 UTC"; empty without a picture.
+QString Live::lastLine() const {
+    const auto& shown = engine_.picture();
+    if (!shown) return {};
+    const Scan& scan = *shown->detection->scan;
+    const auto seconds = scan.acquisition ? parseUtc(scan.acquisition->endUtc) : std::nullopt;
+    if (!seconds) return tr("last line %1").arg(scan.lines());
+    return tr("last line %1 at %2 UTC").arg(scan.lines()).arg(shownText(utcText(*seconds)).mid(11, 8));
 }
 
 /// Before the first line: what is wrong with the connection, or that nothing is.

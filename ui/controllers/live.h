@@ -63,6 +63,7 @@ private:
     void showHealth();
     void offerOther();
     [[nodiscard]] QString note(bool held) const;
+    [[nodiscard]] QString lastLine() const;
     [[nodiscard]] QString shapeNote() const;
     void showReplayed(const ReplayedSweep& at);
     void loadTimeline(const QString& path);

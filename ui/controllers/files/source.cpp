@@ -38,9 +38,18 @@ QString placedWords(const Scan& scan) {
     return scan.placement ? "\n" + QObject::tr("Placed by %1").arg(shownText(scan.placement->source)) : QString();
 }
 
+/// "HELD", and how far the picture is behind the scanner.
+QString heldWords(const Picture& picture, const files::LiveHealth& now) {
+    const int sweep = picture.source.growth.sweep + 1, behind = now.row - picture.detection->scan->lines();
+    if (sweep != now.sweep) return QObject::tr("HELD, sweep %1 grows").arg(now.sweep);
+    if (behind <= 0) return QObject::tr("HELD");
+    return behind == 1 ? QObject::tr("HELD, 1 line behind") : QObject::tr("HELD, %1 lines behind").arg(behind);
+}
+
 /// The badge for the connected scanner, or the last one.
-PictureOrigin scannersOwn(const Acquisition& measured, const ScannerLink& scanner) {
-    const QString last = timeWords(measured.endUtc);
+PictureOrigin scannersOwn(const Picture& picture, const ScannerLink& scanner) {
+    const auto& acquisition = picture.detection->scan->acquisition;
+    const QString last = timeWords(acquisition ? acquisition->endUtc : std::string());
     const QString at = last.isEmpty() ? QObject::tr(" · no time") : " · " + last;
     if (scanner.connected() && scanner.following())
         return {
@@ -49,7 +58,7 @@ PictureOrigin scannersOwn(const Acquisition& measured, const ScannerLink& scanne
     if (!scanner.connected()) // the words of the strip
         return {signOf(files::Liveness::Stopped), QObject::tr("STOPPED") + at,
                 QObject::tr("The connection to the scanner has ended: the time is that of the newest line")};
-    return {StateBadge::Sign::Waiting, QObject::tr("HELD") + at,
+    return {StateBadge::Sign::Waiting, heldWords(picture, scanner.health()) + at,
             QObject::tr("The scanner goes on, this picture does not: the time is that of its newest line")};
 }
 
@@ -75,7 +84,7 @@ PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
     if (picture == nullptr) return {StateBadge::Sign::Off, QObject::tr("NO PICTURE"), QString()};
     const Scan& scan = *picture->detection->scan;
     const Acquisition measured = scan.acquisition ? *scan.acquisition : Acquisition{};
-    if (picture->source.stream == scanner.stream()) return scannersOwn(measured, scanner);
+    if (picture->source.stream == scanner.stream()) return scannersOwn(*picture, scanner);
     const QString time = timeWords(measured.startUtc);
     const bool recorded = scan.format == "recording" || scan.format == "sweep";
     if (recorded && !time.isEmpty())
