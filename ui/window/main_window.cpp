@@ -206,6 +206,7 @@ void MainWindow::layOutViews() {
     places_ = new PanePlaces(*splitter_, *images_, panes_, this);
     followPlaces();
     auto* centre = new QWidget;
+    centre->setObjectName("centre");
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
