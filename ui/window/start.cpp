@@ -78,7 +78,7 @@ private:
         return qobject_cast<QDockWidget*>(watched) != nullptr || qobject_cast<Pane*>(watched) != nullptr;
     }
     [[nodiscard]] bool isNothingShown() const {
-        const Viewer& viewer = window_.viewer();
+        Viewer& viewer = window_.viewer();
         return !viewer.engine.picture() && !viewer.engine.coarse() && !viewer.live.scanner().connected();
     }
     void place() {
