@@ -281,6 +281,7 @@
 <message><source>Removed: %1.</source><translation>Quitado: %1.</translation></message>
 <message><source>Done again: %1.</source><translation>Rehecho: %1.</translation></message>
 <message><source>Undone: %1.</source><translation>Deshecho: %1.</translation></message>
+<message><source>It is back.</source><translation>Está de nuevo.</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Más</translation></message>
@@ -402,6 +403,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>The surface changes strongly here.</source><translation>La superficie cambia mucho aquí.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>No se pudo determinar la razón (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
+<message><source>Why</source><translation>Por qué</translation></message>
 <message><source>Finding the reason …</source><translation>Buscando la razón …</translation></message>
 <message><source>line %1, beam %2</source><translation>línea %1, haz %2</translation></message>
 <message><source>under the pointer</source><translation>bajo el puntero</translation></message>
@@ -632,6 +634,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 líneas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
+<message><source>There is no rock here: choose Pin to set a target.</source><translation>Aquí no hay ninguna roca: elija Fijar para poner un objetivo.</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Se&amp;leccionar</translation></message>
@@ -736,8 +739,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>No hay objetivo que nombrar: fije una celda o elija un objetivo.</translation></message>
 <message><source>Note on a target</source><translation>Nota sobre un objetivo</translation></message>
 <message><source>Note on target %1:</source><translation>Nota sobre el objetivo %1:</translation></message>
-<message><source>Name %1</source><translation>Nombrar %1</translation></message>
-<message><source>Note %1</source><translation>Nota %1</translation></message>
+<message><source>name of target %1</source><translation>nombre del objetivo %1</translation></message>
+<message><source>note of target %1</source><translation>nota del objetivo %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>No se pudieron guardar los objetivos (%1).</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
@@ -745,18 +748,18 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>No guardado: esta imagen es parte de una grabación o de un barrido en vivo, no un archivo entero.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
-<message><source>Pin %1</source><translation>Fijar %1</translation></message>
+<message><source>new target %1</source><translation>nuevo objetivo %1</translation></message>
 <message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>El objetivo %1 está bloqueado y se queda: desbloquéelo en su ficha para quitarlo.</translation></message>
-<message><source>Remove %1</source><translation>Quitar %1</translation></message>
+<message><source>removal of target %1</source><translation>supresión del objetivo %1</translation></message>
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>
-<message><source>Remove All</source><translation>Quitar todos</translation></message>
+<message><source>removal of all targets</source><translation>supresión de todos los objetivos</translation></message>
 <message><source>Targets %1</source><translation>Objetivos %1</translation></message>
 <message><source>Locked targets stay: %1.</source><translation>Quedan objetivos bloqueados: %1.</translation></message>
-<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
-<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
+<message><source>lock of target %1</source><translation>bloqueo del objetivo %1</translation></message>
+<message><source>unlocking of target %1</source><translation>desbloqueo del objetivo %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Esto no se guardó: hay %1 mediciones, primero quite algunas.</translation></message>
-<message><source>Measure</source><translation>Medir</translation></message>
-<message><source>Remove Measurement</source><translation>Quitar la medición</translation></message>
+<message><source>new measurement</source><translation>nueva medición</translation></message>
+<message><source>removal of measurement M%1</source><translation>supresión de la medición M%1</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>
@@ -1254,7 +1257,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
-<message><source>Why</source><translation>Por qué</translation></message>
+<message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Su nombre: clave, apoyo izquierdo …</translation></message>
 <message><source>Your note on it, stored with its name</source><translation>Su nota sobre él, guardada con su nombre</translation></message>
@@ -1316,6 +1319,7 @@ RL %3 m</translation></message>
 <message><source>Picture</source><translation>Imagen</translation></message>
 <message><source>Confidence</source><translation>Confianza</translation></message>
 <message><source>Copy All</source><translation>Copiar todos</translation></message>
+<message><source>Remove All</source><translation>Quitar todos</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>Las posiciones de todos los objetivos como tabla con unidades, para una hoja de cálculo</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>La medición elegida</translation></message>
@@ -1462,6 +1466,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Images</source><translation>Imágenes</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
 <message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
+<message><source>Redo: %1</source><translation>Rehacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Inicial</translation></message>
 <message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
@@ -1995,13 +2000,13 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
-<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 celdas de ellos</translation></message>
-<message><source>its ends are up to %1 cells from the clicks</source><translation>sus extremos están como máximo a %1 celdas de los clics</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 m de ellos</translation></message>
+<message><source>its ends are up to %1 m from the clicks</source><translation>sus extremos están como máximo a %1 m de los clics</translation></message>
 <message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ un clic está %1 m detrás de esta garganta: haga clic en la roca de cada lado</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ un extremo está %1 m más lejos que el otro</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ más allá, la garganta se estrecha hasta %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
-<message><source>clicks %1 cells away find %2 to %3 m</source><translation>clics a %1 celdas de ahí encuentran de %2 a %3 m</translation></message>
+<message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>sin paso más estrecho a su lado</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>

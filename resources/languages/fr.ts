@@ -281,6 +281,7 @@
 <message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
 <message><source>Done again: %1.</source><translation>Refait : %1.</translation></message>
 <message><source>Undone: %1.</source><translation>Annulé : %1.</translation></message>
+<message><source>It is back.</source><translation>C'est de retour.</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
 <message><source>Less</source><translation>Moins</translation></message>
 <message><source>More</source><translation>Plus</translation></message>
@@ -402,6 +403,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>The surface changes strongly here.</source><translation>La surface change fortement ici.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>La raison n'a pas pu être établie (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
+<message><source>Why</source><translation>Pourquoi</translation></message>
 <message><source>Finding the reason …</source><translation>Recherche de la raison …</translation></message>
 <message><source>line %1, beam %2</source><translation>ligne %1, faisceau %2</translation></message>
 <message><source>under the pointer</source><translation>sous le pointeur</translation></message>
@@ -632,6 +634,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ partial: %1 lines</source><translation>▲ partiel : %1 lignes</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
+<message><source>There is no rock here: choose Pin to set a target.</source><translation>Il n'y a pas de bloc ici : choisissez Épingler pour poser une cible.</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Sé&amp;lectionner</translation></message>
@@ -736,8 +739,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>Il n'y a pas de cible à nommer : épinglez une cellule, ou choisissez une cible.</translation></message>
 <message><source>Note on a target</source><translation>Remarque sur une cible</translation></message>
 <message><source>Note on target %1:</source><translation>Remarque sur la cible %1 :</translation></message>
-<message><source>Name %1</source><translation>Nommer %1</translation></message>
-<message><source>Note %1</source><translation>Remarque %1</translation></message>
+<message><source>name of target %1</source><translation>nom de la cible %1</translation></message>
+<message><source>note of target %1</source><translation>note de la cible %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>Les cibles n'ont pas pu être enregistrées (%1).</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
@@ -745,18 +748,18 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Non enregistré : cette image est une partie d'un enregistrement ou d'un balayage en direct, pas un fichier entier.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
-<message><source>Pin %1</source><translation>Épingler %1</translation></message>
+<message><source>new target %1</source><translation>nouvelle cible %1</translation></message>
 <message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>La cible %1 est verrouillée et reste : déverrouillez-la sur sa fiche pour la retirer.</translation></message>
-<message><source>Remove %1</source><translation>Supprimer %1</translation></message>
+<message><source>removal of target %1</source><translation>suppression de la cible %1</translation></message>
 <message><source>Target %1</source><translation>Cible %1</translation></message>
-<message><source>Remove All</source><translation>Tout supprimer</translation></message>
+<message><source>removal of all targets</source><translation>suppression de toutes les cibles</translation></message>
 <message><source>Targets %1</source><translation>Cibles %1</translation></message>
 <message><source>Locked targets stay: %1.</source><translation>Des cibles verrouillées restent : %1.</translation></message>
-<message><source>Lock %1</source><translation>Verrouiller %1</translation></message>
-<message><source>Unlock %1</source><translation>Déverrouiller %1</translation></message>
+<message><source>lock of target %1</source><translation>verrouillage de la cible %1</translation></message>
+<message><source>unlocking of target %1</source><translation>déverrouillage de la cible %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été enregistré : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
-<message><source>Measure</source><translation>Mesurer</translation></message>
-<message><source>Remove Measurement</source><translation>Supprimer la mesure</translation></message>
+<message><source>new measurement</source><translation>nouvelle mesure</translation></message>
+<message><source>removal of measurement M%1</source><translation>suppression de la mesure M%1</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>
@@ -1254,7 +1257,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>End the tour</source><translation>Terminer la visite</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
-<message><source>Why</source><translation>Pourquoi</translation></message>
+<message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>Son nom : clef de voûte, appui gauche …</translation></message>
 <message><source>Your note on it, stored with its name</source><translation>Votre remarque sur elle, enregistrée avec son nom</translation></message>
@@ -1316,6 +1319,7 @@ RL %3 m</translation></message>
 <message><source>Picture</source><translation>Image</translation></message>
 <message><source>Confidence</source><translation>Confiance</translation></message>
 <message><source>Copy All</source><translation>Tout copier</translation></message>
+<message><source>Remove All</source><translation>Tout supprimer</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>Les positions de toutes les cibles en tableau avec unités, pour un tableur</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
 <message><source>The selected measurement</source><translation>La mesure choisie</translation></message>
@@ -1462,6 +1466,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
 <message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
 <message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
+<message><source>Redo: %1</source><translation>Rétablir : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>Default</source><translation>Défaut</translation></message>
 <message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
@@ -1995,13 +2000,13 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>
 <message><source>, smoothed %1</source><translation>, lissé %1</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
-<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 cellules</translation></message>
-<message><source>its ends are up to %1 cells from the clicks</source><translation>ses extrémités sont à %1 cellules des clics au plus</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 m</translation></message>
+<message><source>its ends are up to %1 m from the clicks</source><translation>ses extrémités sont à %1 m des clics au plus</translation></message>
 <message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ un clic est %1 m derrière ce goulot : cliquez la roche de chaque côté</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ une extrémité est %1 m plus loin que l'autre</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ plus loin, le goulot se resserre à %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
-<message><source>clicks %1 cells away find %2 to %3 m</source><translation>des clics à %1 cellules de là trouvent %2 à %3 m</translation></message>
+<message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>pas de passage plus étroit à côté</translation></message>
 <message><source>at %1 m</source><translation>à %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>

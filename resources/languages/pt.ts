@@ -281,6 +281,7 @@
 <message><source>Removed: %1.</source><translation>Removido: %1.</translation></message>
 <message><source>Done again: %1.</source><translation>Refeito: %1.</translation></message>
 <message><source>Undone: %1.</source><translation>Desfeito: %1.</translation></message>
+<message><source>It is back.</source><translation>Está de volta.</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
 <message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Mais</translation></message>
@@ -402,6 +403,7 @@ visível %6 m², a %7 m</translation></message>
 <message><source>The surface changes strongly here.</source><translation>A superfície muda muito aqui.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>Não foi possível determinar a razão (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
+<message><source>Why</source><translation>Por quê</translation></message>
 <message><source>Finding the reason …</source><translation>À procura da razão …</translation></message>
 <message><source>line %1, beam %2</source><translation>linha %1, feixe %2</translation></message>
 <message><source>under the pointer</source><translation>sob o ponteiro</translation></message>
@@ -632,6 +634,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 linhas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
+<message><source>There is no rock here: choose Pin to set a target.</source><translation>Nenhuma rocha aqui: escolha Fixar para marcar um alvo.</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Se&amp;lecionar</translation></message>
@@ -736,8 +739,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing to name yet: pin a cell, or choose a target.</source><translation>Não há alvo a nomear: fixe uma célula ou escolha um alvo.</translation></message>
 <message><source>Note on a target</source><translation>Nota sobre um alvo</translation></message>
 <message><source>Note on target %1:</source><translation>Nota sobre o alvo %1:</translation></message>
-<message><source>Name %1</source><translation>Nomear %1</translation></message>
-<message><source>Note %1</source><translation>Nota %1</translation></message>
+<message><source>name of target %1</source><translation>nome do alvo %1</translation></message>
+<message><source>note of target %1</source><translation>nota do alvo %1</translation></message>
 <message><source>The targets could not be stored (%1).</source><translation>Não foi possível guardar os alvos (%1).</translation></message>
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
@@ -745,18 +748,18 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Não guardado: esta imagem é parte de uma gravação ou de uma varredura ao vivo, não um arquivo inteiro.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
-<message><source>Pin %1</source><translation>Fixar %1</translation></message>
+<message><source>new target %1</source><translation>novo alvo %1</translation></message>
 <message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>O alvo %1 está bloqueado e fica: desbloqueie-o na sua ficha para removê-lo.</translation></message>
-<message><source>Remove %1</source><translation>Remover %1</translation></message>
+<message><source>removal of target %1</source><translation>remoção do alvo %1</translation></message>
 <message><source>Target %1</source><translation>Alvo %1</translation></message>
-<message><source>Remove All</source><translation>Remover todos</translation></message>
+<message><source>removal of all targets</source><translation>remoção de todos os alvos</translation></message>
 <message><source>Targets %1</source><translation>Alvos %1</translation></message>
 <message><source>Locked targets stay: %1.</source><translation>Ficam alvos bloqueados: %1.</translation></message>
-<message><source>Lock %1</source><translation>Bloquear %1</translation></message>
-<message><source>Unlock %1</source><translation>Desbloquear %1</translation></message>
+<message><source>lock of target %1</source><translation>bloqueio do alvo %1</translation></message>
+<message><source>unlocking of target %1</source><translation>desbloqueio do alvo %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Isto não foi guardado: há %1 medições, primeiro remova algumas.</translation></message>
-<message><source>Measure</source><translation>Medir</translation></message>
-<message><source>Remove Measurement</source><translation>Remover a medição</translation></message>
+<message><source>new measurement</source><translation>nova medição</translation></message>
+<message><source>removal of measurement M%1</source><translation>remoção da medição M%1</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
 <message><source>rock %1</source><translation>rocha %1</translation></message>
@@ -1254,7 +1257,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
-<message><source>Why</source><translation>Por quê</translation></message>
+<message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>
 <message><source>Its name: keystone, left shoulder …</source><translation>O seu nome: pedra-chave, apoio esquerdo …</translation></message>
 <message><source>Your note on it, stored with its name</source><translation>A sua nota sobre ele, guardada com o seu nome</translation></message>
@@ -1316,6 +1319,7 @@ RL %3 m</translation></message>
 <message><source>Picture</source><translation>Imagem</translation></message>
 <message><source>Confidence</source><translation>Confiança</translation></message>
 <message><source>Copy All</source><translation>Copiar todos</translation></message>
+<message><source>Remove All</source><translation>Remover todos</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>As posições de todos os alvos como tabela com unidades, para uma planilha</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
 <message><source>The selected measurement</source><translation>A medição escolhida</translation></message>
@@ -1462,6 +1466,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Images</source><translation>Imagens</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
 <message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
+<message><source>Redo: %1</source><translation>Refazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>Default</source><translation>Padrão</translation></message>
 <message><source>Remove: %1</source><translation>Remover: %1</translation></message>
@@ -1995,13 +2000,13 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, gray %1</source><translation>, cinza %1</translation></message>
 <message><source>, smoothed %1</source><translation>, suavizado %1</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
-<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 células deles</translation></message>
-<message><source>its ends are up to %1 cells from the clicks</source><translation>suas pontas estão a até %1 células dos cliques</translation></message>
+<message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 m deles</translation></message>
+<message><source>its ends are up to %1 m from the clicks</source><translation>suas pontas estão a até %1 m dos cliques</translation></message>
 <message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ um clique está %1 m atrás desta garganta: clique na rocha de cada lado</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ uma extremidade está %1 m mais longe que a outra</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ mais adiante, a garganta estreita-se até %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
-<message><source>clicks %1 cells away find %2 to %3 m</source><translation>cliques a %1 células dali encontram de %2 a %3 m</translation></message>
+<message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>sem passagem mais estreita ao lado</translation></message>
 <message><source>at %1 m</source><translation>a %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>

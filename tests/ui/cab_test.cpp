@@ -329,8 +329,8 @@ private slots:
             QString::fromUtf8("▲ a tap is 13.18 m behind this throat: tap the rock at each side\n▲ one end is 0.49 m farther away "
                               "than the other\n▲ farther along, the throat narrows to 1.104 m");
         many.sizeRemark =
-            "narrowest way near the two taps\ntaps 2 cells away find 1.312 to 1.481 m\nat 6.02, 5.53 m\nits ends are up to 28 "
-            "cells from the taps";
+            "narrowest way near the two taps\ntaps 25 mm away find 1.312 to 1.481 m\nat 6.02, 5.53 m\nits ends are up to 0.35 "
+            "m from the taps";
         const QWidget* rows = side->findChild<QLabel*>("cab-distance")->parentWidget();
         const auto* area = qobject_cast<QScrollArea*>(rows->parentWidget()->parentWidget());
         const auto whole = [&] { return rows->height() <= rows->parentWidget()->height(); };

@@ -106,12 +106,15 @@ private slots:
         QToolButton* undo = tool(on.window, "cab-undo");
         on.viewer.views.pin(100 * 240 + 120);
         on.viewer.views.pin(60 * 240 + 60);
-        QCOMPARE(undo->accessibleName(), QString("Undo: Pin 2"));
+        QCOMPARE(undo->accessibleName(), QString("Undo: new target 2"));
         press(on.window, "cab-undo");
-        QCOMPARE(on.viewer.notice.text(), QString("Undone: Pin 2."));
+        QCOMPARE(on.viewer.notice.text(), QString("Undone: new target 2."));
         QVERIFY(on.viewer.notice.isVisible());
         QTest::mouseClick(on.viewer.notice.findChild<QToolButton*>("notice-action"), Qt::LeftButton);
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(2));
+        on.viewer.targets.remove(1);
+        press(on.window, "cab-undo");
+        QCOMPARE(on.viewer.notice.text(), QString("Undone: removal of target 1. It is back."));
         QTest::mouseClick(on.window.cab().frame().side().mainStepper()->more(), Qt::LeftButton);
         QVERIFY(on.settled() && on.open(other_));
         press(on.window, "cab-undo"); // the setting, which is of no scan
@@ -403,10 +406,10 @@ private slots:
         on.viewer.views.pin(100 * 240 + 120);
         QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
         QToolButton& page = *tool(on.window, "cab-page");
-        QTRY_VERIFY(page.isVisible() && page.height() >= 48 && page.text().startsWith("▼"));
+        QTRY_VERIFY(page.isVisible() && page.height() == 48 && page.text().startsWith("▼"));
         const auto* area = qobject_cast<const QScrollArea*>(page.parentWidget());
         const auto wholeRows = [&] {
-            const QRect seen(area->mapToGlobal(QPoint()), QSize(area->width(), page.y()));
+            const QRect seen(area->mapToGlobal(QPoint()), QSize(area->width(), area->findChild<QWidget*>("cab-below")->y()));
             QStringList cut;
             for (const QLabel* each : area->widget()->findChildren<QLabel*>()) {
                 const QRect place = placeOf(*each);
@@ -421,11 +424,15 @@ private slots:
             return cut.join(", ");
         };
         QTRY_VERIFY2(wholeRows().isEmpty(), qPrintable(wholeRows()));
-        const auto* warned = area->widget()->findChild<QLabel*>("cab-size-remark");
-        QVERIFY(placeOf(*warned).top() >= placeOf(page).top());
+        const auto *remark = area->widget()->findChild<QLabel*>("cab-size-remark"),
+                   *warned = area->widget()->findChild<QLabel*>("cab-warned");
+        const QWidget* below = area->findChild<QWidget*>("cab-below");
+        QVERIFY(placeOf(*remark).top() >= placeOf(*below).top() && warned->text().startsWith("▲"));
+        QVERIFY2(placeOf(*warned).bottom() < placeOf(*below).top(), "a warning is on the first page");
         for (int n = 0; n < 4 && !page.text().startsWith("▲"); ++n) {
             QTest::mouseClick(&page, Qt::LeftButton);
             QVERIFY2(wholeRows().isEmpty(), qPrintable(wholeRows()));
+            QCOMPARE(page.height(), 48);
         }
         QVERIFY(page.text().startsWith("▲"));
         QTest::mouseClick(&page, Qt::LeftButton);

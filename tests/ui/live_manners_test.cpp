@@ -478,6 +478,10 @@ private slots:
             QTRY_VERIFY(window.viewer().live.panel().strip().shown().recording.size() > 0);
             QTest::qWait(0);
             QCOMPARE(window.viewer().live.panel().height(), high); // the views below it do not move either
+            if (cab) {                                             // besides the word of the button
+                const auto* badge = window.viewer().live.panel().findChild<StateBadge*>("live-recording");
+                QTRY_VERIFY2(badge->isVisible() && badge->text().startsWith("recording "), qPrintable(badge->text()));
+            }
             press(window, "live-hold");
             QTest::qWait(0);
             QCOMPARE(places(), before);

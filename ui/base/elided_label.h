@@ -5,10 +5,11 @@
 #include <QPainter>
 #include <QStringList>
 #include <QTextLayout>
+#include <QTextOption>
 
 namespace edgescan::ui {
 
-/// Text that does not fit ends in "…"; the tool tip shows the whole text.
+/// Text that does not fit ends in "…", or has it in its last line; the tool tip shows the whole text.
 class ElidedLabel : public QLabel {
 public:
     /// `most`: lines, if one line is too short for the text.
@@ -23,6 +24,11 @@ public:
         most_ = most;
         highAsLines_ = most > 1;
         updateGeometry();
+    }
+    /// Where the last line is shortened.
+    void setElided(Qt::TextElideMode where) {
+        where_ = where;
+        update();
     }
     [[nodiscard]] bool hasHeightForWidth() const override { return highAsLines_; }
     [[nodiscard]] int heightForWidth(int wide) const override {
@@ -50,6 +56,9 @@ private:
         QString rest = text();
         while (static_cast<int>(all.size()) + 1 < most_ && fontMetrics().horizontalAdvance(rest) > wide) {
             QTextLayout layout(rest, font());
+            QTextOption breaks;
+            breaks.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere); // a path is one word
+            layout.setTextOption(breaks);
             layout.beginLayout();
             QTextLine line = layout.createLine();
             line.setLineWidth(wide);
@@ -57,10 +66,11 @@ private:
             all << rest.left(line.textLength());
             rest.remove(0, line.textLength());
         }
-        return all << fontMetrics().elidedText(rest, Qt::ElideRight, wide);
+        return all << fontMetrics().elidedText(rest, where_, wide);
     }
 
     int most_;
+    Qt::TextElideMode where_ = Qt::ElideRight;
     bool highAsLines_ = false;
 };
 

@@ -231,7 +231,9 @@ void NoticeBar::showRemoved(QUndoStack& stack, const QString& what, const QStrin
 }
 
 void NoticeBar::showUndone(QUndoStack& stack, bool again) {
-    showNotice(Kind::Done, again ? tr("Done again: %1.").arg(stack.undoText()) : tr("Undone: %1.").arg(stack.redoText()));
+    const bool came = !again && stack.text(stack.index()).startsWith("removal");
+    showNotice(Kind::Done, (again ? tr("Done again: %1.").arg(stack.undoText()) : tr("Undone: %1.").arg(stack.redoText())) +
+                               (came ? " " + tr("It is back.") : QString()));
     offer(tr("Redo"), [&stack] { stack.redo(); });
     passes_ = true;
     leaves_.start();
@@ -278,6 +280,7 @@ bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 void NoticeBar::setBrief(bool on) {
     copy_->setVisible(!on);
     line_->setLines(on ? 2 : 1);
+    line_->setElided(on ? Qt::ElideMiddle : Qt::ElideRight); // a name or a number is often at the end
     offerMore();
 }
 

@@ -36,6 +36,22 @@ std::vector<std::uint32_t> cellsOf(const Grid<inspect::RangeChange>& kinds, cons
 
 } // namespace
 
+std::vector<std::uint32_t> Comparing::someOfRegion() const {
+    if (!shown_ || !comparison_ || comparison_->change.regions.empty()) return {};
+    constexpr int kSteps = 4;
+    const inspect::ChangedRegion& region = comparison_->change.regions[region_.value_or(0)];
+    const auto& kinds = comparison_->change.ranges.cells;
+    std::vector<std::uint32_t> cells{region.cell};
+    for (int i = 0; i <= kSteps; ++i) {
+        for (int j = 0; j <= kSteps; ++j) {
+            const std::size_t k = kinds.index(region.firstLine + i * (region.lastLine - region.firstLine) / kSteps,
+                                              region.firstBeam + j * (region.lastBeam - region.firstBeam) / kSteps);
+            if (kinds[k] == kinds[region.cell]) cells.push_back(static_cast<std::uint32_t>(k));
+        }
+    }
+    return cells;
+}
+
 void Comparing::goToRegion(int by) {
     if (!comparison_ || comparison_->change.regions.empty()) {
         notice_.showHint(tr("No surface came nearer or went farther: keep a scan as A and open another one."));

@@ -67,6 +67,8 @@ public:
     /// All views zoom to the next changed region, the largest first, or to the one before.
     void nextRegion() { goToRegion(1); }
     void previousRegion() { goToRegion(-1); }
+    /// Some cells of the region that the views zoomed to last, or of the largest one; none while no difference is shown.
+    [[nodiscard]] std::vector<std::uint32_t> someOfRegion() const;
 
     /// Handles the key that flips while it is pressed.
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -114,6 +114,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
         connect(card_, &QDialog::finished, this, &Explanation::endWait);
+        connect(card_, &QDialog::finished, this, [this] { views_.setExplained(std::nullopt); });
         connect(card_, &WhyCard::nearestEdgeRequested, this, [this] {
             if (nearestEdge_) explain(inspect::exactly(*nearestEdge_), Subject::NearestEdge);
         });
@@ -125,6 +126,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     const Question question{picture, click, subject};
     card_->offerNearestEdge(0);
     card_->showCell(subjectText(question), views_.onScreen(click.cell));
+    views_.setExplained(views_.pinned() == click.cell ? std::nullopt : std::optional(click.cell), tr("Why")); // a target has its mark
     card_->showPlain(QString());
     card_->showExplanation(tr("Finding the reason …"));
     why_.ask(question);

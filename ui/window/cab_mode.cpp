@@ -197,6 +197,7 @@ void CabMode::set(bool on) {
     QCoreApplication::setAttribute(Qt::AA_DontShowShortcutsInContextMenus, on); // a cab has no keyboard, and each menu counts as such
     window_.viewer().measures.show();                                           // the prompts of the tool in use
     window_.viewer().rocks.useTool(window_.viewer().rocks.tool());
+    window_.viewer().views.setChoosesOnly(on && window_.viewer().rocks.shown());
     const QSize size = window_.size();
     auto& application = *qobject_cast<QApplication*>(QApplication::instance());
     if (!on) useTheme(application, false);
@@ -247,7 +248,8 @@ void CabMode::showWork() {
     const Works::Running* work = window_.viewer().engine.works().newest();
     if (work == nullptr) return frame_->head().showWork(QString());
     const QString stage = work->stage.isEmpty() ? QString() : ": " + work->stage;
-    frame_->head().showWork(tr("%1%2, %3 %").arg(work->title, stage).arg(std::lround(100.0 * work->fraction)));
+    // The number first: a small screen cuts the end.
+    frame_->head().showWork(tr("%1 % · %2%3").arg(std::lround(100.0 * work->fraction)).arg(work->title, stage));
 }
 
 void CabMode::showScan() {

@@ -67,6 +67,7 @@ private:
     void fillRemoval(QMenu& menu, bool all);
     void fillViews(QMenu& menu);
     [[nodiscard]] QToolButton* undoButton();
+    [[nodiscard]] QToolButton* redoButton();
     void connectSide();
     void follow();
     void nameUndone();

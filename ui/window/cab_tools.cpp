@@ -70,17 +70,20 @@ void CabMode::addTools() {
     LinkedViews& views = window_.viewer().views;
     QToolButton* pin = column.add("cab-pin", "pin", tr("Pin"));
     pin->setCheckable(true);
-    connect(pin, &QToolButton::clicked, this, [this] {
-        window_.viewer().measures.stop();
-        window_.viewer().rocks.useTool(RockTool::None);
-        window_.viewer().views.setTool(Tool::Pin);
+    connect(pin, &QToolButton::clicked, this, [this](bool on) {
+        Viewer& viewer = window_.viewer();
+        viewer.measures.stop();
+        viewer.rocks.useTool(RockTool::None);
+        viewer.views.setChoosesOnly(!on && viewer.rocks.shown()); // first: the tool says so
+        viewer.views.setTool(Tool::Pin);
     });
     QToolButton* measure = column.add("cab-measure", "measure", tr("Measure"));
     measure->setCheckable(true);
     auto* kinds = new QMenu(measure);
     addMeasures(*kinds);
     const auto followTool = [this, pin, measure] {
-        pin->setChecked(window_.viewer().views.tool() == Tool::Pin && window_.viewer().rocks.tool() == RockTool::None);
+        const LinkedViews& shown = window_.viewer().views;
+        pin->setChecked(shown.tool() == Tool::Pin && !shown.choosesOnly() && window_.viewer().rocks.tool() == RockTool::None);
         measure->setChecked(window_.viewer().measures.kind().has_value());
     };
     connect(measure, &QToolButton::clicked, this, [this, kinds, measure, followTool] {
@@ -99,9 +102,10 @@ void CabMode::addTools() {
     connect(rock, &QToolButton::clicked, this, [this, rock] {
         if (QMenu* menu = menuWith(window_, "rocks-largest")) openNextTo(*menu, *rock);
     });
-    const auto followRocks = [rocks, rock](bool on) {
+    const auto followRocks = [this, rocks, rock](bool on) {
         rocks->setChecked(on);
         rock->setEnabled(on);
+        window_.viewer().views.setChoosesOnly(on_ && on); // a tap means a rock, until Pin is chosen
     };
     connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, followRocks);
     followRocks(window_.viewer().rocks.shown());
@@ -137,7 +141,7 @@ void CabMode::addTools() {
         fillRemoval(*shown, false);
         openNextTo(*shown, *remove_);
     });
-    column.setFoot(undoButton());
+    column.setFoot({undoButton(), redoButton()});
     const char* const ofScans[] = {"cab-pin", "cab-measure", "cab-rocks", "cab-why", "cab-scanner", "cab-fit", "cab-images"};
     for (const char* name : ofScans) ofScan_.push_back(column.findChild<QToolButton*>(name));
     for (QToolButton* each : {measure, rock, compare, images, remove_, frame_->head().menu()}) showMenuSign(*each);
@@ -165,6 +169,21 @@ QToolButton* CabMode::undoButton() {
     connect(&measures, &Measures::asked, undo, follow);
     follow();
     return undo;
+}
+
+QToolButton* CabMode::redoButton() {
+    QToolButton* redo = gloveButton("cab-redo", "redo", tr("Redo"));
+    QUndoStack& stack = window_.viewer().undo;
+    connect(redo, &QToolButton::clicked, &stack, &QUndoStack::redo);
+    const auto follow = [redo, &stack] {
+        redo->setEnabled(stack.canRedo());
+        redo->setAccessibleName(stack.canRedo() ? tr("Redo: %1").arg(stack.redoText()) : tr("Redo"));
+        redo->setToolTip(redo->accessibleName());
+    };
+    connect(&stack, &QUndoStack::canRedoChanged, redo, follow);
+    connect(&stack, &QUndoStack::redoTextChanged, redo, follow);
+    follow();
+    return redo;
 }
 
 void CabMode::addSideButtons() {
@@ -311,6 +330,7 @@ TargetNumbers CabMode::numbers() const {
     TargetNumbers values = chosen ? ofMeasure(*chosen) : rock != nullptr ? ofRock(*rock) : TargetNumbers{};
     values.targets = static_cast<int>(all.size());
     values.measures = static_cast<int>(targets.notebook().measures.size());
+    values.only = (chosen || (rock == nullptr && target != nullptr)) && values.targets + values.measures == 1;
     values.measuring = window_.viewer().measures.kind().has_value();
     if (chosen || rock != nullptr || target == nullptr) return values;
     values.title = (target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20)) +

@@ -7,6 +7,7 @@
 #include "ui/window/cab_mode.h"
 #include "ui/window/main_window.h"
 
+#include <QActionGroup>
 #include <QMenu>
 #include <QMouseEvent>
 
@@ -81,13 +82,15 @@ void CabMode::showLarge(Large which) {
 /// Each does what it says, whatever is large.
 void CabMode::fillViews(QMenu& menu) {
     menu.clear();
+    auto* views = menu.findChild<QActionGroup*>();
+    if (views == nullptr) views = new QActionGroup(&menu); // one of them is on
     for (const auto& [which, words] : {std::pair(Large::Cloud, QObject::tr("Cloud")), std::pair(Large::Range, QObject::tr("Range image")),
                                        std::pair(Large::Edges, QObject::tr("Edge map"))}) {
         QAction* action = menu.addAction(words, this, [this, which = which] { showLarge(which); });
         action->setCheckable(true);
         action->setChecked(large_ == which);
+        views->addAction(action);
     }
-    if (large_ != Large::Cloud) return; // no picture in the corner
     menu.addSeparator();
     QAction* small = menu.addAction(tr("Small picture"), this, [this](bool on) {
         small_ = on;
@@ -96,6 +99,7 @@ void CabMode::fillViews(QMenu& menu) {
     });
     small->setCheckable(true);
     small->setChecked(small_);
+    small->setEnabled(large_ == Large::Cloud); // an image has no picture in its corner
 }
 
 std::string CabMode::viewsKept() const {

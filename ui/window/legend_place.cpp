@@ -2,6 +2,7 @@
 #include "ui/window/legend_place.h"
 
 #include "ui/base/view_plate.h"
+#include "ui/controllers/comparing.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -47,6 +48,15 @@ bool isAtRight(const CloudView& cloud) {
     return false;
 }
 
+/// Around the change that a comparison names.
+QRect changeIn(const CloudView& cloud, const Comparing& comparing) {
+    QRect place;
+    for (const std::uint32_t cell : comparing.someOfRegion()) {
+        if (const auto at = cloud.pixelOf(cell)) place |= QRect(at->toPoint() - QPoint(kRing, kRing), QSize(2 * kRing, 2 * kRing));
+    }
+    return place.intersected(cloud.rect());
+}
+
 /// Of the targets in view.
 std::vector<QRect> ringsIn(const CloudView& cloud) {
     std::vector<QRect> rings;
@@ -59,8 +69,8 @@ std::vector<QRect> ringsIn(const CloudView& cloud) {
 
 } // namespace
 
-void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
-    const auto look = [&cloud, &views] {
+void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& comparing) {
+    const auto look = [&cloud, &views, &comparing] {
         const auto fitLegends = [&](int height) {
             QLayout& over = *cloud.layout();
             for (int n = over.count() - 1; n >= 0; --n) { // the lowest first: those above it get the rest
@@ -86,7 +96,8 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views) {
         if (neitherIsFree()) fitLegends(0);
         // They stay at their side until they cover the chosen place, and the other side does not. While the cloud turns, and under the
         // pointer, they never move.
-        const bool inTheWay = !label.isEmpty() && isCovered(cloud, label, wasRight) && !isCovered(cloud, label, !wasRight);
+        const QRect wanted = label.isEmpty() ? changeIn(cloud, comparing) : label;
+        const bool inTheWay = !wanted.isEmpty() && isCovered(cloud, wanted, wasRight) && !isCovered(cloud, wanted, !wasRight);
         const bool right = inTheWay && cloud.atRest() && !hasPointer(cloud) ? !wasRight : wasRight;
         QLayout* over = cloud.layout();
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;

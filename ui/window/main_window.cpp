@@ -126,7 +126,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     layOutLegend();
     addChangeLegend(*this);
     addConfidenceLegend(*this);
-    keepLegendsOffPins(viewer_.cloud, viewer_.views);
+    keepLegendsOffPins(viewer_.cloud, viewer_.views, viewer_.comparing);
     viewer_.scalePlate.raise();
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);
@@ -206,6 +206,7 @@ void MainWindow::layOutViews() {
     places_ = new PanePlaces(*splitter_, *images_, panes_, this);
     followPlaces();
     auto* centre = new QWidget;
+    centre->setObjectName("centre");
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);

@@ -60,6 +60,7 @@ public:
             window_.viewer().views.cloud().setVisible(type == QEvent::Hide);
             window_.lockDocks(DockLock::Start, type == QEvent::Show);
         }
+        if (!gone_ && watched == &window_.viewer().live.panel() && type == QEvent::Hide && isNothingShown()) page_.show(); // the way back
         if (gone_ || !page_.isVisible()) return false;
         const bool moves = type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide;
         if (moves && isBelow(watched))
@@ -75,6 +76,10 @@ private:
     /// Docks and views, which the page covers; they find their places at any time after the start.
     static bool isBelow(QObject* watched) {
         return qobject_cast<QDockWidget*>(watched) != nullptr || qobject_cast<Pane*>(watched) != nullptr;
+    }
+    [[nodiscard]] bool isNothingShown() const {
+        Viewer& viewer = window_.viewer();
+        return !viewer.engine.picture() && !viewer.engine.coarse() && !viewer.live.scanner().connected();
     }
     void place() {
         const QWidget &centre = *window_.centralWidget(), &head = window_.cab().frame().head();

@@ -37,6 +37,7 @@ public:
     explicit FlatStyle(bool forGloves) : QProxyStyle(QStyleFactory::create("Fusion")), forGloves_(forGloves) {}
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
         if (hint == SH_EtchDisabledText) return 0;
+        if (hint == SH_UnderlineShortcut && forGloves_) return 0; // a cab has no keyboard
         // Else a menu closes the menu of its menu: a finger does not stay where it tapped, and never was over the first menu.
         if (hint == SH_Menu_SubMenuDontStartSloppyOnLeave) return 1;
         return QProxyStyle::styleHint(hint, option, widget, data);

@@ -163,11 +163,18 @@ std::string clicksPart(const MeasuredCells& measured, Translated translated) {
     const auto say = [&](const char* pattern, std::initializer_list<std::string> values) {
         return withValues(translated(pattern), values);
     };
-    const std::string cells = std::to_string(measured.fromClicks);
     if (measured.isLongerThanClicks())
-        return say("▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 cells from them",
-                   {fixedText(measured.clicksM, 3), cells});
-    return measured.fromClicks > kFewCells ? say("its ends are up to %1 cells from the clicks", {cells}) : "";
+        return say("▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them",
+                   {fixedText(measured.clicksM, 3), fixedText(measured.fromClicksM, 2)});
+    return measured.fromClicks > kFewCells ? say("its ends are up to %1 m from the clicks", {fixedText(measured.fromClicksM, 2)}) : "";
+}
+
+/// Across the beams, at the range of `end`.
+double acrossBeamsM(const Scan& scan, const CartesianTables& tables, std::uint32_t end, std::uint32_t to) {
+    const auto beams = static_cast<std::uint32_t>(scan.beams());
+    const auto direction = [&](std::uint32_t k) { return tables.direction(static_cast<int>(k / beams), static_cast<int>(k % beams)); };
+    const double apart = (direction(end) - direction(to)).norm();
+    return std::isfinite(apart) ? apart * static_cast<double>(scan.rangeMm[end]) / 1000.0 : 0.0;
 }
 
 /// Of the narrowest way from the ends of a throat; 0: that is the throat itself.
@@ -304,6 +311,9 @@ void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::spa
         const int cell = static_cast<int>(cells[n]), click = static_cast<int>(clicked[n]);
         measured.fromClicks =
             std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});
+        measured.fromClicksM = std::max(measured.fromClicksM, acrossBeamsM(scan, tables, cells[n], clicked[n]));
+        if (const auto resolution = resolutionAt(scan, tables, cells[n]))
+            measured.spreadM = std::max(measured.spreadM, kClickSpread * resolution->spacingM);
     }
     if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; })) return;
     measured.clicksM = (tables.point(clicked[0]) - tables.point(clicked[1])).norm();
@@ -361,8 +371,8 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
         parts.push_back(say("narrowest way near the two clicks"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;
         if (dependsOnClicks)
-            parts.push_back(say("clicks %1 cells away find %2 to %3 m",
-                                {std::to_string(kClickSpread), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
+            parts.push_back(say("clicks %1 away find %2 to %3 m",
+                                {millimetres(measured.spreadM), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
         else if (!measured.narrowsOn())
             parts.push_back(say("no narrower way next to it"));
     }

@@ -63,6 +63,8 @@ struct MeasuredCells {
     bool upAssumed = false;           ///< only for Vertical: the scan has no placement, so up is the scanner's z axis
     std::vector<double> rangesM;      ///< of its cells
     int fromClicks = 0;               ///< only for Throat: number of cells from a click to its end, at most
+    double fromClicksM = 0.0;         ///< only for Throat: the same in metres, across the beams at the range of the end
+    double spreadM = 0.0;             ///< only for Throat: how far those clicks next to these are from them; 0: not known
     double clicksM = 0.0;             ///< only for Throat: distance of the two clicked points; 0: not known
     double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find (throatAt()); 0: not known
     double clickBehindM = 0.0;        ///< only for Throat: how far a click is behind its end, across a jump; 0: neither click is

@@ -111,11 +111,11 @@ void Targets::askNote(int number) {
 }
 
 void Targets::rename(int number, const QString& name) {
-    setText(number, name, &inspect::PinnedTarget::name, inspect::kLongestTargetName, stepName("Name %1", number));
+    setText(number, name, &inspect::PinnedTarget::name, inspect::kLongestTargetName, stepName("name of target %1", number));
 }
 
 void Targets::setNote(int number, const QString& note) {
-    setText(number, note, &inspect::PinnedTarget::note, inspect::kLongestTargetNote, stepName("Note %1", number));
+    setText(number, note, &inspect::PinnedTarget::note, inspect::kLongestTargetNote, stepName("note of target %1", number));
 }
 
 void Targets::setText(int number, const QString& text, std::string inspect::PinnedTarget::*member, std::size_t mostBytes,

@@ -196,7 +196,7 @@ void Targets::pin(std::size_t cell) {
     target.clicked = clicked;
     target.pinnedUtc = utcText(utcNow());
     after.targets.push_back(target);
-    change(stepName("Pin %1", target.number), std::move(after));
+    change(stepName("new target %1", target.number), std::move(after));
     emit pinned();
 }
 
@@ -207,7 +207,7 @@ void Targets::remove(int number) {
     const QString words = inWords(*target);
     inspect::Notebook after = notebook_;
     std::erase_if(after.targets, [&](const inspect::PinnedTarget& each) { return each.number == number; });
-    change(stepName("Remove %1", number), std::move(after));
+    change(stepName("removal of target %1", number), std::move(after));
     notice_.showRemoved(undo_, tr("Target %1").arg(words));
 }
 
@@ -220,7 +220,7 @@ void Targets::removeAll() {
     if (names.isEmpty()) return;
     std::erase_if(after.targets, [](const inspect::PinnedTarget& target) { return !target.locked; });
     const std::size_t locked = after.targets.size();
-    change(stepName("Remove All"), std::move(after));
+    change(stepName("removal of all targets"), std::move(after));
     notice_.showRemoved(undo_, tr("Targets %1").arg(names.join(", ")), locked > 0 ? tr("Locked targets stay: %1.").arg(locked) : QString());
 }
 
@@ -229,7 +229,8 @@ void Targets::lock(int number, bool on) {
     inspect::PinnedTarget* target = numbered(after, number);
     if (target == nullptr) return;
     target->locked = on;
-    if (after != notebook_) change(on ? stepName("Lock %1", number) : stepName("Unlock %1", number), std::move(after));
+    if (after != notebook_)
+        change(on ? stepName("lock of target %1", number) : stepName("unlocking of target %1", number), std::move(after));
 }
 
 void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
@@ -240,7 +241,7 @@ void Targets::keepMeasure(const inspect::StoredMeasure& measure) {
     inspect::Notebook after = notebook_;
     after.measures.push_back(measure);
     after.measures.back().number = inspect::nextMeasureNumber(notebook_);
-    change(stepName("Measure"), std::move(after));
+    change(stepName("new measurement"), std::move(after));
     emit pinned();
     chooseMeasure(notebook_.measures.size() - 1);
 }
@@ -258,8 +259,9 @@ void Targets::removeMeasure(std::size_t place) {
     if (place >= notebook_.measures.size()) return;
     const QString words = measuresInWords()[place];
     inspect::Notebook after = notebook_;
+    const int number = after.measures[place].number;
     after.measures.erase(after.measures.begin() + static_cast<std::ptrdiff_t>(place));
-    change(stepName("Remove Measurement"), std::move(after));
+    change(stepName("removal of measurement M%1", number), std::move(after));
     notice_.showRemoved(undo_, words.simplified());
 }
 

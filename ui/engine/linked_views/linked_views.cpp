@@ -47,13 +47,18 @@ void LinkedViews::setTool(Tool tool) {
     emit toolChanged();
 }
 
+void LinkedViews::setChoosesOnly(bool on) {
+    if (std::exchange(choosesOnly_, on) != on) emit toolChanged();
+}
+
 void LinkedViews::setMarks(CellMarks marks) {
     marks_ = std::move(marks);
     showMarks();
 }
 
 void LinkedViews::showMarks() {
-    const CellMarks shown = flipped() ? CellMarks{} : marks_;
+    CellMarks shown = flipped() ? CellMarks{} : marks_;
+    if (explained_ && !flipped()) shown.targets.push_back(*explained_);
     for (ImageView* view : images_) view->setMarks(shown);
     cloud_.setMarks(shown);
 }
@@ -165,6 +170,7 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
 void LinkedViews::showNewScan() {
     // Cells of the old scan have no meaning in the new one.
     hovered_.reset();
+    setExplained(std::nullopt);
     pin(std::nullopt);
     if (!windowKept_) setRangeWindow(std::nullopt);
     applyAspect();
@@ -305,6 +311,11 @@ void LinkedViews::flyToHovered() {
 
 void LinkedViews::setTrail(const EdgeTrail& trail) {
     for (ImageView* view : images_) view->setTrail(trail);
+}
+
+void LinkedViews::setExplained(std::optional<std::size_t> cell, const QString& words) {
+    explained_ = cell ? std::optional(TargetMark{*cell, words, "?", false, {}, false}) : std::nullopt;
+    showMarks();
 }
 
 void LinkedViews::setNote(const QString& note) {

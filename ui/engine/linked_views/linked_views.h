@@ -77,6 +77,9 @@ public:
     /// Off: a click with the tool Pin sets no target.
     void setPinsOnClick(bool on) { pinsOnClick_ = on; }
     [[nodiscard]] bool pinsOnClick() const { return pinsOnClick_; }
+    /// On: a click with the tool Pin chooses the rock or the target that is there, and sets no new target.
+    void setChoosesOnly(bool on);
+    [[nodiscard]] bool choosesOnly() const { return choosesOnly_; }
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return tool_; }
     /// Sets targets and measurements in all views.
@@ -89,6 +92,8 @@ public:
     void pointAt(std::optional<std::size_t> cell);
     void flyToHovered();
     void setTrail(const EdgeTrail& trail);
+    /// Marks one cell in all views with these words, until there is another scan; empty: none.
+    void setExplained(std::optional<std::size_t> cell, const QString& words = {});
     /// x = beam, y = line.
     [[nodiscard]] QPoint placeOf(std::size_t cell) const;
 
@@ -189,7 +194,7 @@ private:
     const QObject* hoveredIn_ = nullptr; // the view that the pointer was in last
     std::optional<std::size_t> pinned_;
     Tool tool_ = Tool::Pin;
-    bool pinsOnClick_ = true;
+    bool pinsOnClick_ = true, choosesOnly_ = false;
     QString note_, asked_, shapeNote_;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved it
     bool fitted_ = false;     // to the whole sweep
@@ -197,6 +202,7 @@ private:
     bool trueAngles_ = false;
     std::optional<QRect> box_; // of cells, as dragged
     CellMarks marks_;
+    std::optional<TargetMark> explained_;
     std::optional<inspect::MeantCell> byClick_;
 };
 

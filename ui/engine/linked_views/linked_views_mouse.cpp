@@ -100,6 +100,7 @@ void LinkedViews::clickAt(std::size_t cell) {
 /// A click on a target, or on its label, chooses it. Tools take the cell of a target where its ring is clicked, and otherwise what is
 /// behind the mark: a label may be far from its cell, and moves.
 void LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> behind) {
+    if (pinsOnClick_ && choosesOnly_ && !mark.isMeasure && tool_ == Tool::Pin) return pin(mark.which);
     if (pinsOnClick_ && !mark.isMeasure && (tool_ == Tool::Pin || !mark.byLabel)) return click(inspect::exactly(mark.which));
     const bool whole = mark.which < marks_.measures.size() && !marks_.measures[mark.which].label.isEmpty();
     if (whole && tool_ == Tool::Pin && pinsOnClick_) return emit measureClicked(mark.which);
@@ -109,7 +110,7 @@ void LinkedViews::clickMark(const MarkName& mark, std::optional<std::size_t> beh
 /// Ctrl selects several rocks and pins no cell.
 void LinkedViews::click(const inspect::MeantCell& click) {
     if (refusesClicks(gray())) return;
-    if (tool_ == Tool::Pin && pinsOnClick_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
+    if (tool_ == Tool::Pin && pinsOnClick_ && !choosesOnly_ && !QGuiApplication::keyboardModifiers().testFlag(Qt::ControlModifier))
         pinByClick(click);
     else
         for (ImageView* view : images_) view->setCrosshair(pinned_ ? std::optional(placeOf(*pinned_)) : std::nullopt);

@@ -12,6 +12,7 @@
 #include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QScreen>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -187,6 +188,9 @@ void Keypad::dock() {
                 top = std::clamp(top + room.top() + place.height() + kKeyGap - field.top(), room.top(), lowest);
         }
         dialog->move(window.frameGeometry().left(), top);
+    }
+    for (QWidget* up = field_->parentWidget(); up != nullptr; up = up->parentWidget()) {
+        if (auto* area = qobject_cast<QScrollArea*>(up)) area->ensureWidgetVisible(field_);
     }
     if (place.intersects(edit())) place.moveTop(room.top());
     keys_->move(place.topLeft());

@@ -20,8 +20,9 @@ constexpr int kPageHigh = 48; // px: of the button that turns the page
 /// The rows that begin the pages after the first one: what belongs together is on one page.
 std::vector<const QWidget*> NumbersSide::pageStarts(int room, int high) const {
     std::vector<const QWidget*> firsts;
+    firsts.push_back(warned_);
     for (const auto& [name, value] : coordinateLabels_) firsts.push_back(value);
-    firsts.insert(firsts.end(), {warned_, rock_->isVisibleTo(facts_) ? rock_ : sizeRemark_});
+    firsts.push_back(rock_->isVisibleTo(facts_) ? rock_ : sizeRemark_);
     for (const auto& [name, value] : rowLabels_) firsts.push_back(value);
     std::erase_if(firsts, [this](const QWidget* each) { return !each->isVisibleTo(facts_); });
     std::vector<const QWidget*> starts;
@@ -59,7 +60,9 @@ void NumbersSide::showPage() {
     const QSize room = scroll_->viewport()->size();
     const int start = shownPage_ == 0 ? 0 : starts_[shownPage_ - 1]->y(), end = last ? factsHigh_ : starts_[shownPage_]->y();
     const int from = std::min(room.height() - kPageHigh, end - start);
-    page_->setGeometry(0, from, room.width(), room.height() - from);
+    below_->setVisible(!starts_.empty());
+    below_->setGeometry(0, from, room.width(), room.height() - from);
+    page_->setGeometry(0, room.height() - kPageHigh, room.width(), kPageHigh);
     scroll_->verticalScrollBar()->setValue(start);
 }
 

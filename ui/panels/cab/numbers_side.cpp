@@ -140,7 +140,7 @@ NumbersSide::NumbersSide(QWidget* parent)
       hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
       tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
       sizeRemark_(label("cab-size-remark", kNotePx, false)), warned_(label("cab-warned", kNotePx, false)), coordinates_(new QGridLayout),
-      rows_(new QGridLayout), page_(new QToolButton), main_(new Stepper(QString())), foot_(new QGridLayout) {
+      rows_(new QGridLayout), below_(new QWidget), page_(new QToolButton), main_(new Stepper(QString())), foot_(new QGridLayout) {
     for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, warned_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
@@ -156,7 +156,9 @@ NumbersSide::NumbersSide(QWidget* parent)
     scroll_ = scrolledColumn(makeNumbers(), Qt::ScrollBarAlwaysOff);
     scroll_->setProperty(kPaged, true);
     column->addWidget(scroll_, 1);
-    page_->setParent(scroll_);
+    for (QWidget* each : {below_, static_cast<QWidget*>(page_)}) each->setParent(scroll_);
+    below_->setAutoFillBackground(true);
+    below_->setObjectName("cab-below");
     page_->setObjectName("cab-page");
     page_->setToolButtonStyle(Qt::ToolButtonTextOnly);
     page_->setFocusPolicy(Qt::TabFocus);
@@ -195,8 +197,8 @@ QWidget* NumbersSide::makeNumbers() {
     above->addWidget(tolerance_);
     column->addLayout(above);
     column->addWidget(distance_);
+    column->addWidget(warned_);      // on the first page
     column->addLayout(coordinates_); // above the rock, whose words have as many lines as the language needs: a low screen shows them whole
-    column->addWidget(warned_);
     column->addSpacing(4);
     for (QLabel* each : std::initializer_list<QLabel*>{rock_, size_, sizeRemark_}) column->addWidget(each);
     column->addSpacing(4);
@@ -231,7 +233,7 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
                                      : tr("Tap a rock in the cloud: its distance and its size are shown here."));
     for (QLabel* each : std::initializer_list<QLabel*>{distanceName_, distance_, tolerance_}) each->setVisible(some);
     distanceName_->setText(numbers.distanceName.isEmpty() ? tr("Distance") : numbers.distanceName);
-    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(entries);
+    for (QWidget* each : std::initializer_list<QWidget*>{previous_, next_}) each->setEnabled(entries && !numbers.only);
     titleWords_ = some                  ? numbers.title + '\n' + numbers.place
                   : numbers.targets > 0 ? targetCount(static_cast<std::size_t>(numbers.targets))
                                         : tr("No target");

@@ -30,6 +30,7 @@ struct TargetNumbers {
     std::vector<std::pair<QString, QString>> rows{};
     int targets = 0;        ///< of the scan
     int measures = 0;       ///< of the scan: the arrows go over targets and measurements
+    bool only = false;      ///< the arrows lead to nothing else
     bool named = false;     ///< a tap on the title asks for a name
     bool measuring = false; ///< a tap is an end of a measurement
     QString distanceName{}; ///< "Throat Width"; empty: "Distance"
@@ -111,6 +112,7 @@ private:
     QGridLayout* coordinates_;
     QGridLayout* rows_;
     std::vector<std::pair<QLabel*, QLabel*>> coordinateLabels_, rowLabels_;
+    QWidget* below_;                     // covers what is on the next page
     QToolButton* page_;                  // turns the page of the facts
     std::vector<const QWidget*> starts_; // the first rows of the pages after the first one
     int factsHigh_ = 0;

@@ -14,8 +14,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kWide = 72, kHigh = 64, kLeastHigh = 50, kBetween = 6; // px
-constexpr int kSign = 28;
+constexpr int kWide = 72, kHigh = 64, kLeastHigh = 48, kBetween = 6, kLeastBetween = 4; // px
+constexpr int kSign = 28, kLowSign = 22;
+constexpr int kLow = 56; // px: a lower button has a smaller sign, so that its word is whole
 constexpr int kWordPx = 15;
 constexpr int kFewest = 3; // rows
 
@@ -78,8 +79,8 @@ QToolButton* ToolColumn::add(const char* name, const char* sign, const QString& 
     return buttons_.back();
 }
 
-void ToolColumn::setFoot(QToolButton* button) {
-    foot_ = button;
+void ToolColumn::setFoot(std::vector<QToolButton*> buttons) {
+    foot_ = std::move(buttons);
     layOut();
 }
 
@@ -93,21 +94,32 @@ void ToolColumn::resizeEvent(QResizeEvent* event) {
 
 /// As few columns as the height has room for, all with the same number of buttons.
 void ToolColumn::layOut() {
-    const int foot = foot_ != nullptr ? 1 : 0, tools = static_cast<int>(buttons_.size()), all = tools + foot;
-    const int most = std::max(kFewest, (height() - kBetween) / (kLeastHigh + kBetween));
+    const int foot = static_cast<int>(foot_.size()), all = static_cast<int>(buttons_.size()) + foot;
+    const int most = std::max(kFewest, (height() - kLeastBetween) / (kLeastHigh + kLeastBetween));
     const int columns = (all + most - 1) / most, rows = (all + columns - 1) / columns;
-    const int high = std::clamp((height() - kBetween) / rows - kBetween, kLeastHigh, kHigh);
-    for (QToolButton* each : buttons_) each->setFixedHeight(high);
-    if (foot_ != nullptr) foot_->setFixedHeight(high);
+    const int between = rows * (kLeastHigh + kBetween) + kBetween <= height() ? kBetween : kLeastBetween;
+    const int high = std::clamp((height() - between) / rows - between, kLeastHigh, kHigh), sign = high < kLow ? kLowSign : kSign;
+    grid_->setContentsMargins(kBetween, between, kBetween, between);
+    grid_->setVerticalSpacing(between);
+    for (const auto* some : {&buttons_, &foot_}) {
+        for (QToolButton* each : *some) {
+            each->setFixedHeight(high);
+            each->setIconSize({sign, sign});
+        }
+    }
     if (std::pair(rows, all) == laidOut_) return;
     laidOut_ = {rows, all};
-    for (int n = 0; n < tools; ++n) {
-        const int place = n < rows - foot ? n : n + foot; // the foot is the last of the first column
-        grid_->addWidget(buttons_[static_cast<std::size_t>(n)], place % rows, place / rows, Qt::AlignTop);
+    // The foot is at the bottom of the only column, or one of it at the bottom of each column.
+    const auto toolsIn = [&](int column) { return columns == 1 ? rows - foot : rows - (column < foot ? 1 : 0); };
+    int row = 0, column = 0;
+    for (QToolButton* each : buttons_) {
+        if (row == toolsIn(column)) row = 0, ++column;
+        grid_->addWidget(each, row++, column, Qt::AlignTop);
     }
     for (int n = 0; n < grid_->rowCount(); ++n) grid_->setRowStretch(n, 0);
-    grid_->setRowStretch(rows - 1, 1); // that of the foot
-    if (foot_ != nullptr) grid_->addWidget(foot_, rows - 1, 0, Qt::AlignBottom);
+    grid_->setRowStretch(std::max(0, rows - (columns == 1 ? foot : 1) - 1), 1); // that of the last tool
+    for (int n = 0; n < foot; ++n)
+        grid_->addWidget(foot_[static_cast<std::size_t>(n)], columns == 1 ? rows - 1 - n : rows - 1, columns == 1 ? 0 : n);
 }
 
 } // namespace edgescan::ui

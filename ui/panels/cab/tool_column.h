@@ -1,4 +1,4 @@
-// The tools of cab mode: icons with text in one column, or two columns in a low window; Undo is always at the bottom.
+// The tools of cab mode: icons with text in one column, or two columns in a low window; Undo and Redo are always at the bottom.
 #pragma once
 
 #include <QWidget>
@@ -25,8 +25,8 @@ public:
     explicit ToolColumn(QWidget* parent = nullptr);
 
     QToolButton* add(const char* name, const char* sign, const QString& word);
-    /// Sets the last button, at the bottom.
-    void setFoot(QToolButton* button);
+    /// Sets the buttons at the bottom, the lowest first; of two columns each has one.
+    void setFoot(std::vector<QToolButton*> buttons);
 
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -37,7 +37,7 @@ private:
     void layOut();
 
     std::vector<QToolButton*> buttons_;
-    QToolButton* foot_ = nullptr;
+    std::vector<QToolButton*> foot_;
     QGridLayout* grid_;
     std::pair<int, int> laidOut_{}; // rows and buttons
 };

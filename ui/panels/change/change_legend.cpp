@@ -30,6 +30,7 @@ constexpr int kAround = 32;        // px: of the plate and of the view
 constexpr int kBeforeName = 70;    // px of a row: switch, colour, gaps
 constexpr int kBetweenButtons = 6; // px
 constexpr int kForGloves = 48;     // px
+constexpr int kSignForGloves = 28; // px
 constexpr int kBesideZoom = 80;    // px: of the zoom buttons of a cab
 constexpr int kLeastLetters = 12;  // px
 
@@ -234,7 +235,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     ofTwoScans_ = comparison != nullptr && comparison->isOfTwoScans();
     warned_ = comparison != nullptr && comparison->change.earlier.how.outOfSpec;
     showRegion(QString());
-    if (compared_ && !std::exchange(begun_, true)) foldIfLow();
+    if (compared_ && !std::exchange(begun_, true)) foldInCab();
     showFlipped(flipped_);
     show();
     fit();
@@ -300,6 +301,10 @@ bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
 void ChangeLegend::showRows() {
     const bool open = !fold_->isChecked() && !flipped_; // A has the colours of edges
     fold_->setArrowType(open ? Qt::DownArrow : Qt::UpArrow);
+    for (QToolButton* each : {fold_, previous_}) {
+        each->setIconSize(brief_ ? QSize(kSignForGloves, kSignForGloves) : QSize()); // else that of the style
+        each->setMinimumSize(brief_ ? QSize(kForGloves, kForGloves) : QSize(0, 0));
+    }
     fold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     fold_->setAccessibleName(fold_->toolTip());
     fold_->setVisible(compared_ && rowsShown_ && !flipped_);
@@ -316,7 +321,7 @@ void ChangeLegend::showRows() {
     }
     const ShownOfTwo shown = flipped_ ? ShownOfTwo::A : rowsShown_ ? ShownOfTwo::Difference : ShownOfTwo::B;
     for (std::size_t n = 0; n < shown_.size(); ++n) {
-        shown_[n]->setVisible(compared_ && !isOneLine());
+        shown_[n]->setVisible(compared_ && !(isOneLine() && isLow()));
         shown_[n]->setMinimumHeight(brief_ ? kForGloves : 0);
         shown_[n]->setChecked(n == static_cast<std::size_t>(shown));
     }
@@ -343,15 +348,19 @@ QString ChangeLegend::summaryText() const {
 
 bool ChangeLegend::isOneLine() const { return brief_ && compared_ && rowsShown_ && regions_ > 0 && !flipped_ && fold_->isChecked(); }
 
-/// Open, it would cover most of a low view.
-void ChangeLegend::foldIfLow() {
+bool ChangeLegend::isLow() const {
     constexpr int kLow = 480; // px
-    if (brief_ && parentWidget() != nullptr && parentWidget()->height() < kLow) fold_->setChecked(true);
+    return brief_ && parentWidget() != nullptr && parentWidget()->height() < kLow;
+}
+
+/// Open, it would cover the changes that it counts, and most of a low view.
+void ChangeLegend::foldInCab() {
+    if (brief_ && (regions_ > 0 || isLow())) fold_->setChecked(true);
 }
 
 void ChangeLegend::setBrief(bool on) {
     brief_ = on;
-    if (on && compared_) foldIfLow(); // before a comparison the view may not have its height
+    if (on && compared_) foldInCab(); // before a comparison the view may not have its height
     showFlipped(flipped_);
 }
 

@@ -29,7 +29,8 @@ public:
     void showKept(const QString& before, const Comparison* comparison, bool working, bool refused);
     /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
-    /// On: for a cab, without explanations and without rows that count nothing. Over a low view it begins folded, as one line.
+    /// On: for a cab, without explanations and without rows that count nothing. That of two scans begins folded, over a low view as one
+    /// line.
     void setBrief(bool on);
     void setRows(const ChangeRows& rows);
     void setByDistance(bool on);
@@ -72,7 +73,8 @@ private:
 
     [[nodiscard]] bool isOneLine() const;
     [[nodiscard]] QString summaryText() const;
-    void foldIfLow();
+    [[nodiscard]] bool isLow() const;
+    void foldInCab();
 
     QLabel *title_, *unit_, *how_, *sum_, *overRocks_, *region_;
     QLabel* summary_; // next to the buttons, while all else is folded in a cab

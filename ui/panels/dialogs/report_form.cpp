@@ -1,6 +1,8 @@
 // The form of a report.
 #include "ui/panels/dialogs/report_form.h"
 
+#include "ui/base/scrolled.h"
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -9,14 +11,16 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr int kLongestLine = 200, kWide = 480, kRemarkLines = 4;
+constexpr int kLongestLine = 200, kWide = 480, kRemarkLines = 4, kLeastFields = 60;
 
 QLineEdit* line(const char* name, const QString& text) {
     auto* made = new QLineEdit(text);
@@ -41,7 +45,9 @@ ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
     format_->addItem(tr("HTML: any browser opens it and turns the cloud, without a network"), ".html");
     format_->addItem(tr("PDF: pages to print and to file"), ".pdf");
     format_->setCurrentIndex(std::max(0, format_->findData(words.extension)));
-    auto* form = new QFormLayout(this);
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Site"), site_);
     form->addRow(tr("Author"), author_);
     form->addRow(tr("Remark"), remark_);
@@ -51,7 +57,11 @@ ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
     buttons->button(QDialogButtonBox::Save)->setText(tr("Choose File…"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    form->addRow(buttons);
+    auto* area = scrolled(*fields); // above the keys of a cab there may be room for one field
+    area->setMinimumHeight(kLeastFields);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(area, 1);
+    column->addWidget(buttons);
     setMinimumWidth(kWide);
 }
 

@@ -7,7 +7,6 @@
 
 #include <QDialogButtonBox>
 #include <QLabel>
-#include <QMainWindow>
 #include <QPainter>
 #include <QPushButton>
 #include <QScreen>
@@ -28,9 +27,10 @@ constexpr double kShare = 0.42;                // of narrow views: a cell is fre
 constexpr int kRoomForBeside = 600;            // px of the screen
 constexpr int kRing = 16;                      // px around a cell
 constexpr int kRim = 12;                       // px
-constexpr int kLines = 12;                     // of text, with a picture
-constexpr double kMargin = 0.05;               // of the depths that are shown, on each side
-constexpr double kMostStretched = 20.0;        // limit of the exaggeration of depth against width
+constexpr double kLargerTitle = 1.15;
+constexpr int kLines = 12;              // of text, with a picture
+constexpr double kMargin = 0.05;        // of the depths that are shown, on each side
+constexpr double kMostStretched = 20.0; // limit of the exaggeration of depth against width
 
 QLabel* words() {
     auto* label = new QLabel;
@@ -43,8 +43,8 @@ QLabel* words() {
 
 /// The views, without the panels next to them, on the screen.
 QRect viewsOf(const QWidget& window) {
-    const auto* main = qobject_cast<const QMainWindow*>(&window);
-    const QWidget& views = main != nullptr && main->centralWidget() != nullptr ? *main->centralWidget() : window;
+    const auto* centre = window.findChild<const QWidget*>("centre");
+    const QWidget& views = centre != nullptr ? *centre : window;
     return {views.mapToGlobal(QPoint(0, 0)), views.size()};
 }
 
@@ -115,13 +115,18 @@ WhyCard::WhyCard(QWidget* parent)
     : QDialog(parent), plain_(words()), cell_(words()), verdict_(words()), title_(new QLabel(tr("Numbers"))), numbers_(words()),
       below_(new QLabel), beside_(new QPushButton(tr("Why the edge %1 cells away?").arg(2))), picture_(new ProfileView) {
     setObjectName("why-card");
-    setWindowTitle(tr("Why is this cell an edge or not?"));
+    setWindowTitle(tr("Why"));
+    auto* question = new QLabel(tr("Why is this cell an edge or not?")); // also where no desktop draws the title of a window
+    question->setObjectName("why-question");
+    question->setWordWrap(true);
     cell_->setObjectName("why-cell");
     verdict_->setObjectName("why-verdict");
     plain_->setObjectName("why-plain");
     QFont bold = plain_->font();
     bold.setBold(true);
     for (QLabel* each : {plain_, title_}) each->setFont(bold);
+    bold.setPointSizeF(kLargerTitle * bold.pointSizeF());
+    question->setFont(bold);
     plain_->hide();
     picture_->setFixedHeight(130);
     below_->setText(tr("The points across the cell, and a line through the nearest of either side."));
@@ -140,6 +145,7 @@ WhyCard::WhyCard(QWidget* parent)
     column->addStretch(1);
     content_ = scrolled(*content);
     auto* layout = new QVBoxLayout(this);
+    layout->addWidget(question);
     layout->addWidget(content_, 1);
     layout->addWidget(beside_); // above Close: next to it, the card would be wider than its text
     layout->addWidget(buttons);

@@ -29,6 +29,7 @@ HealthStrip::HealthStrip(QWidget* parent)
     lines_->setObjectName("live-lines");
     lost_->setObjectName("live-lost");
     remark_->setObjectName("live-remark");
+    recording_->setObjectName("live-recording");
     sentence_->setObjectName("live-sentence");
     auto* row = new FlowLayout(this);
     row->setContentsMargins(0, kStripRim, 6, kStripRim);
@@ -90,8 +91,8 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(device_, signOf(health.device), health.device == files::Condition::Good ? std::string() : health.deviceState);
     showText(pose_, health.lines.empty() || brief_ ? std::string() : health.pose);
     showText(end_, health.end);
-    // While nothing is wrong with it, the recording is shown next to its button.
-    badge(recording_, signOf(health.recorded), health.recorded == files::Condition::Good ? std::string() : health.recording);
+    // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.
+    badge(recording_, signOf(health.recorded), health.recorded == files::Condition::Good && !brief_ ? std::string() : health.recording);
     const QString ofScanner = present ? QString() : coreSentence(health.sentence);
     const QString sentence = ofScanner.isEmpty() ? note : ofScanner;
     if (sentence_->text() != sentence) sentence_->setText(sentence);

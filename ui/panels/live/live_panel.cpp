@@ -273,14 +273,14 @@ void LivePanel::showFields() {
     record_->setHidden(!connected_);
     for (QPushButton* each : {hold_, follow_}) each->setHidden(!connected_);
     other_->setHidden(connected_ || others_.isEmpty());
-    // With gloves on, the button that ends the recording says it: a badge has no room next to it.
+    // With gloves on, the strip has it.
     QSizePolicy place = recorded_->sizePolicy();
     place.setRetainSizeWhenHidden(connected_ && !brief_);
     recorded_->setSizePolicy(place);
     if (brief_ || !connected_) recorded_->hide();
     topics_->setHidden(!connected_ || !bridge_ || brief_);
     keep_->setHidden(brief_ || !connected_); // it is in the menu
-    close_->setHidden(brief_ || connected_); // the head of a cab closes it
+    close_->setHidden(connected_ || few);
 }
 
 void LivePanel::reserveWidths() {

@@ -28,6 +28,7 @@ namespace {
 
 constexpr int kMostThumbnails = 100;
 constexpr int kButtonHigh = 56;          // px; higher where its description needs two lines
+constexpr int kLow = 580;                // px of the page
 constexpr int kSign = 28, kAppSign = 72; // px
 constexpr int kThere = Qt::UserRole + 1;
 
@@ -51,8 +52,7 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     auto* left = new QVBoxLayout(begin);
     left->setContentsMargins(0, 0, 0, 0);
     left->setSpacing(8);
-    left->addWidget(makeTitle());
-    left->addSpacing(12);
+    left->addWidget(title_ = makeTitle());
     open_ = addButton(*left, "start-open", "open", tr("Open a scan…"), QString());
     connect(open_, &QPushButton::clicked, this, &StartPage::openRequested);
     connect_ = addButton(*left, "start-connect", "connect", tr("Connect to the scanner…"), QString());
@@ -90,16 +90,14 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
     none_->setText(tr("Scans that were open are listed here."));
     right->addWidget(none_, 1, Qt::AlignTop);
 
-    auto* row = new QHBoxLayout;
-    row->setSpacing(40);
+    auto* row = row_ = new QHBoxLayout;
     row->addWidget(begin, 2, Qt::AlignTop);
     row->addLayout(right, 3);
     auto* content = new QWidget;
-    auto* all = new QVBoxLayout(content);
-    all->setContentsMargins(40, 30, 40, 20);
+    auto* all = all_ = new QVBoxLayout(content);
     all->setSpacing(12);
     all->addLayout(row, 1);
-    all->addWidget(makeFoot());
+    all->addWidget(foot_ = makeFoot());
     auto* around = new QVBoxLayout(this);
     around->setContentsMargins(0, 0, 0, 0);
     around->addWidget(scrolled(*content)); // on a small screen nothing is squeezed
@@ -111,6 +109,21 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
                           .arg(theme.button.name(), theme.text.name(), theme.edge.name(), theme.panel.name(), theme.window.name(),
                                theme.unusable.name()));
     });
+}
+
+/// In a low cab the buttons have all the room: each of them is whole.
+void StartPage::fit() {
+    const bool low = forTouch_ && height() < kLow;
+    for (QWidget* each : {title_, foot_}) each->setHidden(low);
+    all_->setContentsMargins(low ? QMargins(12, 8, 12, 8) : QMargins(40, 30, 40, 20));
+    row_->setSpacing(low ? 16 : 40);
+    row_->setStretch(1, low ? 2 : 3);
+    row_->itemAt(0)->widget()->layout()->setSpacing(low ? 4 : 8);
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fit();
 }
 
 QWidget* StartPage::makeTitle() {
@@ -129,7 +142,7 @@ QWidget* StartPage::makeTitle() {
     what->setWordWrap(true);
     words->addWidget(what, 0, Qt::AlignTop);
     auto* row = new QHBoxLayout(whole);
-    row->setContentsMargins(0, 0, 0, 0);
+    row->setContentsMargins(0, 0, 0, 12);
     row->setSpacing(16);
     row->addWidget(sign);
     row->addLayout(words, 1);
@@ -161,6 +174,8 @@ void StartPage::setForTouch(bool on) {
     connect_->setDescription(on ? tr("a SICK LMS, or a robot with ROS as ws://ROBOT")
                                 : tr("Ctrl+L; a SICK LMS, or a robot with ROS as ws://ROBOT"));
     for (QPushButton* each : {cab_, keys_}) each->setHidden(on);
+    forTouch_ = on;
+    fit();
 }
 
 void StartPage::showRecent(const QStringList& paths) {

@@ -9,9 +9,11 @@
 #include <atomic>
 
 class QCommandLinkButton;
+class QHBoxLayout;
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QVBoxLayout;
 
 namespace edgescan::ui {
 
@@ -45,7 +47,11 @@ signals:
     void cabRequested();
     void keysRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fit();
     QWidget* makeTitle();
     QWidget* makeFoot();
     void lookAtNext();
@@ -54,11 +60,14 @@ private:
     QString cache_;
     QCommandLinkButton *open_, *connect_, *session_;
     QPushButton *cab_ = nullptr, *keys_ = nullptr;
+    QWidget *title_ = nullptr, *foot_ = nullptr;
+    QHBoxLayout* row_ = nullptr;
+    QVBoxLayout* all_ = nullptr;
     QListWidget* list_;
     QLabel* none_;
     QPushButton* clear_;
     QStringList waiting_; // to be previewed
-    bool looking_ = false;
+    bool looking_ = false, forTouch_ = false;
     std::atomic<bool> ending_{false};
 };
 

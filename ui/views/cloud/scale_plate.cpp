@@ -18,12 +18,14 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kMostBar = 110.0; // px
-constexpr int kBarLeft = 12, kPlate = 204, kPlain = 64, kColours = 50;
-constexpr double kAxis = 15.0;         // px
-constexpr int kLetters = 12;           // px, for the usual font height of the window ...
-constexpr double kUsualLetters = 17.0; // ... which is this many px
-constexpr int kFromRim = 8;            // px
-constexpr QSize kLeastView(460, 240);
+constexpr int kBarLeft = 12, kColours = 50;
+constexpr QSize kPlain(204, 64), kSmall(134, 46); // without axes and grid
+constexpr double kAxis = 15.0;                    // px
+constexpr int kLetters = 12;                      // px, for the usual font height of the window ...
+constexpr double kUsualLetters = 17.0;            // ... which is this many px
+constexpr int kFromRim = 8;                       // px
+constexpr QSize kLeastView(300, 240);
+constexpr int kSmallView = 460; // px of width
 const QColor kInk(0xe8, 0xe8, 0xe8), kLessInk(0xb3, 0xb8, 0xbe);
 const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9, 0x62), QColor(0x6c, 0xb2, 0xff)};
 
@@ -50,6 +52,7 @@ void ScalePlate::place() {
     const auto covers = [this](const std::vector<QRect>& places) {
         return std::ranges::any_of(places, [this](const QRect& each) { return each.intersects(geometry()); });
     };
+    isSmall_ = cloud_->width() < kSmallView;
     const bool stays =
         some && isVisible() && size() == sizeHint() && std::exchange(view_, cloud_->size()) == cloud_->size() && !covers(taken());
     resize(sizeHint());
@@ -147,7 +150,9 @@ void ScalePlate::showColours(const CloudColours& colours) {
 
 double ScalePlate::unit() const { return std::max(1.0, fontMetrics().height() / kUsualLetters); }
 
-QSize ScalePlate::sizeHint() const { return QSize(kPlate, kPlain + (coloured_ ? kColours : 0)) * unit(); }
+QSize ScalePlate::plain() const { return isSmall_ ? kSmall : kPlain; }
+
+QSize ScalePlate::sizeHint() const { return (plain() + QSize(0, coloured_ ? kColours : 0)) * unit(); }
 
 QString ScalePlate::scaleTitle() const {
     if (!coloured_) return {};
@@ -188,7 +193,7 @@ void ScalePlate::paintEvent(QPaintEvent* event) {
     letters.setPixelSize(kLetters);
     painter.setFont(letters);
     drawBar(painter);
-    drawAxes(painter);
+    if (!isSmall_) drawAxes(painter);
     if (coloured_) drawColours(painter);
 }
 
@@ -199,12 +204,13 @@ void ScalePlate::drawBar(QPainter& painter) const {
     const double y = 38, right = kBarLeft + barPixels_ / unit();
     painter.drawLine(QPointF(kBarLeft, y), QPointF(right, y));
     for (const double x : {static_cast<double>(kBarLeft), right}) painter.drawLine(QPointF(x, y - 6), QPointF(x, y));
+    if (isSmall_) return;
     painter.setPen(kLessInk);
     painter.drawText(QRectF(kBarLeft, 44, kMostBar, 18), Qt::AlignLeft | Qt::AlignVCenter, groundText_);
 }
 
 void ScalePlate::drawAxes(QPainter& painter) const {
-    const QPointF middle(kPlate - 38, 34);
+    const QPointF middle(kPlain.width() - 38, 34);
     for (std::size_t n = 0; n < axes_.size(); ++n) {
         const QPointF way(axes_[n].x(), -axes_[n].y());
         painter.setPen(QPen(kAxisInk[n], 2.0));
@@ -218,9 +224,9 @@ void ScalePlate::drawAxes(QPainter& painter) const {
 }
 
 void ScalePlate::drawColours(QPainter& painter) const {
-    const QRectF bar(kBarLeft, kPlain + 14, kPlate - 2 * kBarLeft, 10);
+    const QRectF bar(kBarLeft, plain().height() + 14, plain().width() - 2 * kBarLeft, 10);
     painter.setPen(kLessInk);
-    painter.drawText(QRectF(kBarLeft, kPlain - 6, bar.width(), 18), Qt::AlignLeft | Qt::AlignVCenter, scaleTitle());
+    painter.drawText(QRectF(kBarLeft, plain().height() - 6, bar.width(), 18), Qt::AlignLeft | Qt::AlignVCenter, scaleTitle());
     for (int x = 0; x < static_cast<int>(bar.width()); ++x)
         painter.fillRect(QRectF(bar.left() + x, bar.top(), 1.0, bar.height()), QColor(colourAt(x / (bar.width() - 1.0))));
     painter.setPen(kInk);

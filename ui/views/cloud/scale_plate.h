@@ -20,8 +20,8 @@ namespace edgescan::ui {
 
 class CloudView;
 
-/// GUI thread only. Follows the camera of the view under it, in the corner opposite to the legends. It passes the mouse through. In a view
-/// that is too small the plate is hidden.
+/// GUI thread only. Follows the camera of the view under it, in the corner opposite to the legends. It passes the mouse through. In a
+/// small view it has the bar alone, in one that is too small it is hidden.
 class ScalePlate : public ViewPlate {
     Q_OBJECT
 public:
@@ -43,6 +43,7 @@ public:
     [[nodiscard]] QString scaleTitle() const;
     [[nodiscard]] std::vector<std::pair<double, QString>> scaleTicks() const;
 
+    [[nodiscard]] bool isSmall() const { return isSmall_; }
     [[nodiscard]] QSize sizeHint() const override;
 
 protected:
@@ -63,6 +64,7 @@ private:
     /// Places of the other plates and of the pinned target.
     [[nodiscard]] std::vector<QRect> taken() const;
     [[nodiscard]] std::optional<QPoint> freePlace(const std::vector<QRect>& rings) const;
+    bool isSmall_ = false;
     QSize view_; // in which it found its place
     QRect keptFree_;
     std::vector<QRect> rings_;
@@ -70,6 +72,7 @@ private:
     [[nodiscard]] double unit() const; // 1; larger with a larger font
     [[nodiscard]] double depthInTheMiddle() const;
     [[nodiscard]] bool coloured() const;
+    [[nodiscard]] QSize plain() const; // without the colours, in units
     void drawBar(QPainter& painter) const;
     void drawAxes(QPainter& painter) const;
     void drawColours(QPainter& painter) const;

@@ -175,8 +175,12 @@ TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
         const auto basis = [&](std::uint32_t from, std::uint32_t to) {
             return measureBasis(*measureStored(scan, kQuietNoise, {MeasureKind::Throat, {(*found)[0], (*found)[1]}, {from, to}}));
         };
-        const std::string cells = std::to_string(std::abs(static_cast<int>((*found)[0] / 101) - 30));
-        EXPECT_NE(basis(a, b).find("its ends are up to " + cells + " cells from the clicks"), std::string::npos) << basis(a, b);
+        double awayM = 0.0; // across the beams
+        for (const auto& [end, click] : {std::pair((*found)[0], a), std::pair((*found)[1], b)}) {
+            const Eigen::Vector3d to = tables.point(click).normalized() * tables.point(end).norm();
+            awayM = std::max(awayM, (tables.point(end) - to).norm());
+        }
+        EXPECT_NE(basis(a, b).find("its ends are up to " + fixedText(awayM, 2) + " m from the clicks"), std::string::npos) << basis(a, b);
         EXPECT_EQ(basis((*found)[0], (*found)[1]).find("click", 40), std::string::npos) << basis((*found)[0], (*found)[1]);
         const auto one = cellOf(scan, 30, (left + right) / 2 - 3), other = cellOf(scan, 30, (left + right) / 2 + 3); // of the wall behind
         EXPECT_EQ(basis(one, other).find("longer") != std::string::npos, !open) << basis(one, other);
@@ -304,7 +308,7 @@ TEST(Throat, ItsToleranceIncludesWhatClicksNextToItFind) {
     EXPECT_GT(mostM, leastM + 0.01);
     EXPECT_DOUBLE_EQ(throat->leastM, leastM);
     EXPECT_DOUBLE_EQ(throat->mostM, mostM);
-    EXPECT_NE(measureBasis(*measured).find("clicks 2 cells away find " + fixedText(leastM, 3) + " to " + fixedText(mostM, 3) + " m"),
+    EXPECT_NE(measureBasis(*measured).find(" mm away find " + fixedText(leastM, 3) + " to " + fixedText(mostM, 3) + " m"),
               std::string::npos)
         << measureBasis(*measured);
     // The same clicks without the list of clicks: the ends are the clicks.

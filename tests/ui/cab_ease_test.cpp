@@ -1,0 +1,292 @@
+// Cab mode says what it does and what is on the screen: Redo, Why, rocks and targets, what runs, what is shortened.
+#include "core/edges/explain/cell_values.h"
+#include "tests/support/folders.h"
+#include "tests/ui/sized_window.h"
+#include "ui/base/elided_label.h"
+#include "ui/base/language/languages.h"
+#include "ui/base/notice_bar.h"
+#include "ui/controllers/rocks/rocks.h"
+#include "ui/panels/cab/cab_frame.h"
+#include "ui/panels/cab/keypad.h"
+#include "ui/panels/cab/numbers_side.h"
+#include "ui/panels/cab/tool_column.h"
+#include "ui/panels/dialogs/report_form.h"
+#include "ui/panels/dialogs/why_card.h"
+#include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/state_badge.h"
+#include "ui/panels/start/start_page.h"
+#include "ui/views/cloud/scale_plate.h"
+#include "ui/window/cab_mode.h"
+#include "ui/window/start.h"
+#include "ui/window/theme.h"
+
+#include <QComboBox>
+#include <QCommandLinkButton>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QStyle>
+#include <QToolButton>
+
+#include <algorithm>
+
+using namespace edgescan;
+using namespace edgescan::ui;
+
+class CabEaseTest : public QObject {
+    Q_OBJECT
+    test::TemporaryFolder folder_;
+    std::string scan_;
+
+    static void press(MainWindow& window, const char* name) { QTest::mouseClick(tool(window, name), Qt::LeftButton); }
+    static QRect placeOf(const QWidget& of) { return {of.mapToGlobal(QPoint()), of.size()}; }
+    static bool showsRocks(WindowFixture& on) {
+        on.viewer.rocks.setShown(true);
+        return eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); });
+    }
+    static bool useTexts(const char* code) {
+        return useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages");
+    }
+    /// A finger on this cell of the range image.
+    static void tapCell(ImageView& image, const QPoint& cell) {
+        const QPointF at = image.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), image.size());
+        QTest::mouseClick(&image, Qt::LeftButton, Qt::NoModifier, at.toPoint());
+    }
+
+private slots:
+    void initTestCase() {
+        useTheme(*qApp);
+        scan_ = (folder_ / "boxes.json").string();
+        QVERIFY(bool(files::saveScan(test::boxesScan(200, 240, 3, 0.02), scan_)));
+    }
+    void cleanup() {
+        useLanguage("en");
+        useTheme(*qApp, false);
+    }
+
+    // Redo is next to Undo on every screen, and both are whole.
+    void whatWasUndoneIsDoneAgain() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QToolButton *undo = tool(on.window, "cab-undo"), *redo = tool(on.window, "cab-redo");
+        QVERIFY(!redo->isEnabled());
+        on.viewer.views.pin(100 * 240 + 120);
+        press(on.window, "cab-undo");
+        QVERIFY(on.viewer.targets.notebook().targets.empty() && redo->isEnabled());
+        QCOMPARE(redo->accessibleName(), QString("Redo: new target 1"));
+        press(on.window, "cab-redo");
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        QVERIFY(!redo->isEnabled());
+        for (const QSize size : {QSize(853, 480), QSize(1024, 743), QSize(1280, 700), QSize(1280, 800), QSize(1920, 1040)}) {
+            resizeTo(on.window, size);
+            const QRect column = placeOf(on.window.cab().frame().tools()), a = placeOf(*undo), b = placeOf(*redo);
+            QVERIFY(column.contains(a) && column.contains(b) && !a.intersects(b) && redo->height() >= kGlovePx);
+            const bool sideBySide = a.top() == b.top() && b.left() - a.right() < 12,
+                       above = a.left() == b.left() && a.top() - b.bottom() < 12;
+            QVERIFY2(sideBySide || above, qPrintable(QString::number(size.height())));
+            for (const auto* each : on.window.cab().frame().tools().findChildren<QToolButton*>())
+                QVERIFY2(placeOf(*each).bottom() <= a.bottom(), "Undo is the lowest");
+        }
+    }
+
+    // While rocks are shown a tap chooses a rock. Only Pin sets a target.
+    void aTapOnARockPinsNothing() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {1280, 800});
+        press(on.window, "cab-rocks");
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); }));
+        QToolButton* pin = tool(on.window, "cab-pin");
+        QVERIFY(!pin->isChecked());
+        QVERIFY(tapEntry(on.window, "cab-images", RangeEntry));
+        ImageView& image = on.viewer.gray;
+        QTRY_VERIFY(image.isVisible());
+        const rocks::Rock& rock = on.viewer.rocks.picture()->study.rocks.front();
+        const QPoint at = on.viewer.views.placeOf(rock.cell);
+        tapCell(image, at);
+        const auto* title = on.window.findChild<QLabel*>("cab-target");
+        QTRY_VERIFY2(title->text().startsWith(QString("Rock %1").arg(rock.label)), qPrintable(title->text()));
+        QVERIFY(on.viewer.targets.notebook().targets.empty());
+        press(on.window, "cab-pin");
+        QVERIFY(pin->isChecked());
+        tapCell(image, at);
+        QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        // Its mark is chosen again by a tap, also while a tap pins nothing.
+        press(on.window, "cab-pin");
+        QVERIFY(!pin->isChecked());
+        on.viewer.views.pin(std::nullopt);
+        tapCell(image, on.viewer.views.placeOf(on.viewer.targets.notebook().targets.front().cell));
+        QTRY_VERIFY2(title->text().startsWith("Target 1"), qPrintable(title->text()));
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
+        // Without rocks a tap pins, and so it does on the desk.
+        press(on.window, "cab-rocks");
+        QVERIFY(pin->isChecked());
+        press(on.window, "cab-rocks");
+        on.window.cab().set(false);
+        QVERIFY(!on.viewer.views.choosesOnly());
+    }
+
+    // The card has a title and leaves the tools free; the cell that it explains is marked in image and cloud.
+    void whyMarksItsCellAndLeavesTheToolsFree() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        const std::size_t edge = on.picture().detection->edges->at(on.picture().detection->edges->size() / 2);
+        for (const QSize size : {QSize(853, 480), QSize(1024, 768), QSize(1280, 800)}) {
+            resizeTo(on.window, size);
+            for (const std::size_t cell : {edge, edge + 3}) {
+                on.viewer.explanation.explain(inspect::exactly(cell), Explanation::Subject::Click);
+                const WhyCard& card = *on.viewer.explanation.card();
+                QTRY_VERIFY(card.isVisible() && !card.findChild<QLabel*>("why-plain")->text().isEmpty());
+                const auto* question = card.findChild<QLabel*>("why-question");
+                QVERIFY(question->isVisible() && question->text().endsWith('?'));
+                QVERIFY(placeOf(*question).bottom() < placeOf(*card.findChild<QLabel*>("why-plain")).top());
+                QVERIFY2(!placeOf(on.window.cab().frame().tools()).intersects(card.frameGeometry()),
+                         qPrintable(QString::number(size.width())));
+                const auto marks = on.viewer.views.cloud().marks().targets;
+                QVERIFY(on.viewer.views.gray().marks().targets == marks);
+                QVERIFY2(std::ranges::any_of(marks, [&](const TargetMark& mark) { return mark.tag == "Why" && !mark.isTarget; }),
+                         qPrintable(QString::number(marks.size())));
+            }
+            on.viewer.explanation.closeCard();
+            QVERIFY(on.viewer.views.cloud().marks().targets.empty());
+        }
+    }
+
+    // The arrows lead to another target, or they are off.
+    void theArrowsAreOffWhereTheyLeadNowhere() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        const QToolButton &next = *tool(on.window, "cab-next"), &previous = *tool(on.window, "cab-previous");
+        on.viewer.views.pin(100 * 240 + 120);
+        QTRY_VERIFY(!next.isEnabled() && !previous.isEnabled());
+        on.viewer.views.pin(std::nullopt);
+        QTRY_VERIFY(next.isEnabled()); // to the target
+        on.viewer.views.pin(60 * 240 + 60);
+        QTRY_VERIFY(next.isEnabled() && previous.isEnabled());
+    }
+
+    // The rows of a menu stay where they are, and one of several views is not a box to tick. No letter is underlined.
+    void theMenuOfImagesIsTheSameOverEachView() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        const auto rows = [&] {
+            press(on.window, "cab-images");
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            const auto count = menu->actions().size();
+            for (const QAction* each : menu->actions().mid(1, 3)) {
+                if (!each->isCheckable() || each->actionGroup() == nullptr || !each->actionGroup()->isExclusive()) return -1;
+            }
+            menu->close();
+            return static_cast<int>(count);
+        };
+        const int overCloud = rows();
+        QVERIFY(overCloud > 4);
+        QVERIFY(tapEntry(on.window, "cab-images", EdgesEntry));
+        QCOMPARE(rows(), overCloud);
+        QVERIFY(qApp->style()->styleHint(QStyle::SH_UnderlineShortcut) == 0);
+        on.window.cab().set(false);
+        QVERIFY(qApp->style()->styleHint(QStyle::SH_UnderlineShortcut) != 0);
+    }
+
+    // What is shortened has its number first, or its end.
+    void whatIsShortenedKeepsItsNumberAndItsName() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {853, 480});
+        const auto work = on.viewer.engine.works().start("Simulating a demo draw-bell that has a long name", [] {});
+        work->progress("tracing the beams of all lines", 0.34);
+        const auto* facts = static_cast<const ElidedLabel*>(on.window.findChild<QLabel*>("cab-facts"));
+        QTRY_VERIFY2(facts->shown().startsWith("34 %"), qPrintable(facts->shown()));
+        const auto* line = static_cast<const ElidedLabel*>(on.viewer.notice.findChild<QLabel*>("notice-line"));
+        const QString name = "the-north-draw-bell-after-the-third-blast-of-november-seen-from-the-west-drift-with-the-new-mast.json";
+        on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "The file " + QString(4, 'x') + name + " has 12,345 points beyond 80 m.");
+        QTRY_VERIFY2(line->shown().contains("…") && line->shown().endsWith("80 m."), qPrintable(line->shown()));
+        for (const QString& each : line->shown().split("…")) QVERIFY(line->text().contains(each.left(10)));
+    }
+
+    // The scale is in the smallest view too: the bar alone.
+    void theScaleIsOnEveryScreen() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useTexts(language.code));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            for (const QSize size : {QSize(853, 480), QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+                resizeTo(on.window, size);
+                const ScalePlate& scale = on.viewer.scalePlate;
+                const QByteArray where = QString("%1 at %2 x %3").arg(language.code).arg(size.width()).arg(size.height()).toUtf8();
+                QTRY_VERIFY2(scale.isVisible() && !scale.barText().isEmpty(), where);
+                QVERIFY2(on.viewer.views.cloud().rect().contains(scale.geometry()), where);
+            }
+        }
+    }
+
+    // Above the keys each field of the form can be reached, and the buttons are in sight.
+    void theKeysLeaveEveryFieldOfTheReport() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        ReportForm form({}, &on.window);
+        form.show();
+        form.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&form));
+        for (QWidget* each : form.findChildren<QWidget*>()) {
+            const bool isField = qobject_cast<QLineEdit*>(each) != nullptr || qobject_cast<QComboBox*>(each) != nullptr ||
+                                 qobject_cast<QAbstractButton*>(each) != nullptr;
+            if (isField && each->isVisible()) QVERIFY2(each->height() >= kGlovePx, qPrintable(each->objectName()));
+        }
+        auto* site = form.findChild<QLineEdit*>("report-site");
+        auto* format = form.findChild<QComboBox*>("report-format");
+        form.setGeometry(100, 0, form.width(), 400); // a low screen
+        QTest::mouseClick(site, Qt::LeftButton);
+        site->setFocus();
+        const Keypad& pad = on.window.cab().keypad();
+        QTRY_VERIFY(pad.isVisible());
+        form.resize(form.width(), 260); // as on a screen of 480
+        QApplication::processEvents();
+        auto* area = form.findChild<QScrollArea*>();
+        QVERIFY(area != nullptr);
+        area->ensureWidgetVisible(format);
+        QVERIFY(placeOf(*area->viewport()).intersects(placeOf(*format)));
+        QVERIFY(!pad.place().intersects(placeOf(*form.findChild<QDialogButtonBox*>())));
+        QCOMPARE(form.height(), 260);
+    }
+
+    // The buttons of the start page are whole, and the fields of a scanner lead back to it.
+    void theStartPageIsWholeAndComesBack() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useTexts(language.code));
+            WindowFixture on;
+            QVERIFY(on.show());
+            StartPage* page = showStart(on.window, on.preferences);
+            on.window.cab().set(true);
+            for (const QSize size : {QSize(853, 480), QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+                resizeTo(on.window, size);
+                for (int n = 0; n < 5; ++n) QApplication::processEvents();
+                for (const auto* each : page->findChildren<QCommandLinkButton*>()) {
+                    const QString where = QString("%1: %2 at %3").arg(language.code, each->objectName()).arg(size.height());
+                    QTRY_VERIFY2(placeOf(*page).contains(placeOf(*each)), qPrintable(where));
+                }
+            }
+            press(on.window, "cab-connect");
+            QTRY_VERIFY(!page->isVisible() && on.viewer.livePanel.isVisible());
+            auto* close = on.viewer.livePanel.findChild<QToolButton*>("live-close");
+            QVERIFY(close->isVisible() && close->height() >= kGlovePx);
+            QTest::mouseClick(close, Qt::LeftButton);
+            QTRY_VERIFY(page->isVisible() && !on.viewer.livePanel.isVisible());
+        }
+    }
+};
+
+int cab_ease_test(int argc, char** argv) { return runWindowTest<CabEaseTest>(argc, argv); }
+#include "cab_ease_test.moc"
