@@ -10,6 +10,7 @@
 <message><source>LOST</source><translation>PERDIDO</translation></message>
 <message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
 <message><source>STOPPED</source><translation>DETENIDO</translation></message>
+<message><source>STOPPED %1</source><translation type="unfinished"></translation></message>
 <message><source>%1, COUNTERS IN DOUBT</source><translation>%1, CONTADORES DUDOSOS</translation></message>
 <message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 líneas</translation></message>
 <message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
@@ -76,6 +77,7 @@
 <message><source> is sending.</source><translation> envía.</translation></message>
 <message><source>: no scan for %1 s.</source><translation>: sin escaneo desde hace %1 s.</translation></message>
 <message><source>: disconnected.</source><translation>: desconectado.</translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation type="unfinished"></translation></message>
 <message><source>there is no such file</source><translation>no existe ese archivo</translation></message>
 <message><source>check the spelling and the folder</source><translation>compruebe el nombre y la carpeta</translation></message>
 <message><source>reading this file is not allowed</source><translation>no se permite leer este archivo</translation></message>
@@ -268,8 +270,8 @@
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
-<message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que no se cerraron</translation></message>
-<message><source>%1 earlier</source><translation>%1 antes</translation></message>
+<message><source>Shows the next of the notes that were not closed</source><translation type="unfinished"></translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Error</source><translation>Error</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Listo</translation></message>
@@ -1255,7 +1257,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Las herramientas de arriba miden. Archivo exporta bordes, nubes y un informe. Los comandos tienen teclas; Ayuda las muestra todas, y también este recorrido.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar las teclas</translation></message>
 <message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Target</source><translation>Objetivo</translation></message>

@@ -10,6 +10,7 @@
 <message><source>LOST</source><translation>PERDU</translation></message>
 <message><source>LOST %1</source><translation>PERDU %1</translation></message>
 <message><source>STOPPED</source><translation>ARRÊTÉ</translation></message>
+<message><source>STOPPED %1</source><translation type="unfinished"></translation></message>
 <message><source>%1, COUNTERS IN DOUBT</source><translation>%1, COMPTEURS DOUTEUX</translation></message>
 <message><source>INCOMPLETE %1 lines</source><translation>INCOMPLET %1 lignes</translation></message>
 <message><source>%1 lost: %2</source><translation>%1 perdues : %2</translation></message>
@@ -76,6 +77,7 @@
 <message><source> is sending.</source><translation> envoie.</translation></message>
 <message><source>: no scan for %1 s.</source><translation> : pas de scan depuis %1 s.</translation></message>
 <message><source>: disconnected.</source><translation> : déconnecté.</translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation type="unfinished"></translation></message>
 <message><source>there is no such file</source><translation>ce fichier n'existe pas</translation></message>
 <message><source>check the spelling and the folder</source><translation>vérifiez le nom et le dossier</translation></message>
 <message><source>reading this file is not allowed</source><translation>la lecture de ce fichier n'est pas autorisée</translation></message>
@@ -268,8 +270,8 @@
 <message><source>Open %1</source><translation>Ouvrir %1</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
-<message><source>Notes that came before this one and were not closed</source><translation>Notes venues avant celle-ci et qui n'ont pas été fermées</translation></message>
-<message><source>%1 earlier</source><translation>%1 avant</translation></message>
+<message><source>Shows the next of the notes that were not closed</source><translation type="unfinished"></translation></message>
+<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Error</source><translation>Erreur</translation></message>
 <message><source>Note</source><translation>Remarque</translation></message>
 <message><source>Done</source><translation>Terminé</translation></message>
@@ -1255,7 +1257,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
 <message><source>Show the keys</source><translation>Afficher les touches</translation></message>
 <message><source>End the tour</source><translation>Terminer la visite</translation></message>
-<message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>
 <message><source>Measure</source><translation>Mesurer</translation></message>
 <message><source>Target</source><translation>Cible</translation></message>

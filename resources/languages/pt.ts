@@ -10,6 +10,7 @@
 <message><source>LOST</source><translation>PERDIDO</translation></message>
 <message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
 <message><source>STOPPED</source><translation>PARADO</translation></message>
+<message><source>STOPPED %1</source><translation type="unfinished"></translation></message>
 <message><source>%1, COUNTERS IN DOUBT</source><translation>%1, CONTADORES DUVIDOSOS</translation></message>
 <message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 linhas</translation></message>
 <message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
@@ -76,6 +77,7 @@
 <message><source> is sending.</source><translation> envia.</translation></message>
 <message><source>: no scan for %1 s.</source><translation>: sem varredura há %1 s.</translation></message>
 <message><source>: disconnected.</source><translation>: desconectado.</translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation type="unfinished"></translation></message>
 <message><source>there is no such file</source><translation>esse arquivo não existe</translation></message>
 <message><source>check the spelling and the folder</source><translation>verifique o nome e a pasta</translation></message>
 <message><source>reading this file is not allowed</source><translation>não é permitido ler este arquivo</translation></message>
@@ -268,8 +270,8 @@
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
-<message><source>Notes that came before this one and were not closed</source><translation>Notas anteriores a esta que não foram fechadas</translation></message>
-<message><source>%1 earlier</source><translation>%1 antes</translation></message>
+<message><source>Shows the next of the notes that were not closed</source><translation type="unfinished"></translation></message>
+<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Error</source><translation>Erro</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
 <message><source>Done</source><translation>Concluído</translation></message>
@@ -1255,7 +1257,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
 <message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
-<message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>
 <message><source>Measure</source><translation>Medir</translation></message>
 <message><source>Target</source><translation>Alvo</translation></message>

@@ -466,6 +466,29 @@ private slots:
         QVERIFY2(isRegion(count), qPrintable(legend.regionText()));
     }
 
+    // The outline of the region, its text and its buttons stay while A, B and the difference are looked at in turn.
+    void theRegionStaysOverAAndB() {
+        WindowFixture on;
+        QVERIFY(showWith(on, before_));
+        QVERIFY(keepByKey(on));
+        QVERIFY(on.open(after_));
+        QVERIFY(known(on));
+        ChangeLegend& legend = on.viewer.changeLegend;
+        QTest::mouseClick(legend.next(), Qt::LeftButton);
+        const QString words = legend.regionText();
+        const auto outline = on.viewer.views.gray().outline();
+        QVERIFY(!words.isEmpty() && !outline.empty());
+        for (const int shown : {0, 2, 0, 1, 2, 1}) { // A, B, the difference
+            QTest::mouseClick(legend.findChild<QToolButton*>(QString("change-shown-%1").arg(shown)), Qt::LeftButton);
+            const QByteArray which = QByteArray::number(shown);
+            QVERIFY2(legend.regionText() == words, which.constData());
+            QVERIFY2(on.viewer.views.gray().outline() == outline && on.viewer.views.cloud().outline(), which.constData());
+            QVERIFY2(legend.next()->isVisible(), which.constData());
+            // A is shown in the frame of B.
+            QCOMPARE(on.viewer.cloud.frameOf(), on.picture().detection->scan);
+        }
+    }
+
     // While A is drawn, badge and title name A.
     void badgeAndTitleNameWhatIsDrawn() {
         WindowFixture on;

@@ -173,7 +173,13 @@ private slots:
         QVERIFY(on.stored());
         QVERIFY(!on.placing.dialog()->isVisible());
         QVERIFY(on.place() != nullptr);
-        QVERIFY2(on.viewer.notice.text().contains("wall.json.pose.json"), qPrintable(on.viewer.notice.text()));
+        // What was just done is read first; the warnings of the scan are the other note.
+        NoticeBar& notice = on.viewer.notice;
+        QVERIFY2(notice.text().startsWith("Stored wall.json.pose.json"), qPrintable(notice.text()));
+        QVERIFY(notice.kind() == NoticeBar::Kind::Done);
+        QCOMPARE(notice.findChild<QToolButton*>("notice-earlier")->text(), QString("1 of 2"));
+        for (int n = 0; n < 2; ++n) notice.findChild<QToolButton*>("notice-close")->click();
+        QVERIFY(!notice.isVisible());
         QVERIFY(bool(files::openScan(scan_)->placement));
         on.viewer.undo.undo();
         QVERIFY(on.reopened());
@@ -182,6 +188,8 @@ private slots:
         on.viewer.undo.redo();
         QVERIFY(on.reopened());
         QVERIFY(on.place() != nullptr);
+        QVERIFY2(notice.text().startsWith("Stored") && notice.earlier() == 0, "warnings that were closed do not come back");
+        QVERIFY(on.viewer.warnings.isVisible());
         // Another pose replaces it, with a message; it can be removed.
         QVERIFY(on.ready());
         QCOMPARE(on.field("talin-easting_m").text(), QString("498765.432"));

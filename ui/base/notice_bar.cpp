@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QHideEvent>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QScopedValueRollback>
 #include <QToolButton>
 #include <QUndoStack>
@@ -54,7 +55,8 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text_->text()); });
     auto* close = new QToolButton;
     close->setText(tr("Close"));
-    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    close->setObjectName("notice-close");
+    connect(close, &QToolButton::clicked, this, &NoticeBar::closeShown);
     connect(action_, &QToolButton::clicked, this, [this] {
         used_ = true;
         if (onAction_) onAction_();
@@ -68,7 +70,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
     line->addWidget(unfold_);
     more_->setObjectName("notice-earlier");
-    more_->setToolTip(tr("Notes that came before this one and were not closed"));
+    more_->setToolTip(tr("Shows the next of the notes that were not closed"));
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
     line->addWidget(more_);
@@ -103,6 +105,7 @@ void NoticeBar::showNote(const Note& note, bool passes) {
     // Of a written file the note stays too, until the next confirmation.
     if (kind_ != Kind::Done || note.kind != Kind::Done || (waits() && note.label.isEmpty())) keepShown();
     std::erase_if(earlier_, [&](const Note& before) { return note.text.startsWith(before.text); });
+    place_ = 1;
     put(note);
     passes_ = passes;
     if (note.label.isEmpty() && note.kind != Kind::Error && std::ranges::any_of(earlier_, &Note::waits)) leaves_.start();
@@ -138,7 +141,7 @@ void NoticeBar::keepShown() {
 bool NoticeBar::waits() const { return !action_->isHidden() && !used_ && !passes_ && (kind_ == Kind::Warning || saved_); }
 
 void NoticeBar::countEarlier() {
-    more_->setText(tr("%1 earlier").arg(earlier_.size()));
+    more_->setText(tr("%1 of %2").arg(place_).arg(earlier_.size() + 1));
     more_->setHidden(earlier_.empty());
 }
 
@@ -150,7 +153,6 @@ void NoticeBar::put(const Note& note) {
     paintKind();
     text_->setText(note.text);
     brief_ = note.brief;
-    line_->setText((brief_.isEmpty() ? note.text : brief_).simplified());
     unfold(false);
     action_->setText(note.label);
     action_->setHidden(note.label.isEmpty());
@@ -164,7 +166,15 @@ void NoticeBar::put(const Note& note) {
 void NoticeBar::bringBack() {
     const auto waits = std::find_if(earlier_.rbegin(), earlier_.rend(), [](const Note& note) { return note.waits; });
     if (waits != earlier_.rend()) std::rotate(waits.base() - 1, waits.base(), earlier_.end());
+    place_ = 0;
     showEarlier();
+}
+
+void NoticeBar::closeShown() {
+    const QString read = text();
+    text_->clear(); // not stored for "earlier"
+    earlier_.empty() ? hide() : showEarlier();
+    emit closed(read);
 }
 
 /// Shows the notice before. The shown notice goes to the front of the queue, so that the button cycles through all of them.
@@ -174,7 +184,10 @@ void NoticeBar::showEarlier() {
     earlier_.pop_back();
     const std::size_t count = earlier_.size();
     keepShown();
-    if (earlier_.size() > count) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
+    const bool stays = earlier_.size() > count;
+    if (stays) std::rotate(earlier_.begin(), earlier_.end() - 1, earlier_.end());
+    const std::size_t all = earlier_.size() + 1;
+    place_ = stays || place_ == 0 ? place_ % all + 1 : std::min(place_, all);
     put(before);
     layout()->activate();
     offerMore();
@@ -255,6 +268,14 @@ void NoticeBar::unfold(bool on) {
     offerMore();
 }
 
+/// Where the line is too short for a path, its folders are left out: the name of the file is read.
+void NoticeBar::fitLine(int room) {
+    static const QRegularExpression kFolders(R"((?<![:/\w])(?:…?/[^/\s]+)+/(?=[^/\s]))");
+    const QString shown = (brief_.isEmpty() ? text_->text() : brief_).simplified();
+    line_->setText(shown);
+    if (!line_->fits(room)) line_->setText(QString(shown).replace(kFolders, QString("…/")));
+}
+
 /// The button is visible only if the line, or in a cab two of them, is not enough.
 void NoticeBar::offerMore() {
     if (offering_) return;
@@ -262,7 +283,8 @@ void NoticeBar::offerMore() {
     for (int n = 0; n < 2; ++n) {
         // Measured without the button, so that it does not cause itself.
         const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
-        const bool offered = unfolded() || !brief_.isEmpty() || !line_->fits(room);
+        fitLine(room);
+        const bool offered = unfolded() || line_->text() != text_->text().simplified() || !line_->fits(room);
         if (offered != unfold_->isHidden()) return;
         unfold_->setVisible(offered);
         layout()->activate(); // else it would be over the others until the next event

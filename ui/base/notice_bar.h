@@ -1,5 +1,5 @@
 // The bar above the views: which fault or assumption, where, and what to do, in one line; a button shows the rest. It stays until the
-// operator closes it; another button shows notices that a later one replaced.
+// operator closes it; another button, "1 of 3", shows notices that a later one replaced.
 #pragma once
 
 #include "core/base/result.h"
@@ -34,6 +34,8 @@ public:
     /// A step was made or undone: a hint or a success is no longer about what is on the screen. An earlier note that was not closed is
     /// shown in its place.
     void endPassing();
+    /// The shown note counts as read. The one before it is shown then; the last one closes the bar.
+    void closeShown();
     /// Removes these notes from the bar and from its earlier ones: they are not about what is on the screen any more.
     void withdraw(const QStringList& texts);
     /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens it (a page) or its
@@ -58,6 +60,10 @@ public:
     /// Number of notes and errors that were replaced before the operator closed the bar.
     [[nodiscard]] std::size_t earlier() const { return earlier_.size(); }
 
+signals:
+    /// The operator closed this note.
+    void closed(const QString& text);
+
 protected:
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -80,6 +86,7 @@ private:
     void showEarlier();
     void bringBack();
     void offerMore();
+    void fitLine(int room);
     void leave();
 
     Kind kind_ = Kind::Done;
@@ -88,6 +95,7 @@ private:
     bool saved_ = false;       // it names a written file
     bool offering_ = false;    // the button More is being shown or hidden
     std::deque<Note> earlier_; // the newest at the end
+    std::size_t place_ = 1;    // of the shown note among all of them
     QLabel* sign_;
     ElidedLabel* line_; // the text in one line, in a cab in two
     QLabel* text_;      // all of it, on request

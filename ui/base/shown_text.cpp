@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace edgescan::ui {
@@ -28,6 +29,24 @@ QString shownName(const QString& name, int mostCharacters) {
     if (whole.size() <= mostCharacters) return whole;
     const int head = mostCharacters * 2 / 3;
     return whole.left(head).trimmed() + QStringLiteral("…") + whole.right(mostCharacters - head - 1).trimmed();
+}
+
+QString shownApart(const QString& name, const QString& other, int mostCharacters) {
+    QString shown = name;
+    if (shown.size() <= mostCharacters || other.isEmpty()) return shownName(shown, mostCharacters);
+    const auto [mine, theirs] = std::ranges::mismatch(name, other);
+    auto same = static_cast<int>(mine - name.begin());
+    const auto splits = [](const QString& text, int at) { // a word
+        return at > 0 && at < text.size() && text[at - 1].isLetterOrNumber() && text[at].isLetterOrNumber();
+    };
+    while (splits(name, same)) --same;
+    if (same > 1 && same < name.size()) shown = QStringLiteral("…") + name.mid(same);
+    if (shown.size() <= mostCharacters) return shown;
+    int end = 0;
+    while (end < std::min(name.size(), other.size()) - same && name[name.size() - 1 - end] == other[other.size() - 1 - end]) ++end;
+    while (splits(name, name.size() - end)) --end;
+    if (end > 1) shown = shown.chopped(end) + QStringLiteral("…");
+    return shownName(shown, mostCharacters);
 }
 
 QString shortLength(double metres) {

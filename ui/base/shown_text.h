@@ -14,6 +14,8 @@ namespace edgescan::ui {
 
 /// The same on one line with at most so many characters: the middle of a longer name is left out (…).
 [[nodiscard]] QString shownName(const QString& name, int mostCharacters = 120);
+/// The name of one of two scans: where it is too long, what both names have in common is left out first.
+[[nodiscard]] QString shownApart(const QString& name, const QString& other, int mostCharacters);
 
 /// Millimetres below 0.1 m, else metres with three digits: "53 mm", "0.532 m", "12.3 m".
 [[nodiscard]] QString shortLength(double metres);

@@ -23,6 +23,8 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kLongestName = 30; // characters
+
 QString nameOf(const Picture& picture) { return scanName(picture.detection->scan->name); }
 
 bool isTyping(const QWidget* widget) {
@@ -310,6 +312,8 @@ void Comparing::take(const ComparisonAsked& asked, const Compared& made) {
         refused_ = false;
         if (otherScans) {
             region_.reset();
+            outlineRegion({});
+            legend_.showRegion({});
             endNotes();
             QStringList warnings;
             for (const std::string& warning : comparison_->change.earlier.how.warnings) warnings << coreSentence(warning);
@@ -329,10 +333,8 @@ void Comparing::setDifferenceShown(bool on) {
 
 void Comparing::show() {
     views_.cloud().keepReady(comparison_ && comparison_->isOfTwoScans() ? comparison_->before->cloud : nullptr);
-    if (!comparison_ || !shown_) {
-        outlineRegion({});
-        return views_.remove(OverlayName::Comparison);
-    }
+    if (!comparison_) outlineRegion({});
+    if (!comparison_ || !shown_) return views_.remove(OverlayName::Comparison);
     Overlay overlay;
     overlay.name = OverlayName::Comparison;
     overlay.scan = comparison_->asked.now->detection->scan;
@@ -345,7 +347,9 @@ void Comparing::show() {
 void Comparing::showLegend() {
     legend_.setVisible(pictureA_ != nullptr);
     legend_.setRowsShown(shown_);
-    if (pictureA_) legend_.showKept(nameOf(*pictureA_), comparison_.get(), comparer_.behind(), refused_);
+    if (pictureA_)
+        legend_.showKept(shownApart(nameOf(*pictureA_), engine_.picture() ? nameOf(*engine_.picture()) : QString(), kLongestName),
+                         comparison_.get(), comparer_.behind(), refused_);
 }
 
 void Comparing::flip(bool on) {

@@ -255,8 +255,8 @@ void CabMode::showWork() {
 void CabMode::showScan() {
     if (!on_) return;
     const Picture* picture = window_.viewer().views.shown().get();
-    const PictureOrigin origin =
-        originOfDrawn(window_.viewer().engine, window_.viewer().live.scanner(), window_.viewer().comparing.drawnA());
+    const PictureOrigin origin = originOfDrawn(window_.viewer().engine, window_.viewer().live.scanner(),
+                                               window_.viewer().comparing.pictureA().get(), window_.viewer().views.flipped());
     badge_->showState(origin.sign, origin.badge);
     const QString name = picture == nullptr ? QString() : scanName(picture->detection->scan->name) + ". "; // whole
     badge_->setToolTip(origin.badge + ". " + name + origin.more);

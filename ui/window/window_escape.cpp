@@ -25,7 +25,7 @@ void MainWindow::escape() {
     }
     if (leaveTool() || endTour(*this) || viewer_.explanation.closeCard()) return;
     if (viewer_.notice.isVisible())
-        viewer_.notice.hide();
+        viewer_.notice.closeShown();
     else if (viewer_.livePanel.closeAddress())
         return;
     else if (maximised_ != nullptr && !cab_->on())

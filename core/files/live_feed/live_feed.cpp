@@ -10,6 +10,7 @@ namespace edgescan::files {
 namespace {
 
 constexpr std::size_t kLinesOfRate = 64;         // that the rate is taken from
+constexpr std::size_t kLeastOfRate = 10;         // fewer lines say little about the rate
 constexpr std::int64_t kKeptNs = 60'000'000'000; // "keep what just happened"
 constexpr std::size_t kMostStanding = 64;
 constexpr auto kLive = scanner::ConnectionPhase::Live;
@@ -156,6 +157,7 @@ LiveStatus LiveFeed::status() const {
     status.sweep = cloud_ ? cloud_->progress() : feed_.assembler().progress();
     status.settings = feed_.assembler().settings();
     status.lines = lines_;
+    status.wholeClouds = cloud_ != nullptr;
     status.linesAfter = linesAfter_;
     status.undecodable = feed_.undecodable() + laser_.leftOut() + (cloud_ ? cloud_->unusable() : 0);
     status.whyUndecodable = !feed_.whyUndecodable().empty() ? feed_.whyUndecodable() : laser_.whyLeftOut();
@@ -175,7 +177,7 @@ LiveStatus LiveFeed::status() const {
     if (!lineNs_.empty()) {
         status.secondsSinceLine = static_cast<double>(scanner::hostNow().monotonicNs - lineNs_.back()) * 1e-9;
         const double seconds = static_cast<double>(lineNs_.back() - lineNs_.front()) * 1e-9;
-        if (seconds > 0.0) status.linesPerSecond = static_cast<double>(lineNs_.size() - 1) / seconds;
+        if (seconds > 0.0 && lineNs_.size() >= kLeastOfRate) status.linesPerSecond = static_cast<double>(lineNs_.size() - 1) / seconds;
     }
     if (recorder_) status.recording = recorder_->state();
     return status;

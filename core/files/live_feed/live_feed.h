@@ -33,6 +33,7 @@ struct LiveStatus {
     std::string whyUndecodable;              ///< of one of them
     std::optional<double> secondsSinceLine;  ///< empty before the first
     double linesPerSecond = 0.0;             ///< over the last lines; 0: not known
+    bool wholeClouds = false;                ///< each message is a whole cloud, so that the next one is due at once
     std::optional<RecordingState> recording; ///< while one is written
 };
 

@@ -22,6 +22,9 @@ std::optional<double> ageOf(const LiveStatus& status, const scanner::SweepProgre
     return *status.secondsSinceLine + static_cast<double>(status.sweep.newestNs - shown->newestNs) * 1e-9;
 }
 
+/// All lines of the sweep were sent: that no more come is as it should be.
+bool isOver(const scanner::SweepProgress& sweep) { return sweep.expected > 0 && sweep.lines >= sweep.expected; }
+
 Liveness livenessOf(const LiveStatus& status, std::optional<double> ageSeconds) {
     const scanner::ConnectionPhase phase = status.connection.phase;
     if (phase == scanner::ConnectionPhase::Stopped) return Liveness::Stopped;
@@ -130,6 +133,11 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     health.liveness = livenessOf(status, age);
     health.badge = badgeOf(health.liveness, age);
     health.sentence = status.connection.sentence;
+    if (health.stale() && age && isOver(lines) && !status.wholeClouds) {
+        health.liveness = Liveness::Stopped;
+        health.badge = "STOPPED " + ageText(*age);
+        health.sentence = "The sweep has ended; no line has come since.";
+    }
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {
         health.lines = linesOf(lines, health.liveness);

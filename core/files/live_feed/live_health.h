@@ -14,9 +14,9 @@ inline constexpr double kStaleAfterSeconds = 2.0; ///< at the latest (docs/refer
 enum class Liveness : std::uint8_t {
     Connecting, ///< no line came yet
     Live,
-    Stale, ///< connected, but no line for too long
-    Lost,  ///< not connected
-    Stopped,
+    Stale,   ///< connected, but no line for too long
+    Lost,    ///< not connected
+    Stopped, ///< or the sweep has ended, and no line has come since
 };
 
 enum class Condition : std::uint8_t {

@@ -77,6 +77,9 @@ Files::Files(Engine& engine, NoticeBar& notice, Preferences& preferences, QUndoS
         if (!engine_.opening()) setOptions(shownOptions_);
     });
     connect(&engine_, &Engine::streamChanged, this, &Files::showWarnings);
+    connect(&notice_, &NoticeBar::closed, this, [this](const QString& text) {
+        if (text == warned_.second) read_.insert(warned_.first);
+    });
 }
 
 void Files::open(const QStringList& paths, const ReadingOptions& options) {
@@ -223,7 +226,10 @@ void Files::showWarnings() {
     const QStringList warnings = warningsOf(picture);
     // The health strip reports the warnings of a live scan.
     if (warnings.isEmpty() || picture.source.growth.growing) return;
+    const QString about = path_ + '\n' + warnings.join("\n");
+    if (read_.contains(about)) return; // closed before; the status bar has them
     notice_.showNotice(NoticeBar::Kind::Warning, warnings.join("\n"));
+    warned_ = {about, notice_.text()};
     if (std::ranges::any_of(scan.warnings, isDisplacementWarning) && !path_.isEmpty())
         notice_.offer(tr("Straighten beams"), [this] { straighten(true); });
 }

@@ -5,6 +5,7 @@
 #include "ui/engine/worker_bridge/engine.h"
 
 #include <QObject>
+#include <QSet>
 #include <QStringList>
 
 class QMenu;
@@ -82,6 +83,8 @@ private:
     QUndoStack& undo_;
     QStringList series_;
     int place_ = 0;
+    std::pair<QString, QString> warned_; // the file with its warnings, and the note about them
+    QSet<QString> read_;                 // files with warnings whose note was closed
 };
 
 } // namespace edgescan::ui

@@ -146,9 +146,7 @@ bool Placing::load(const Scan& scan) {
 /// Another scan is on the screen: the form belongs to the former one.
 void Placing::follow() {
     if (!message_.isEmpty()) {
-        const bool warned = notice_.isVisible() && notice_.kind() == NoticeBar::Kind::Warning;
-        notice_.showNotice(warned ? NoticeBar::Kind::Warning : NoticeBar::Kind::Done,
-                           (warned ? notice_.text() + '\n' : QString()) + message_);
+        notice_.showNotice(NoticeBar::Kind::Done, message_); // the scan's warnings are one of the earlier notes
         message_.clear();
     }
     if (!scan_ || engine_.picture()->source.stream == source_.stream) return;

@@ -78,7 +78,10 @@ QStringList warningsOf(const Picture& picture) {
 
 namespace {
 
-PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
+QString nameOf(const Picture& picture) { return scanName(picture.detection->scan->name); }
+
+/// `other`: of the comparison; null: it is not compared.
+PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner, const Picture* other) {
     if (picture == nullptr && scanner.connected())
         return {signOf(scanner.health().liveness), coreWords(scanner.health().badge), coreSentence(scanner.health().sentence)};
     if (picture == nullptr) return {StateBadge::Sign::Off, QObject::tr("NO PICTURE"), QString()};
@@ -90,7 +93,7 @@ PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
     if (recorded && !time.isEmpty())
         return {StateBadge::Sign::Recorded, QObject::tr("RECORDED") + " " + time + agoWords(measured.startUtc),
                 QObject::tr("First line, by %1").arg(shownText(measured.clockSource)) + placedWords(scan)};
-    const QString name = scanName(scan.name, kLongestName);
+    const QString name = shownApart(nameOf(*picture), other != nullptr ? nameOf(*other) : QString(), kLongestName);
     return {recorded ? StateBadge::Sign::Recorded : StateBadge::Sign::File,
             (recorded ? QObject::tr("RECORDED") : QObject::tr("FILE")) + " " + name + " · " +
                 (time.isEmpty() ? QObject::tr("no time") : time),
@@ -99,13 +102,11 @@ PictureOrigin originOf(const Picture* picture, const ScannerLink& scanner) {
                 placedWords(scan)};
 }
 
-} // namespace
-
-PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner) {
+PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner, const Picture* other) {
     const Picture* picture = engine.picture().get();
     if (engine.coarse())
         return {StateBadge::Sign::Waiting, QObject::tr("COARSE PICTURE"), QObject::tr("Some points of the scan that is being opened.")};
-    PictureOrigin origin = originOf(picture, scanner);
+    PictureOrigin origin = originOf(picture, scanner, other);
     const bool awaited = scanner.connected() && scanner.following() && picture != nullptr && picture->source.stream != scanner.stream();
     if (!engine.replacing() && !awaited) return origin;
     origin.sign = StateBadge::Sign::Waiting;
@@ -114,9 +115,13 @@ PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner) {
     return origin;
 }
 
-PictureOrigin originOfDrawn(const Engine& engine, const ScannerLink& scanner, const Picture* a) {
-    if (a == nullptr) return originOf(engine, scanner);
-    PictureOrigin origin = originOf(a, scanner);
+} // namespace
+
+PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner) { return originOf(engine, scanner, nullptr); }
+
+PictureOrigin originOfDrawn(const Engine& engine, const ScannerLink& scanner, const Picture* a, bool drawn) {
+    if (a == nullptr || !drawn) return originOf(engine, scanner, a);
+    PictureOrigin origin = originOf(a, scanner, engine.picture().get());
     origin.badge = "A · " + origin.badge;
     return origin;
 }

@@ -22,8 +22,8 @@ struct PictureOrigin {
 /// is called an old one.
 [[nodiscard]] PictureOrigin originOf(const Engine& engine, const ScannerLink& scanner);
 
-/// The same of what is drawn: `a` is the picture of a comparison that is on the screen in place of the engine's; null: the engine's is.
-[[nodiscard]] PictureOrigin originOfDrawn(const Engine& engine, const ScannerLink& scanner, const Picture* a);
+/// The same of what is drawn. `a`: the picture that the engine's is compared with; null: it is not compared. `drawn`: A is on the screen.
+[[nodiscard]] PictureOrigin originOfDrawn(const Engine& engine, const ScannerLink& scanner, const Picture* a, bool drawn);
 
 /// The warnings of the scan. That lines are still to come is none: a growing sweep becomes INCOMPLETE when it ends too early.
 [[nodiscard]] QStringList warningsOf(const Picture& picture);

@@ -25,7 +25,6 @@ namespace edgescan::ui {
 
 namespace {
 
-constexpr int kLongestName = 30;   // characters
 constexpr int kAround = 32;        // px: of the plate and of the view
 constexpr int kBeforeName = 70;    // px of a row: switch, colour, gaps
 constexpr int kBetweenButtons = 6; // px
@@ -200,7 +199,7 @@ QHBoxLayout* ChangeLegend::switchOfTwo() {
 }
 
 void ChangeLegend::showKept(const QString& before, const Comparison* comparison, bool working, bool refused) {
-    before_ = before.size() > kLongestName ? before.left(kLongestName - 1) + "…" : before;
+    before_ = before;
     for (int n = 0; n < kChangeRows; ++n) {
         const bool ofSurfaces = n >= static_cast<int>(ChangeRow::Nearer);
         const Row& row = rows_[static_cast<std::size_t>(n)];
@@ -234,7 +233,7 @@ void ChangeLegend::showKept(const QString& before, const Comparison* comparison,
     compared_ = comparison != nullptr;
     ofTwoScans_ = comparison != nullptr && comparison->isOfTwoScans();
     warned_ = comparison != nullptr && comparison->change.earlier.how.outOfSpec;
-    showRegion(QString());
+    if (!compared_) showRegion(QString());
     if (compared_ && !std::exchange(begun_, true)) foldInCab();
     showFlipped(flipped_);
     show();
@@ -308,8 +307,8 @@ void ChangeLegend::showRows() {
     fold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     fold_->setAccessibleName(fold_->toolTip());
     fold_->setVisible(compared_ && rowsShown_ && !flipped_);
-    next_->setVisible(rowsShown_ && regions_ > 0);
-    previous_->setVisible(rowsShown_ && regions_ > 0 && !isOneLine());
+    next_->setVisible(regions_ > 0); // also over A and over B alone: the region is outlined there
+    previous_->setVisible(regions_ > 0 && !isOneLine());
     title_->setVisible(!isOneLine());
     summary_->setVisible(isOneLine());
     summary_->setText(summaryText());

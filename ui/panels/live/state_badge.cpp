@@ -110,7 +110,7 @@ void StateBadge::setRoom(int pixels) {
 
 void StateBadge::setTwoLines() { twoLines_ = true; }
 
-/// The time is always whole, in two lines if it has to be; the name before it is shortened at its end.
+/// The time is always whole, in two lines if it has to be; the name before it is shortened in its middle.
 QStringList StateBadge::linesIn(int width) const {
     const QFontMetrics metrics(font());
     const auto fits = [&](const QString& words) { return metrics.horizontalAdvance(words) <= width; };
@@ -120,10 +120,10 @@ QStringList StateBadge::linesIn(int width) const {
     if (!twoLines_) {
         const int room = width - metrics.horizontalAdvance(parts.between + parts.time);
         const bool some = room >= kLeastLetters * metrics.averageCharWidth();
-        return {some ? metrics.elidedText(parts.name, Qt::ElideRight, room) + parts.between + parts.time
+        return {some ? metrics.elidedText(parts.name, Qt::ElideMiddle, room) + parts.between + parts.time
                      : metrics.elidedText(text_, Qt::ElideRight, width)};
     }
-    QStringList lines{metrics.elidedText(parts.name, Qt::ElideRight, width)};
+    QStringList lines{metrics.elidedText(parts.name, Qt::ElideMiddle, width)};
     if (fits(parts.time + parts.ago)) return lines << parts.time + parts.ago;
     if (fits(parts.time)) return lines << parts.time;
     if (room_ > 0) return lines << metrics.elidedText(parts.time, Qt::ElideLeft, width); // the seconds stay

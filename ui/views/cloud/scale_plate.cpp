@@ -108,8 +108,8 @@ void ScalePlate::follow() {
     const QString ground = step > 0.0 ? tr("grid %1").arg(shortLength(step)) : QString();
     if (ground != groundText_) update();
     groundText_ = ground;
-    if (scan_ != cloud_->scan()) {
-        scan_ = cloud_->scan();
+    if (scan_ != cloud_->frameOf()) {
+        scan_ = cloud_->frameOf();
         const bool mine = scan_ && scan_->placement;
         frame_ = mine ? mineAxes(*scan_) : Eigen::Matrix3d::Identity();
         names_ = mine ? std::array<QString, 3>{"E", "N", "RL"} : std::array<QString, 3>{"X", "Y", "Z"};

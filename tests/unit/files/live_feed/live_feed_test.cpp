@@ -39,6 +39,30 @@ TEST(LiveHealth, TellsWhatTheStateIs) {
     EXPECT_EQ(healthOf(status).badge, "STOPPED");
 }
 
+// A sweep of which all lines came is no reason for an alarm: the scanner has nothing more to send.
+TEST(LiveHealth, AfterTheLastLineNothingIsLost) {
+    LiveStatus status;
+    status.connection = {scanner::ConnectionPhase::Lost, "x:2112: disconnected. Check the cable.", {}};
+    status.secondsSinceLine = 42;
+    status.lines = 40;
+    status.sweep.expected = 40;
+    status.sweep.lines = status.sweep.received = 39;
+    EXPECT_EQ(healthOf(status).badge, "LOST 42 s");
+    EXPECT_TRUE(healthOf(status).stale());
+    status.sweep.lines = status.sweep.received = 40;
+    for (const auto phase : {scanner::ConnectionPhase::Lost, scanner::ConnectionPhase::Stale, scanner::ConnectionPhase::Live}) {
+        status.connection.phase = phase;
+        const LiveHealth health = healthOf(status);
+        EXPECT_EQ(health.badge, "STOPPED 42 s");
+        EXPECT_EQ(health.end, "sweep complete");
+        EXPECT_FALSE(health.stale());
+        EXPECT_EQ(health.sentence, "The sweep has ended; no line has come since.");
+    }
+    status.connection.phase = scanner::ConnectionPhase::Live;
+    status.secondsSinceLine = 0.1;
+    EXPECT_EQ(healthOf(status).badge, "LIVE");
+}
+
 TEST(LiveHealth, ThePictureIsNeverOlderThanItSays) {
     LiveStatus status;
     status.connection.phase = scanner::ConnectionPhase::Live;
@@ -140,6 +164,20 @@ TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     EXPECT_EQ(healthOf(status).remark, "COUNTERS IN DOUBT");
     EXPECT_EQ(healthOf(status).lines, "40/40 lines, COUNTERS IN DOUBT");
     EXPECT_EQ(healthOf(status).end, "sweep ended");
+}
+
+// One or two lines after the connection say nothing about the rate, and so about the time that is left.
+TEST(LiveFeed, TheRateIsNotKnownFromAFewLines) {
+    scanner::EmulatedScannerSettings settings;
+    settings.linesPerSecond = 50;
+    settings.atEnd = scanner::AtEnd::Stop;
+    const auto scanner = served(countingScan(8, 30), settings);
+    scanner::SweepSettings sweep;
+    sweep.expectedLines = 80;
+    LiveFeed feed(settingsFor(*scanner), sweep, [] {});
+    ASSERT_TRUE(waitUntil([&] { return feed.status().lines >= 8; }));
+    EXPECT_EQ(feed.status().linesPerSecond, 0.0);
+    EXPECT_EQ(healthOf(feed.status()).end, "");
 }
 
 TEST(LiveFeed, ARecordingBegunLateHoldsTheSweepFromItsBeginning) {
