@@ -10,7 +10,7 @@
 <message><source>LOST</source><translation>PERDU</translation></message>
 <message><source>LOST %1</source><translation>PERDU %1</translation></message>
 <message><source>STOPPED</source><translation>ARRÊTÉ</translation></message>
-<message><source>STOPPED %1</source><translation type="unfinished"></translation></message>
+<message><source>STOPPED %1</source><translation>ARRÊTÉ %1</translation></message>
 <message><source>%1, COUNTERS IN DOUBT</source><translation>%1, COMPTEURS DOUTEUX</translation></message>
 <message><source>INCOMPLETE %1 lines</source><translation>INCOMPLET %1 lignes</translation></message>
 <message><source>%1 lost: %2</source><translation>%1 perdues : %2</translation></message>
@@ -77,7 +77,7 @@
 <message><source> is sending.</source><translation> envoie.</translation></message>
 <message><source>: no scan for %1 s.</source><translation> : pas de scan depuis %1 s.</translation></message>
 <message><source>: disconnected.</source><translation> : déconnecté.</translation></message>
-<message><source>The sweep has ended; no line has come since.</source><translation type="unfinished"></translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation>Le balayage est terminé ; aucune ligne n'est arrivée depuis.</translation></message>
 <message><source>there is no such file</source><translation>ce fichier n'existe pas</translation></message>
 <message><source>check the spelling and the folder</source><translation>vérifiez le nom et le dossier</translation></message>
 <message><source>reading this file is not allowed</source><translation>la lecture de ce fichier n'est pas autorisée</translation></message>
@@ -270,7 +270,7 @@
 <message><source>Open %1</source><translation>Ouvrir %1</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
-<message><source>Shows the next of the notes that were not closed</source><translation type="unfinished"></translation></message>
+<message><source>Shows the next of the notes that were not closed</source><translation>Montre la suivante des notes qui n'ont pas été fermées</translation></message>
 <message><source>%1 of %2</source><translation>%1 sur %2</translation></message>
 <message><source>Error</source><translation>Erreur</translation></message>
 <message><source>Note</source><translation>Remarque</translation></message>
@@ -864,6 +864,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Changes: %1</source><translation>Changements : %1</translation></message>
 <message><source>On the screen: A, %1</source><translation>À l'écran : A, %1</translation></message>
 <message><source>A: %1</source><translation>A : %1</translation></message>
+<message><source>B: %1</source><translation>B : %1</translation></message>
 <message><source>at all of them</source><translation>avec tous</translation></message>
 <message><source>below %1 %</source><translation>moins de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % et plus</translation></message>

@@ -10,7 +10,7 @@
 <message><source>LOST</source><translation>PERDIDO</translation></message>
 <message><source>LOST %1</source><translation>PERDIDO %1</translation></message>
 <message><source>STOPPED</source><translation>PARADO</translation></message>
-<message><source>STOPPED %1</source><translation type="unfinished"></translation></message>
+<message><source>STOPPED %1</source><translation>PARADO %1</translation></message>
 <message><source>%1, COUNTERS IN DOUBT</source><translation>%1, CONTADORES DUVIDOSOS</translation></message>
 <message><source>INCOMPLETE %1 lines</source><translation>INCOMPLETO %1 linhas</translation></message>
 <message><source>%1 lost: %2</source><translation>%1 perdidas: %2</translation></message>
@@ -77,7 +77,7 @@
 <message><source> is sending.</source><translation> envia.</translation></message>
 <message><source>: no scan for %1 s.</source><translation>: sem varredura há %1 s.</translation></message>
 <message><source>: disconnected.</source><translation>: desconectado.</translation></message>
-<message><source>The sweep has ended; no line has come since.</source><translation type="unfinished"></translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation>A varredura terminou; desde então não chegou nenhuma linha.</translation></message>
 <message><source>there is no such file</source><translation>esse arquivo não existe</translation></message>
 <message><source>check the spelling and the folder</source><translation>verifique o nome e a pasta</translation></message>
 <message><source>reading this file is not allowed</source><translation>não é permitido ler este arquivo</translation></message>
@@ -270,7 +270,7 @@
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
-<message><source>Shows the next of the notes that were not closed</source><translation type="unfinished"></translation></message>
+<message><source>Shows the next of the notes that were not closed</source><translation>Mostra a seguinte das notas que não foram fechadas</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Error</source><translation>Erro</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
@@ -864,6 +864,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Changes: %1</source><translation>Mudanças: %1</translation></message>
 <message><source>On the screen: A, %1</source><translation>Na tela: A, %1</translation></message>
 <message><source>A: %1</source><translation>A: %1</translation></message>
+<message><source>B: %1</source><translation>B: %1</translation></message>
 <message><source>at all of them</source><translation>com todos</translation></message>
 <message><source>below %1 %</source><translation>menos de %1 %</translation></message>
 <message><source>%1 % and more</source><translation>%1 % e mais</translation></message>

@@ -187,6 +187,10 @@ private slots:
         QVERIFY(on.open(after_));
         QVERIFY(known(on));
         const std::shared_ptr<const Picture> b = on.viewer.engine.picture();
+        // Both scans have a name in the legend, each after its letter.
+        const QStringList heads = on.viewer.changeLegend.titleText().split('\n');
+        QVERIFY2(heads.size() == 2 && heads[0].startsWith("A: " + QString("before")) && heads[1].startsWith("B: " + QString("after")),
+                 qPrintable(heads.join('|')));
         LinkedViews& views = on.viewer.views;
         CloudView& cloud = views.cloud();
         // A view with some cells hidden and some selected.

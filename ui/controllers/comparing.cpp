@@ -1,10 +1,12 @@
 // Keeps a picture, compares with it, flips between both.
 #include "ui/controllers/comparing.h"
 
+#include "core/scan/grid/acquisition.h"
 #include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/undo_step.h"
 #include "ui/controllers/files/files.h"
+#include "ui/controllers/files/source.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/engine/worker_bridge/preferences.h"
@@ -26,6 +28,13 @@ namespace {
 constexpr int kLongestName = 30; // characters
 
 QString nameOf(const Picture& picture) { return scanName(picture.detection->scan->name); }
+
+/// Name and time of one of two scans.
+QString headOf(const Picture& picture, const Picture& other) {
+    const auto& measured = picture.detection->scan->acquisition;
+    const QString time = measured ? timeWords(measured->startUtc) : QString();
+    return shownApart(nameOf(picture), nameOf(other), kLongestName) + (time.isEmpty() ? QString() : " · " + time);
+}
 
 bool isTyping(const QWidget* widget) {
     return qobject_cast<const QLineEdit*>(widget) != nullptr || qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
@@ -347,9 +356,11 @@ void Comparing::show() {
 void Comparing::showLegend() {
     legend_.setVisible(pictureA_ != nullptr);
     legend_.setRowsShown(shown_);
-    if (pictureA_)
-        legend_.showKept(shownApart(nameOf(*pictureA_), engine_.picture() ? nameOf(*engine_.picture()) : QString(), kLongestName),
-                         comparison_.get(), comparer_.behind(), refused_);
+    if (!pictureA_) return;
+    const auto& now = engine_.picture();
+    const bool two = now && now->detection->scan != pictureA_->detection->scan;
+    legend_.showKept(two ? headOf(*pictureA_, *now) : shownName(nameOf(*pictureA_), kLongestName),
+                     two ? headOf(*now, *pictureA_) : QString(), comparison_.get(), comparer_.behind(), refused_);
 }
 
 void Comparing::flip(bool on) {

@@ -14,16 +14,16 @@
 #include <cmath>
 
 namespace edgescan::ui {
-namespace {
 
-constexpr int kLongestName = 28; // characters
-
-/// "2026-11-19 08:12:05 UTC"; empty if unknown.
 QString timeWords(const std::string& utc) {
     const auto seconds = parseUtc(utc);
     if (!seconds) return {};
     return shownText(utcText(*seconds)).left(19).replace('T', ' ') + " UTC";
 }
+
+namespace {
+
+constexpr int kLongestName = 28; // characters
 
 QString agoWords(const std::string& utc) {
     const double seconds = utcNow() - parseUtc(utc).value_or(std::nan(""));

@@ -6,11 +6,16 @@
 #include <QString>
 #include <QStringList>
 
+#include <string>
+
 namespace edgescan::ui {
 
 class Engine;
 class ScannerLink;
 struct Picture;
+
+/// "2026-11-19 08:12:05 UTC"; empty if unknown.
+[[nodiscard]] QString timeWords(const std::string& utc);
 
 struct PictureOrigin {
     StateBadge::Sign sign = StateBadge::Sign::Off;

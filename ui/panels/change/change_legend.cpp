@@ -198,8 +198,9 @@ QHBoxLayout* ChangeLegend::switchOfTwo() {
     return row;
 }
 
-void ChangeLegend::showKept(const QString& before, const Comparison* comparison, bool working, bool refused) {
+void ChangeLegend::showKept(const QString& before, const QString& now, const Comparison* comparison, bool working, bool refused) {
     before_ = before;
+    now_ = now;
     for (int n = 0; n < kChangeRows; ++n) {
         const bool ofSurfaces = n >= static_cast<int>(ChangeRow::Nearer);
         const Row& row = rows_[static_cast<std::size_t>(n)];
@@ -367,7 +368,9 @@ void ChangeLegend::setRowsShown(bool on) { rowsShown_ = on; }
 
 void ChangeLegend::showFlipped(bool flipped) {
     flipped_ = flipped;
-    setWords(*title_, flipped ? tr("On the screen: A, %1").arg(before_) : tr("A: %1").arg(before_));
+    const bool both = !flipped && !brief_ && !now_.isEmpty();
+    setWords(*title_,
+             (flipped ? tr("On the screen: A, %1") : tr("A: %1")).arg(before_) + (both ? "\n" + tr("B: %1").arg(now_) : QString()));
     showRows();
     fit();
 }

@@ -25,8 +25,9 @@ class ChangeLegend : public ViewPlate {
 public:
     explicit ChangeLegend(QWidget* parent = nullptr);
 
-    /// `before`: the name of A. Null: no comparison yet. Refused: the two could not be compared; a notice has the reason.
-    void showKept(const QString& before, const Comparison* comparison, bool working, bool refused);
+    /// `before`: the name of A. `now`: that of B; empty: the same scan. Null: no comparison yet. Refused: the two could not be compared; a
+    /// notice has the reason.
+    void showKept(const QString& before, const QString& now, const Comparison* comparison, bool working, bool refused);
     /// Off: the differences are hidden, and so are their rows.
     void setRowsShown(bool on);
     /// On: for a cab, without explanations and without rows that count nothing. That of two scans begins folded, over a low view as one
@@ -86,7 +87,7 @@ private:
     std::array<QToolButton*, 3> shown_{}; // one per ShownOfTwo
     QString regionBrief_;
     std::map<QLabel*, QString> words_; // before they are broken into lines
-    QString before_, howWords_;
+    QString before_, now_, howWords_;
     bool hasDistances_ = false, overRocksOn_ = false;
     bool flipped_ = false;
     bool rowsShown_ = true;
