@@ -10,6 +10,7 @@
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/cab/tool_column.h"
+#include "ui/panels/change/change_legend.h"
 #include "ui/panels/dialogs/report_form.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/live/live_panel.h"
@@ -121,6 +122,7 @@ private slots:
         press(on.window, "cab-pin");
         QVERIFY(!pin->isChecked());
         on.viewer.views.pin(std::nullopt);
+        QTRY_VERIFY(!image.tags().empty()); // drawn
         tapCell(image, on.viewer.views.placeOf(on.viewer.targets.notebook().targets.front().cell));
         QTRY_VERIFY2(title->text().startsWith("Target 1"), qPrintable(title->text()));
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
@@ -260,6 +262,34 @@ private slots:
         QVERIFY(placeOf(*area->viewport()).intersects(placeOf(*format)));
         QVERIFY(!pad.place().intersects(placeOf(*form.findChild<QDialogButtonBox*>())));
         QCOMPARE(form.height(), 260);
+    }
+
+    // The plate of a comparison is not over the change that it names first, and its buttons are for gloves.
+    void theComparisonLeavesItsChangeFree() {
+        for (const QSize size : {QSize(853, 533), QSize(1280, 800)}) {
+            WindowFixture on;
+            QVERIFY(on.show());
+            on.window.cab().set(true);
+            resizeTo(on.window, size);
+            on.viewer.comparing.openDemoPair();
+            ChangeLegend& legend = on.viewer.changeLegend;
+            QVERIFY(eventually([&] { return legend.isVisible() && !legend.counted(ChangeRow::Nearer).isEmpty(); }));
+            const CloudView& cloud = on.viewer.cloud;
+            QTRY_VERIFY(cloud.atRest() && on.viewer.comparing.settled());
+            for (int n = 0; n < 2; ++n) { // before and after the first tap on Next
+                const auto isFree = [&] {
+                    const auto at = cloud.pixelOf(on.viewer.comparing.someOfRegion().front());
+                    return at && cloud.rect().contains(at->toPoint()) && !legend.geometry().contains(at->toPoint());
+                };
+                QTRY_VERIFY2(isFree(), qPrintable(QString("%1, %2").arg(size.width()).arg(n)));
+                for (const auto* each : legend.findChildren<QToolButton*>())
+                    QVERIFY2(!each->isVisible() || (each->width() >= kGlovePx && each->height() >= kGlovePx),
+                             qPrintable(each->objectName()));
+                QVERIFY2(legend.height() < cloud.height() / 3, qPrintable(QString::number(legend.height())));
+                QTest::mouseClick(legend.next(), Qt::LeftButton);
+                QTRY_VERIFY(cloud.atRest());
+            }
+        }
     }
 
     // The buttons of the start page are whole, and the fields of a scanner lead back to it.

@@ -31,6 +31,11 @@ constexpr int kLeastText = 200;      // px
 constexpr double kWholeFrom = 100.0; // kB, of a file's size
 constexpr int kUndoneMs = 8000;
 
+/// In a cab, which has no button Copy, the end stays: a name or a number is often there. The line of a saved file begins with its name.
+Qt::TextElideMode elidedIn(const QWidget& copy, const QString& brief) {
+    return copy.isHidden() && brief.isEmpty() ? Qt::ElideMiddle : Qt::ElideRight;
+}
+
 } // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
@@ -153,6 +158,7 @@ void NoticeBar::put(const Note& note) {
     paintKind();
     text_->setText(note.text);
     brief_ = note.brief;
+    line_->setElided(elidedIn(*copy_, brief_));
     unfold(false);
     action_->setText(note.label);
     action_->setHidden(note.label.isEmpty());
@@ -302,7 +308,7 @@ bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 void NoticeBar::setBrief(bool on) {
     copy_->setVisible(!on);
     line_->setLines(on ? 2 : 1);
-    line_->setElided(on ? Qt::ElideMiddle : Qt::ElideRight); // a name or a number is often at the end
+    line_->setElided(elidedIn(*copy_, brief_));
     offerMore();
 }
 

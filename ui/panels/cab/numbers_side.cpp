@@ -205,6 +205,7 @@ QWidget* NumbersSide::makeNumbers() {
     column->addLayout(rows_);
     column->addStretch(1);
     coordinates_->setColumnStretch(1, 1);
+    coordinates_->setVerticalSpacing(2); // a low screen has room for all of them
     rows_->setColumnStretch(1, 1);
     followColours(*warned_, [this](const Theme& theme) {
         QPalette letters = warned_->palette();
@@ -261,13 +262,17 @@ bool NumbersSide::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// Smaller letters, if a word is wider than the room between the arrows; a name that is still wider breaks anywhere.
+/// Smaller letters, if a line, or at least a word, is wider than the room between the arrows; a name that is still wider breaks anywhere.
 void NumbersSide::fitTitle() {
     QFont letters = title_->font();
     letters.setPixelSize(kTextPx);
     const int room = title_->contentsRect().width();
     static const QRegularExpression between("\\s+"), anywhere("(?<=\\S)(?=\\S)");
     QString shown = titleWords_;
+    const auto isWide = [&](const QString& line) { return QFontMetrics(letters).horizontalAdvance(line) > room; };
+    const QStringList lines = titleWords_.split('\n');
+    while (letters.pixelSize() > kLeastNotePx && std::ranges::any_of(lines, isWide)) letters.setPixelSize(letters.pixelSize() - 1);
+    if (std::ranges::any_of(lines, isWide)) letters.setPixelSize(kTextPx); // they need more lines anyway
     for (const QString& word : titleWords_.split(between)) {
         while (letters.pixelSize() > kLeastNotePx - 2 && QFontMetrics(letters).horizontalAdvance(word) > room)
             letters.setPixelSize(letters.pixelSize() - 1);

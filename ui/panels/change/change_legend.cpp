@@ -29,7 +29,6 @@ constexpr int kAround = 32;        // px: of the plate and of the view
 constexpr int kBeforeName = 70;    // px of a row: switch, colour, gaps
 constexpr int kBetweenButtons = 6; // px
 constexpr int kForGloves = 48;     // px
-constexpr int kSignForGloves = 28; // px
 constexpr int kBesideZoom = 80;    // px: of the zoom buttons of a cab
 constexpr int kLeastLetters = 12;  // px
 
@@ -131,7 +130,6 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     setWords(*overRocks_, tr("Other points have the colours of rocks"));
     overRocks_->hide();
     grid->addWidget(overRocks_, kChangeRows + 4, 0, 1, 2);
-    previous_->setArrowType(Qt::LeftArrow);
     previous_->setToolTip(tr("Previous changed region"));
     previous_->setAccessibleName(previous_->toolTip());
     next_->setToolTip(tr("Next changed region"));
@@ -300,11 +298,12 @@ bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
 /// buttons.
 void ChangeLegend::showRows() {
     const bool open = !fold_->isChecked() && !flipped_; // A has the colours of edges
-    fold_->setArrowType(open ? Qt::DownArrow : Qt::UpArrow);
-    for (QToolButton* each : {fold_, previous_}) {
-        each->setIconSize(brief_ ? QSize(kSignForGloves, kSignForGloves) : QSize()); // else that of the style
-        each->setMinimumSize(brief_ ? QSize(kForGloves, kForGloves) : QSize(0, 0));
-    }
+    // The arrows of the style are too small for gloves.
+    fold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);
+    previous_->setArrowType(brief_ ? Qt::NoArrow : Qt::LeftArrow);
+    fold_->setText(!brief_ ? "" : open ? "▼" : "▲");
+    previous_->setText(brief_ ? "◀" : "");
+    for (QToolButton* each : {fold_, previous_}) each->setMinimumSize(brief_ ? QSize(kForGloves, kForGloves) : QSize(0, 0));
     fold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     fold_->setAccessibleName(fold_->toolTip());
     fold_->setVisible(compared_ && rowsShown_ && !flipped_);
@@ -322,7 +321,7 @@ void ChangeLegend::showRows() {
     const ShownOfTwo shown = flipped_ ? ShownOfTwo::A : rowsShown_ ? ShownOfTwo::Difference : ShownOfTwo::B;
     for (std::size_t n = 0; n < shown_.size(); ++n) {
         shown_[n]->setVisible(compared_ && !(isOneLine() && isLow()));
-        shown_[n]->setMinimumHeight(brief_ ? kForGloves : 0);
+        shown_[n]->setMinimumSize(brief_ ? QSize(kForGloves, kForGloves) : QSize(0, 0));
         shown_[n]->setChecked(n == static_cast<std::size_t>(shown));
     }
     sum_->setVisible(open && rowsShown_ && !words_.at(sum_).isEmpty());

@@ -5,6 +5,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/views/cloud/cloud_view.h"
 
+#include <QAbstractButton>
 #include <QEvent>
 #include <QLayout>
 #include <QPainter>
@@ -67,6 +68,9 @@ std::vector<QRect> ScalePlate::taken() const {
     std::vector<QRect> places;
     for (const ViewPlate* other : cloud_->findChildren<ViewPlate*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (other != this && other->isVisible()) places.push_back(other->geometry());
+    }
+    for (const auto* button : cloud_->findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly)) { // the picture of a cab
+        if (button->isVisible()) places.push_back(button->geometry());
     }
     if (!keptFree_.isEmpty() && cloud_->atRest()) places.push_back(keptFree_);
     return places;
