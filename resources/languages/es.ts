@@ -395,6 +395,8 @@ visible %6 m², a %7 m</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
 <message><source>This cell has the strength %1; the threshold is %2.</source><translation>Esta celda tiene la fuerza %1; el umbral es %2.</translation></message>
+<message><source>Its strength %1 is above the Edge strength %2.</source><translation>Su fuerza %1 supera la Fuerza del borde %2.</translation></message>
+<message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Su fuerza %1 es menor que la Fuerza del borde %2, pero continúa un borde que llega a %3 en la línea %4, haz %5. A una celda así le basta %6.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Aquí no se midió nada.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La superficie cambia demasiado poco aquí para ser un borde.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>La superficie cambia aquí, pero otra celda de ese cambio es el borde.</translation></message>
@@ -402,6 +404,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>La superficie se dobla hacia fuera aquí, como en la esquina de una roca.</translation></message>
 <message><source>The surface bends inwards here, as where two rocks meet.</source><translation>La superficie se dobla hacia dentro aquí, como donde se tocan dos rocas.</translation></message>
 <message><source>The measured surface ends here.</source><translation>Aquí termina la superficie medida.</translation></message>
+<message><source>Edges of this class do not depend on Edge strength.</source><translation>Los bordes de esta clase no dependen de la Fuerza del borde.</translation></message>
 <message><source>The surface changes strongly here.</source><translation>La superficie cambia mucho aquí.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>No se pudo determinar la razón (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>¿&amp;Por qué esta celda es un borde, o no?</translation></message>
@@ -508,7 +511,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>class %1 off</source><translation>clase %1 desactivada</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
-<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Este escaneo es plano y con poco ruido: con el preajuste smooth-walls, los escalones bajos lejanos también son bordes.</translation></message>
+<message><source>This scan is flat and quiet: with the preset Smooth walls low steps far away are edges too.</source><translation>Este escaneo es plano y con poco ruido: con el preajuste Paredes lisas también son bordes los escalones bajos lejanos.</translation></message>
 <message><source>Use It</source><translation>Usarlo</translation></message>
 <message><source>Open preset</source><translation>Abrir un preajuste</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Preajustes de EdgeScan (*.json)</translation></message>
@@ -762,6 +765,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Esto no se guardó: hay %1 mediciones, primero quite algunas.</translation></message>
 <message><source>new measurement</source><translation>nueva medición</translation></message>
 <message><source>removal of measurement M%1</source><translation>supresión de la medición M%1</translation></message>
+<message><source>end %1 not on an edge</source><translation>extremo %1 fuera de un borde</translation></message>
+<message><source>ends %1 not on an edge</source><translation>extremos %1 fuera de un borde</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>
@@ -1208,10 +1213,10 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>b at least</source><translation>b al menos</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Las rocas con confianza p inferior a 0.85, que están rayadas, se omiten en la tabla</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rocas</translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 achuradas (p &lt; 0.85)</translation></message>
+<message><source>, %1 of them uncertain (hatched)</source><translation>, %1 de ellas inciertas (achuradas)</translation></message>
 <message><source>fine</source><translation>fino</translation></message>
 <message><source>coarse</source><translation>grueso</translation></message>
-<message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, %2 achuradas (p &lt; 0.85); regiones de finos: %3</translation></message>
+<message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 de ellas inciertas (achuradas); %3 trozos demasiado pequeños para ser una roca</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
 <message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Un clic elige una roca y fija un objetivo; Ctrl+clic elige una roca más.</translation></message>
@@ -1312,6 +1317,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>E %1 N %2 RL %3</source><translation>E %1 N %2 RL %3</translation></message>
 <message><source>Distance [m]</source><translation>Distancia [m]</translation></message>
 <message><source>Line</source><translation>Línea</translation></message>
 <message><source>Beam</source><translation>Haz</translation></message>
@@ -1339,6 +1345,7 @@ RL %3 m</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
+<message><source>With a higher edge strength this number can rise: cells that are no longer jumps or folds count here.</source><translation>Con una fuerza del borde mayor este número puede subir: las celdas que ya no son saltos ni pliegues cuentan aquí.</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>
@@ -1360,17 +1367,17 @@ RL %3 m</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Los pliegues deben superar %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Escaneo rugoso: alrededor de la mitad de los pliegues, el %1 % de las celdas están plegadas, así que un pliegue debe superar su entorno.</translation></message>
 <message><source>Advanced</source><translation>Avanzado</translation></message>
-<message><source>default</source><translation>predeterminado</translation></message>
+<message><source>Default</source><translation>Inicial</translation></message>
 <message><source>For most scans of rock</source><translation>Para casi todo escaneo de roca</translation></message>
-<message><source>log</source><translation>logarítmico</translation></message>
+<message><source>Percent of range</source><translation>Porcentaje de la distancia</translation></message>
 <message><source>Steps in percent of the range</source><translation>Saltos en % de la distancia</translation></message>
-<message><source>thesis</source><translation>tesis</translation></message>
+<message><source>Thesis</source><translation>Tesis</translation></message>
 <message><source>To compare with the thesis</source><translation>Para comparar con la tesis</translation></message>
-<message><source>window</source><translation>ventana</translation></message>
+<message><source>Thesis, contrast</source><translation>Tesis, contraste</translation></message>
 <message><source>The thesis, with more contrast</source><translation>La tesis, con más contraste</translation></message>
-<message><source>smooth-walls</source><translation>paredes lisas</translation></message>
+<message><source>Smooth walls</source><translation>Paredes lisas</translation></message>
 <message><source>For flat walls with low steps</source><translation>Paredes planas, saltos bajos</translation></message>
-<message><source>default-3</source><translation>predeterminado 3</translation></message>
+<message><source>Version 3</source><translation>Versión 3</translation></message>
 <message><source>To compare with version 3</source><translation>Para comparar con la versión 3</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir un archivo de preajuste</translation></message>
@@ -1385,6 +1392,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Umbral superior  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
+<message><source>On the command line: --preset %1</source><translation>En la línea de comandos: --preset %1</translation></message>
 <message><source>From a file</source><translation>De un archivo</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
 <message><source>
@@ -1394,6 +1402,7 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Doble clic: volver al preajuste</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. El valor queda como estaba.</translation></message>
+<message><source>Back to %1, the value of the preset</source><translation>Volver a %1, el valor del preajuste</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos de la ventana de distancias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arrastre un extremo, o Izquierda y Derecha para el lejano, con Mayús para el cercano; un doble clic la hace automática</translation></message>
 <message><source>Ranges</source><translation>Distancias</translation></message>
@@ -1428,6 +1437,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Conjunto de ajustes predeterminados: %1</translation></message>
 <message><source>%1: %2 instead of %3</source><translation>%1: %2 en vez de %3</translation></message>
+<message><source>Reset %1</source><translation>Restablecer %1</translation></message>
+<message><source>Reset all</source><translation>Restablecer todo</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos los ajustes son los del conjunto predeterminado.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D restaura los ajustes predeterminados.</translation></message>
 <message><source>1 warning</source><translation>1 advertencia</translation></message>
@@ -1470,7 +1481,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
 <message><source>Redo: %1</source><translation>Rehacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
-<message><source>Default</source><translation>Inicial</translation></message>
 <message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
 <message><source>Others…</source><translation>Otros…</translation></message>
 <message><source>End measuring</source><translation>Terminar la medición</translation></message>
@@ -1507,7 +1517,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Targets</source><translation>Objetivos</translation></message>
 <message><source>Layers</source><translation>Capas</translation></message>
 <message><source>Rock Table</source><translation>Tabla de rocas</translation></message>
-<message><source>Fold</source><translation>Plegar</translation></message>
+<message><source>Hide panel</source><translation>Ocultar panel</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abriendo otro escaneo · aún en pantalla: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>El manual no está instalado. Sus textos están en la carpeta docs del código fuente, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Ningún navegador abrió el manual. Es el archivo %1.</translation></message>
@@ -1769,7 +1779,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>data border</source><translation>límite de los datos</translation></message>
 <message><source>outline before a void</source><translation>contorno ante un vacío</translation></message>
 <message><source>void rim</source><translation>borde de un vacío</translation></message>
-<message><source>Thesis</source><translation>Tesis</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
 <message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desactivado)</translation></message>
@@ -2010,7 +2019,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>sin paso más estrecho a su lado</translation></message>
-<message><source>at %1 m</source><translation>a %1 m</translation></message>
+<message><source>ranges %1 m</source><translation>distancias %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluidos: %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ un extremo está %1 m detrás de la superficie vecina</translation></message>

@@ -395,6 +395,8 @@ visible %6 m², à %7 m</translation></message>
 <message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
 <message><source>This cell has the strength %1; the threshold is %2.</source><translation>Cette cellule a la force %1 ; le seuil est %2.</translation></message>
+<message><source>Its strength %1 is above the Edge strength %2.</source><translation>Sa force %1 dépasse la Force de l'arête %2.</translation></message>
+<message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Sa force %1 est sous la Force de l'arête %2, mais elle continue une arête qui atteint %3 à la ligne %4, faisceau %5. À une telle cellule, %6 suffit.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Rien n'a été mesuré ici.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>La surface change trop peu ici pour être une arête.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>La surface change ici, mais une autre cellule de ce changement est l'arête.</translation></message>
@@ -402,6 +404,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>La surface se plie vers l'extérieur ici, comme au coin d'un bloc.</translation></message>
 <message><source>The surface bends inwards here, as where two rocks meet.</source><translation>La surface se plie vers l'intérieur ici, comme là où deux blocs se touchent.</translation></message>
 <message><source>The measured surface ends here.</source><translation>La surface mesurée se termine ici.</translation></message>
+<message><source>Edges of this class do not depend on Edge strength.</source><translation>Les arêtes de cette classe ne dépendent pas de la Force de l'arête.</translation></message>
 <message><source>The surface changes strongly here.</source><translation>La surface change fortement ici.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>La raison n'a pas pu être établie (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Pour&amp;quoi cette cellule est-elle une arête, ou non ?</translation></message>
@@ -508,7 +511,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>class %1 off</source><translation>classe %1 désactivée</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 à %3</translation></message>
 <message><source>settings</source><translation>réglages</translation></message>
-<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Ce scan est plan et peu bruité : avec le préréglage smooth-walls, les marches basses au loin sont aussi des arêtes.</translation></message>
+<message><source>This scan is flat and quiet: with the preset Smooth walls low steps far away are edges too.</source><translation>Ce scan est plat et peu bruité : avec le préréglage Parois lisses, les faibles marches lointaines sont aussi des arêtes.</translation></message>
 <message><source>Use It</source><translation>L'utiliser</translation></message>
 <message><source>Open preset</source><translation>Ouvrir un préréglage</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Préréglages EdgeScan (*.json)</translation></message>
@@ -762,6 +765,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été enregistré : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>new measurement</source><translation>nouvelle mesure</translation></message>
 <message><source>removal of measurement M%1</source><translation>suppression de la mesure M%1</translation></message>
+<message><source>end %1 not on an edge</source><translation>extrémité %1 hors d'une arête</translation></message>
+<message><source>ends %1 not on an edge</source><translation>extrémités %1 hors d'une arête</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>
@@ -1208,10 +1213,10 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>b at least</source><translation>b au moins</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>Les blocs d'une confiance p inférieure à 0.85, qui sont hachurés, sont omis du tableau</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 blocs sur %2</translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachurés (p &lt; 0.85)</translation></message>
+<message><source>, %1 of them uncertain (hatched)</source><translation>, dont %1 incertains (hachurés)</translation></message>
 <message><source>fine</source><translation>fin</translation></message>
 <message><source>coarse</source><translation>grossier</translation></message>
-<message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, dont %2 hachurés (p &lt; 0.85) ; régions de fines : %3</translation></message>
+<message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, dont %2 incertains (hachurés) ; %3 morceaux trop petits pour être un bloc</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
 <message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Un clic choisit un bloc et épingle une cible ; Ctrl+clic choisit un bloc de plus.</translation></message>
@@ -1312,6 +1317,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>E %1 N %2 RL %3</source><translation>E %1 N %2 RL %3</translation></message>
 <message><source>Distance [m]</source><translation>Distance [m]</translation></message>
 <message><source>Line</source><translation>Ligne</translation></message>
 <message><source>Beam</source><translation>Faisceau</translation></message>
@@ -1339,6 +1345,7 @@ RL %3 m</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
+<message><source>With a higher edge strength this number can rise: cells that are no longer jumps or folds count here.</source><translation>Avec une force de l'arête plus élevée, ce nombre peut monter : les cellules qui ne sont plus des sauts ni des plis comptent ici.</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>
@@ -1360,17 +1367,17 @@ RL %3 m</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>Les plis doivent dépasser %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Scan rugueux : autour de la moitié des plis, %1 % des cellules sont plissées ; un pli doit donc dépasser son entourage.</translation></message>
 <message><source>Advanced</source><translation>Avancé</translation></message>
-<message><source>default</source><translation>par défaut</translation></message>
+<message><source>Default</source><translation>Défaut</translation></message>
 <message><source>For most scans of rock</source><translation>Pour la plupart des scans</translation></message>
-<message><source>log</source><translation>logarithmique</translation></message>
+<message><source>Percent of range</source><translation>Pourcentage de la distance</translation></message>
 <message><source>Steps in percent of the range</source><translation>Sauts en % de la distance</translation></message>
-<message><source>thesis</source><translation>thèse</translation></message>
+<message><source>Thesis</source><translation>Thèse</translation></message>
 <message><source>To compare with the thesis</source><translation>Pour comparer à la thèse</translation></message>
-<message><source>window</source><translation>fenêtre</translation></message>
+<message><source>Thesis, contrast</source><translation>Thèse, contraste</translation></message>
 <message><source>The thesis, with more contrast</source><translation>La thèse, plus contrastée</translation></message>
-<message><source>smooth-walls</source><translation>parois lisses</translation></message>
+<message><source>Smooth walls</source><translation>Parois lisses</translation></message>
 <message><source>For flat walls with low steps</source><translation>Parois planes, petits sauts</translation></message>
-<message><source>default-3</source><translation>par défaut 3</translation></message>
+<message><source>Version 3</source><translation>Version 3</translation></message>
 <message><source>To compare with version 3</source><translation>Pour comparer à la version 3</translation></message>
 <message><source>Open…</source><translation>Ouvrir…</translation></message>
 <message><source>Open a preset file</source><translation>Ouvrir un fichier de préréglage</translation></message>
@@ -1385,6 +1392,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Seuil haut  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
 <message><source>• modified</source><translation>• modifié</translation></message>
+<message><source>On the command line: --preset %1</source><translation>Dans la ligne de commande : --preset %1</translation></message>
 <message><source>From a file</source><translation>D'un fichier</translation></message>
 <message><source>computing …</source><translation>calcul en cours …</translation></message>
 <message><source>
@@ -1394,6 +1402,7 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Double-clic : retour au préréglage</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1 : %2 ; %3. La valeur reste telle qu'elle était.</translation></message>
+<message><source>Back to %1, the value of the preset</source><translation>Revenir à %1, la valeur du préréglage</translation></message>
 <message><source>Ends of the range window</source><translation>Bornes de la fenêtre de distances</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Faites glisser une borne, ou Gauche et Droite pour la borne lointaine, avec Maj pour la proche ; un double-clic la rend automatique</translation></message>
 <message><source>Ranges</source><translation>Distances</translation></message>
@@ -1428,6 +1437,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>%1 changed</source><translation>%1 modifié(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Jeu de réglages par défaut : %1</translation></message>
 <message><source>%1: %2 instead of %3</source><translation>%1 : %2 au lieu de %3</translation></message>
+<message><source>Reset %1</source><translation>Rétablir %1</translation></message>
+<message><source>Reset all</source><translation>Tout rétablir</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Tous les réglages sont ceux du jeu par défaut.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D rétablit les réglages par défaut.</translation></message>
 <message><source>1 warning</source><translation>1 avertissement</translation></message>
@@ -1470,7 +1481,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
 <message><source>Redo: %1</source><translation>Rétablir : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
-<message><source>Default</source><translation>Défaut</translation></message>
 <message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
 <message><source>Others…</source><translation>Autres…</translation></message>
 <message><source>End measuring</source><translation>Terminer la mesure</translation></message>
@@ -1507,7 +1517,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Targets</source><translation>Cibles</translation></message>
 <message><source>Layers</source><translation>Couches</translation></message>
 <message><source>Rock Table</source><translation>Tableau des blocs</translation></message>
-<message><source>Fold</source><translation>Replier</translation></message>
+<message><source>Hide panel</source><translation>Masquer le panneau</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Ouverture d'un autre scan · encore à l'écran : </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>Le manuel n'est pas installé. Ses textes sont dans le dossier docs des sources, page %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Aucun navigateur n'a ouvert le manuel. C'est le fichier %1.</translation></message>
@@ -1769,7 +1779,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>data border</source><translation>bord des données</translation></message>
 <message><source>outline before a void</source><translation>contour devant un vide</translation></message>
 <message><source>void rim</source><translation>bord d'un vide</translation></message>
-<message><source>Thesis</source><translation>Thèse</translation></message>
 <message><source>Even</source><translation>Régulière</translation></message>
 <message><source>Logarithmic</source><translation>Logarithmique</translation></message>
 <message><source>1 (off)</source><translation>1 (désactivé)</translation></message>
@@ -2010,7 +2019,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>pas de passage plus étroit à côté</translation></message>
-<message><source>at %1 m</source><translation>à %1 m</translation></message>
+<message><source>ranges %1 m</source><translation>distances %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>sauts compris : %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ une extrémité est %1 m derrière la surface voisine</translation></message>

@@ -77,7 +77,7 @@
 <message><source> is sending.</source><translation> envia.</translation></message>
 <message><source>: no scan for %1 s.</source><translation>: sem varredura há %1 s.</translation></message>
 <message><source>: disconnected.</source><translation>: desconectado.</translation></message>
-<message><source>The sweep has ended; no line has come since.</source><translation>A varredura terminou; desde então não chegou nenhuma linha.</translation></message>
+<message><source>The sweep has ended; no line has come since.</source><translation>A varredura terminou; nenhuma linha chegou desde então.</translation></message>
 <message><source>there is no such file</source><translation>esse arquivo não existe</translation></message>
 <message><source>check the spelling and the folder</source><translation>verifique o nome e a pasta</translation></message>
 <message><source>reading this file is not allowed</source><translation>não é permitido ler este arquivo</translation></message>
@@ -270,7 +270,7 @@
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
-<message><source>Shows the next of the notes that were not closed</source><translation>Mostra a seguinte das notas que não foram fechadas</translation></message>
+<message><source>Shows the next of the notes that were not closed</source><translation>Mostra a próxima das notas que não foram fechadas</translation></message>
 <message><source>%1 of %2</source><translation>%1 de %2</translation></message>
 <message><source>Error</source><translation>Erro</translation></message>
 <message><source>Note</source><translation>Nota</translation></message>
@@ -395,6 +395,8 @@ visível %6 m², a %7 m</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primeiro uma varredura.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
 <message><source>This cell has the strength %1; the threshold is %2.</source><translation>Esta célula tem a força %1; o limiar é %2.</translation></message>
+<message><source>Its strength %1 is above the Edge strength %2.</source><translation>A sua força %1 está acima da Força da borda %2.</translation></message>
+<message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>A sua força %1 está abaixo da Força da borda %2, mas continua uma borda que chega a %3 na linha %4, feixe %5. Para uma célula assim basta %6.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Nada foi medido aqui.</translation></message>
 <message><source>The surface changes too little here to be an edge.</source><translation>A superfície muda pouco demais aqui para ser uma borda.</translation></message>
 <message><source>The surface changes here, but another cell of it is the edge.</source><translation>A superfície muda aqui, mas outra célula dessa mudança é a borda.</translation></message>
@@ -402,6 +404,7 @@ visível %6 m², a %7 m</translation></message>
 <message><source>The surface bends outwards here, as at the corner of a rock.</source><translation>A superfície dobra para fora aqui, como no canto de uma rocha.</translation></message>
 <message><source>The surface bends inwards here, as where two rocks meet.</source><translation>A superfície dobra para dentro aqui, como onde duas rochas se tocam.</translation></message>
 <message><source>The measured surface ends here.</source><translation>A superfície medida termina aqui.</translation></message>
+<message><source>Edges of this class do not depend on Edge strength.</source><translation>As bordas desta classe não dependem da Força da borda.</translation></message>
 <message><source>The surface changes strongly here.</source><translation>A superfície muda muito aqui.</translation></message>
 <message><source>The reason could not be found (%1).</source><translation>Não foi possível determinar a razão (%1).</translation></message>
 <message><source>&amp;Why is this cell an edge or not?</source><translation>Por &amp;que esta célula é uma borda, ou não?</translation></message>
@@ -508,7 +511,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>class %1 off</source><translation>classe %1 desativada</translation></message>
 <message><source>%1 %2 to %3</source><translation>%1 de %2 a %3</translation></message>
 <message><source>settings</source><translation>ajustes</translation></message>
-<message><source>This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too.</source><translation>Esta varredura é plana e com pouco ruído: com a predefinição smooth-walls, os degraus baixos ao longe também são bordas.</translation></message>
+<message><source>This scan is flat and quiet: with the preset Smooth walls low steps far away are edges too.</source><translation>Esta varredura é plana e com pouco ruído: com a predefinição Paredes lisas os degraus baixos distantes também são bordas.</translation></message>
 <message><source>Use It</source><translation>Usar</translation></message>
 <message><source>Open preset</source><translation>Abrir uma predefinição</translation></message>
 <message><source>EdgeScan presets (*.json)</source><translation>Predefinições do EdgeScan (*.json)</translation></message>
@@ -762,6 +765,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Isto não foi guardado: há %1 medições, primeiro remova algumas.</translation></message>
 <message><source>new measurement</source><translation>nova medição</translation></message>
 <message><source>removal of measurement M%1</source><translation>remoção da medição M%1</translation></message>
+<message><source>end %1 not on an edge</source><translation>extremo %1 fora de uma borda</translation></message>
+<message><source>ends %1 not on an edge</source><translation>extremos %1 fora de uma borda</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
 <message><source>rock %1</source><translation>rocha %1</translation></message>
@@ -1208,10 +1213,10 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>b at least</source><translation>b pelo menos</translation></message>
 <message><source>Rocks with a confidence p below 0.85, which are hatched, are left out of the table</source><translation>As rochas com confiança p abaixo de 0.85, que estão tracejadas, ficam fora da tabela</translation></message>
 <message><source>%1 of %2 rocks</source><translation>%1 de %2 rochas</translation></message>
-<message><source>, %1 hatched (p &lt; 0.85)</source><translation>, %1 hachuradas (p &lt; 0.85)</translation></message>
+<message><source>, %1 of them uncertain (hatched)</source><translation>, %1 delas incertas (hachuradas)</translation></message>
 <message><source>fine</source><translation>fino</translation></message>
 <message><source>coarse</source><translation>grosso</translation></message>
-<message><source>%1, %2 hatched (p &lt; 0.85); regions of fines: %3</source><translation>%1, %2 hachuradas (p &lt; 0.85); regiões de finos: %3</translation></message>
+<message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 delas incertas (hachuradas); %3 pedaços pequenos demais para ser uma rocha</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
 <message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Um clique escolhe uma rocha e fixa um alvo; Ctrl+clique escolhe mais uma rocha.</translation></message>
@@ -1312,6 +1317,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 RL %3 m</source><translation>E %1  N %2
 RL %3 m</translation></message>
 <message><source>x %1  y %2  z %3 m</source><translation>x %1  y %2  z %3 m</translation></message>
+<message><source>E %1 N %2 RL %3</source><translation>E %1 N %2 RL %3</translation></message>
 <message><source>Distance [m]</source><translation>Distância [m]</translation></message>
 <message><source>Line</source><translation>Linha</translation></message>
 <message><source>Beam</source><translation>Feixe</translation></message>
@@ -1339,6 +1345,7 @@ RL %3 m</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
+<message><source>With a higher edge strength this number can rise: cells that are no longer jumps or folds count here.</source><translation>Com uma força da borda maior este número pode subir: as células que já não são saltos nem dobras contam aqui.</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>
@@ -1360,17 +1367,17 @@ RL %3 m</translation></message>
 <message><source>Folds have to exceed %1.</source><translation>As dobras têm de exceder %1.</translation></message>
 <message><source>Rough scan: around half of the folds %1 % of the cells fold, so a fold must exceed its surroundings.</source><translation>Varredura rugosa: à volta de metade das dobras, %1 % das células dobram, por isso uma dobra tem de exceder o que a rodeia.</translation></message>
 <message><source>Advanced</source><translation>Avançado</translation></message>
-<message><source>default</source><translation>padrão</translation></message>
+<message><source>Default</source><translation>Padrão</translation></message>
 <message><source>For most scans of rock</source><translation>Para quase toda varredura</translation></message>
-<message><source>log</source><translation>logarítmico</translation></message>
+<message><source>Percent of range</source><translation>Porcentagem da distância</translation></message>
 <message><source>Steps in percent of the range</source><translation>Saltos em % da distância</translation></message>
-<message><source>thesis</source><translation>tese</translation></message>
+<message><source>Thesis</source><translation>Tese</translation></message>
 <message><source>To compare with the thesis</source><translation>Para comparar com a tese</translation></message>
-<message><source>window</source><translation>janela</translation></message>
+<message><source>Thesis, contrast</source><translation>Tese, contraste</translation></message>
 <message><source>The thesis, with more contrast</source><translation>A tese, com mais contraste</translation></message>
-<message><source>smooth-walls</source><translation>paredes lisas</translation></message>
+<message><source>Smooth walls</source><translation>Paredes lisas</translation></message>
 <message><source>For flat walls with low steps</source><translation>Paredes planas, saltos baixos</translation></message>
-<message><source>default-3</source><translation>padrão 3</translation></message>
+<message><source>Version 3</source><translation>Versão 3</translation></message>
 <message><source>To compare with version 3</source><translation>Para comparar com a versão 3</translation></message>
 <message><source>Open…</source><translation>Abrir…</translation></message>
 <message><source>Open a preset file</source><translation>Abrir um arquivo de predefinição</translation></message>
@@ -1385,6 +1392,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Limiar superior  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
+<message><source>On the command line: --preset %1</source><translation>Na linha de comando: --preset %1</translation></message>
 <message><source>From a file</source><translation>De um arquivo</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
 <message><source>
@@ -1394,6 +1402,7 @@ RL %3 m</translation></message>
 Double-click: back to the preset</source><translation>
 Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1: %2; %3. The value stays as it was.</source><translation>%1: %2; %3. O valor fica como estava.</translation></message>
+<message><source>Back to %1, the value of the preset</source><translation>Voltar a %1, o valor da predefinição</translation></message>
 <message><source>Ends of the range window</source><translation>Extremos da janela de distâncias</translation></message>
 <message><source>Drag an end, or Left and Right for the far one, with Shift for the near one; a double-click makes it automatic</source><translation>Arraste um extremo, ou Esquerda e Direita para o distante, com Shift para o próximo; um clique duplo a torna automática</translation></message>
 <message><source>Ranges</source><translation>Distâncias</translation></message>
@@ -1428,6 +1437,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>%1 changed</source><translation>%1 modificado(s)</translation></message>
 <message><source>Set of default settings: %1</source><translation>Conjunto de ajustes padrão: %1</translation></message>
 <message><source>%1: %2 instead of %3</source><translation>%1: %2 em vez de %3</translation></message>
+<message><source>Reset %1</source><translation>Restaurar %1</translation></message>
+<message><source>Reset all</source><translation>Restaurar tudo</translation></message>
 <message><source>All settings are those of the default set.</source><translation>Todos os ajustes são os do conjunto padrão.</translation></message>
 <message><source>Ctrl+D restores the default settings.</source><translation>Ctrl+D restaura os ajustes padrão.</translation></message>
 <message><source>1 warning</source><translation>1 aviso</translation></message>
@@ -1470,7 +1481,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
 <message><source>Redo: %1</source><translation>Refazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
-<message><source>Default</source><translation>Padrão</translation></message>
 <message><source>Remove: %1</source><translation>Remover: %1</translation></message>
 <message><source>Others…</source><translation>Outros…</translation></message>
 <message><source>End measuring</source><translation>Terminar a medição</translation></message>
@@ -1507,7 +1517,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Targets</source><translation>Alvos</translation></message>
 <message><source>Layers</source><translation>Camadas</translation></message>
 <message><source>Rock Table</source><translation>Tabela de rochas</translation></message>
-<message><source>Fold</source><translation>Recolher</translation></message>
+<message><source>Hide panel</source><translation>Ocultar painel</translation></message>
 <message><source>Opening another scan · still shown: </source><translation>Abrindo outra varredura · ainda na tela: </translation></message>
 <message><source>The manual is not installed. Its texts are in the folder docs of the source, page %1.</source><translation>O manual não está instalado. Os seus textos estão na pasta docs do código-fonte, página %1.</translation></message>
 <message><source>No browser opened the manual. It is the file %1.</source><translation>Nenhum navegador abriu o manual. É o ficheiro %1.</translation></message>
@@ -1769,7 +1779,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>data border</source><translation>limite dos dados</translation></message>
 <message><source>outline before a void</source><translation>contorno diante de um vazio</translation></message>
 <message><source>void rim</source><translation>beira de um vazio</translation></message>
-<message><source>Thesis</source><translation>Tese</translation></message>
 <message><source>Even</source><translation>Uniforme</translation></message>
 <message><source>Logarithmic</source><translation>Logarítmica</translation></message>
 <message><source>1 (off)</source><translation>1 (desligado)</translation></message>
@@ -2010,7 +2019,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>sem passagem mais estreita ao lado</translation></message>
-<message><source>at %1 m</source><translation>a %1 m</translation></message>
+<message><source>ranges %1 m</source><translation>distâncias %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluídos: %1</translation></message>
 <message><source>▲ an end is %1 m behind the surface next to it</source><translation>▲ uma extremidade está %1 m atrás da superfície vizinha</translation></message>

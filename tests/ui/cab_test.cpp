@@ -323,7 +323,7 @@ private slots:
         QVERIFY(on.showWith(scan_));
         on.window.cab().set(true);
         auto* side = on.window.findChild<NumbersSide*>();
-        TargetNumbers few{"Measured", "1 of 2", "1.454 m", "± 0.142", {}, {}, "at 6.02, 5.53 m"}, many = few;
+        TargetNumbers few{"Measured", "1 of 2", "1.454 m", "± 0.142", {}, {}, "ranges 6.02 / 5.53 m"}, many = few;
         many.distanceName = "Throat Width";
         many.warned =
             QString::fromUtf8("▲ a tap is 13.18 m behind this throat: tap the rock at each side\n▲ one end is 0.49 m farther away "
@@ -935,7 +935,7 @@ private slots:
         const MeasureWords words = on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back());
         QTRY_COMPARE(side.distanceShown() + " " + tolerance->text(), words.value);
         QCOMPARE(kind->text(), words.kind);
-        QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("at "), qPrintable(words.remarks.join('\n')));
+        QVERIFY2(side.findChild<QLabel*>("cab-size-remark")->text().startsWith("ranges "), qPrintable(words.remarks.join('\n')));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);
         QVERIFY(title->text().startsWith("Target 1") && kind->text() == "Distance");
         // One thing is marked in every view: the target or the measurement.

@@ -5,6 +5,7 @@
 #include "tests/support/placements.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/cell_marks.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
 #include "ui/controllers/paper_drawings.h"
@@ -13,6 +14,7 @@
 #include "ui/panels/cab/keypad.h"
 #include "ui/panels/dialogs/export_dialog.h"
 #include "ui/panels/dialogs/report_form.h"
+#include "ui/panels/live/health_strip.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/view_cube.h"
@@ -143,6 +145,50 @@ private slots:
         QCOMPARE(notice.earlier(), std::size_t{0});
     }
 
+    // Close ends one note, and the number of notes is in sight.
+    void closeEndsOneNote() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_));
+        NoticeBar& notice = on.viewer.notice;
+        notice.hide();
+        auto* close = notice.findChild<QToolButton*>("notice-close");
+        auto* next = notice.findChild<QToolButton*>("notice-earlier");
+        for (const char* words : {"the first", "the second", "the third"}) notice.showNotice(NoticeBar::Kind::Warning, words);
+        QCOMPARE(next->text(), QString("1 of 3"));
+        QTest::mouseClick(next, Qt::LeftButton);
+        QCOMPARE(notice.text(), QString("the second"));
+        QCOMPARE(next->text(), QString("2 of 3"));
+        QTest::mouseClick(close, Qt::LeftButton);
+        QCOMPARE(notice.text(), QString("the first"));
+        QCOMPARE(next->text(), QString("2 of 2"));
+        QVERIFY(on.activate());
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QCOMPARE(notice.text(), QString("the third"));
+        QVERIFY(!next->isVisible());
+        QTest::mouseClick(close, Qt::LeftButton);
+        QVERIFY(!notice.isVisible());
+    }
+
+    // Where the line is too short for a path, the name of the file is still read.
+    void aNoteKeepsTheNameOfItsFile() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.showWith(bell_));
+        NoticeBar& notice = on.viewer.notice;
+        const auto* line = static_cast<const ElidedLabel*>(notice.findChild<QLabel*>("notice-line"));
+        const QString path = "/home/operator/" + QString("a-folder-with-a-long-name/").repeated(6) + "drawbell-edges.dxf";
+        notice.showSaved(path, "12 points");
+        QTRY_VERIFY2(line->shown().contains("drawbell-edges.dxf"), qPrintable(line->shown()));
+        notice.showNotice(NoticeBar::Kind::Error, "The disk is full: " + path + "; free some space");
+        QTRY_VERIFY2(line->shown().contains("drawbell-edges.dxf"), qPrintable(line->shown()));
+        notice.hide();
+        // Of two scans the common part is left out, not the word that differs.
+        QCOMPARE(shownApart("demo draw-bell after the blast", "demo draw-bell", 20), QString("… after the blast"));
+        QCOMPARE(shownApart("north_2026-11-20_before_scan", "north_2026-11-20_after_scan", 9), QString("…before…"));
+        QCOMPARE(shownApart("short", "shore", 20), QString("short"));
+    }
+
     // A file was written, and something else happened right after it: its button comes back, and is not one of "earlier".
     void aNoteWithAButtonComesBack() {
         WindowFixture on;
@@ -216,6 +262,21 @@ private slots:
         int entries = 0;
         for (const QAction* each : view->actions()) entries += each->isSeparator() ? 0 : 1;
         QVERIFY2(entries <= 20, qPrintable(QString::number(entries)));
+    }
+
+    // A button that opens a menu has an arrow, and no other has one.
+    void aButtonWithAMenuHasAnArrow() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        int menus = 0;
+        for (auto* button : on.viewer.tools.findChildren<QToolButton*>()) {
+            if (!button->isVisible() || !button->isEnabled() || button->isChecked()) continue;
+            const QImage drawn = button->grab().toImage();
+            const bool arrow = drawn.pixelColor(drawn.width() - 7, drawn.height() - 7) == button->palette().color(QPalette::ButtonText);
+            QVERIFY2(arrow == (button->menu() != nullptr), qPrintable(button->accessibleName()));
+            menus += arrow ? 1 : 0;
+        }
+        QVERIFY(menus >= 4);
     }
 
     void whatNeedsAScanIsDisabledBeforeOneIsOpen() {
@@ -377,7 +438,7 @@ private slots:
         QVERIFY2(std::ranges::count(detection.classes->cells, edges::DepthEdge::Silhouette) > 0, "a class that is rare");
         for (const bool brief : {false, true}) {
             on.viewer.legend.setBrief(brief);
-            on.viewer.legend.findChild<QToolButton*>("legend-unfold")->setChecked(brief);
+            on.viewer.legend.findChild<QToolButton*>("legend-unfold")->setChecked(true);
             std::size_t shown = 0;
             for (std::size_t n = 0; n < kEdgeClasses; ++n) {
                 const auto* box = on.viewer.legend.findChild<QCheckBox*>(QString("legend-%1").arg(n));
@@ -387,6 +448,56 @@ private slots:
             }
             QCOMPARE(shown, detection.edges->size());
         }
+    }
+
+    // Folded it is one row, and it stays so at the next start.
+    void theLegendOfEdgesFolds() {
+        test::TemporaryFolder memory;
+        const QString path = QString::fromStdString((memory / "settings.ini").string());
+        {
+            WindowFixture on(path);
+            on.window.resize(1280, 800);
+            QVERIFY(on.showWith(bell_));
+            EdgeLegend& legend = on.viewer.legend;
+            QTRY_VERIFY(legend.unfold()->isVisible());
+            const int open = legend.height();
+            QTest::mouseClick(legend.unfold(), Qt::LeftButton);
+            QTRY_VERIFY2(4 * legend.height() < open, qPrintable(QString("%1 of %2").arg(legend.height()).arg(open)));
+            QVERIFY(legend.edges()->isVisible() && !legend.classSwitch(0)->isVisible());
+        }
+        WindowFixture again(path);
+        again.window.resize(1280, 800);
+        QVERIFY(again.showWith(bell_));
+        QTRY_VERIFY(again.viewer.legend.unfold()->isVisible());
+        QVERIFY(!again.viewer.legend.classSwitch(0)->isVisible());
+        QTest::mouseClick(again.viewer.legend.unfold(), Qt::LeftButton);
+        QTRY_VERIFY(again.viewer.legend.classSwitch(0)->isVisible());
+    }
+
+    // A row of the strip that is not needed any more goes, though not at once: nothing moves under a finger with each line.
+    void theStripHasNoEmptyRow() {
+        HealthStrip strip;
+        strip.resize(500, 40);
+        strip.setSteady(true);
+        files::LiveHealth health;
+        health.liveness = files::Liveness::Live;
+        health.badge = "LIVE";
+        health.lines = "1/600 lines";
+        health.rows = 600;
+        health.remark = "MOUNTING ASSUMED";
+        health.telegrams = files::Condition::OutOfSpec;
+        health.contamination = "window clean";
+        health.pose = "no pose";
+        strip.showHealth(health);
+        const int before = strip.minimumHeight();
+        health.remark.clear();
+        health.contamination.clear();
+        health.pose.clear();
+        strip.showHealth(health);
+        QCOMPARE(strip.minimumHeight(), before);
+        strip.findChild<QTimer*>("live-empty-row")->setInterval(1);
+        strip.showHealth(health);
+        QTRY_VERIFY2(strip.minimumHeight() < before, qPrintable(QString("%1 after %2").arg(strip.minimumHeight()).arg(before)));
     }
 
     void aTargetOutOfViewHasNoTag() {

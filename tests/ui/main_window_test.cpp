@@ -321,7 +321,7 @@ private slots:
         QVERIFY(on.showWith(real_));
         auto* presets = window.viewer().panel.findChild<QComboBox*>("presets");
         QVERIFY(presets != nullptr);
-        presets->setCurrentText("thesis");
+        presets->setCurrentText("Thesis");
         emit presets->activated(presets->currentIndex());
         QVERIFY(on.settled());
         QVERIFY(window.viewer().engine.picture()->detection->settings == edges::findPreset("thesis")->settings);

@@ -23,6 +23,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -430,11 +431,28 @@ private slots:
         QVERIFY(QImage(exactText(picture)).height() > 100);
     }
 
+    // Work that begins or ends does not push the views.
+    void workInTheStatusLineMovesNothing() {
+        WindowFixture on;
+        QVERIFY(on.showWith(placed_));
+        on.viewer.views.pin(on.picture().detection->edges->front());
+        for (const int wide : {1024, 1280, 1366, 1920}) {
+            QTRY_VERIFY((on.window.resize(wide, 800), on.window.width() == wide));
+            QApplication::processEvents();
+            const int high = on.viewer.statusLine.height();
+            on.viewer.statusLine.showWork("Comparing with A", "reading the file", 0.4);
+            QTRY_VERIFY(on.viewer.statusLine.findChild<QPushButton*>("cancel-work")->isVisible());
+            QApplication::processEvents();
+            QCOMPARE(on.viewer.statusLine.height(), high);
+            on.viewer.statusLine.endWork();
+        }
+    }
+
     void changedSettingsAreToldAndOneKeyRestoresThem() {
         WindowFixture on;
         QVERIFY(on.showWith(placed_));
         QVERIFY(on.activate());
-        const QString usual = "default settings", changed = "settings: 2 changed";
+        const QString usual = "default settings", changed = "settings: 2 changed ▾";
         const QString set = QString("Set of default settings: %1 %2").arg(edges::kDefaultSet.name).arg(edges::kDefaultSet.version);
         auto* label = on.window.findChild<QLabel*>("settings");
         QVERIFY(on.use(edges::Settings{}));
@@ -448,6 +466,19 @@ private slots:
                  qPrintable(label->toolTip()));
         // Also if a preset with these settings is chosen.
         on.viewer.tuning.usePreset({"mine", "", turned, {}});
+        QCOMPARE(on.viewer.statusLine.settingsShown(), changed);
+        // A click lists them; each can be reset alone.
+        auto* list = on.window.findChild<QMenu*>("settings-changed");
+        QTest::mouseClick(label, Qt::LeftButton);
+        QVERIFY(list->isVisible());
+        QVERIFY2(list->actions().front()->text().startsWith("Reset Crease angle: 37 instead of 30") ||
+                     list->actions().front()->text().startsWith("Reset Jump growth: 2 instead of 1"),
+                 qPrintable(list->actions().front()->text()));
+        QCOMPARE(list->actions().size(), 4); // two, a line, all
+        list->close();
+        list->actions().front()->trigger();
+        QCOMPARE(on.viewer.statusLine.settingsShown(), QString("settings: 1 changed ▾"));
+        on.viewer.undo.undo();
         QCOMPARE(on.viewer.statusLine.settingsShown(), changed);
         QTest::keyClick(&on.window, Qt::Key_D, Qt::ControlModifier);
         QCOMPARE(on.viewer.statusLine.settingsShown(), usual);

@@ -299,6 +299,34 @@ private slots:
         QVERIFY(!views.cloud().outline());
     }
 
+    // The table begins with its first row; a row that is chosen in a view comes with its neighbours, and one in sight moves nothing.
+    void theTableBeginsAtItsTop() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QTableView* table = on.viewer.rockTable.table();
+        QVERIFY(eventually([&] { return table->isVisible() && table->viewport()->height() > 60; }));
+        QVERIFY(table->model()->rowCount() > 30);
+        const auto select = [&](int row) {
+            on.viewer.rocks.select({picture(on).rock(table->model()->index(row, 0).data().toString().section(' ', 0, 0).toUInt())->cell});
+        };
+        const auto isInSight = [&](int row) {
+            return table->viewport()->rect().contains(table->visualRect(table->model()->index(row, 0)).center());
+        };
+        select(0);
+        QCOMPARE(table->verticalScrollBar()->value(), 0);
+        select(25);
+        QVERIFY(isInSight(24) && isInSight(25) && isInSight(26));
+        const int now = table->verticalScrollBar()->value();
+        select(24);
+        QCOMPARE(table->verticalScrollBar()->value(), now);
+        QAction* shows = on.window.findChild<QDockWidget*>("dock-rock-table")->toggleViewAction();
+        shows->trigger();
+        QVERIFY(eventually([&] { return !table->isVisible(); }));
+        select(0);
+        shows->trigger();
+        QVERIFY(eventually([&] { return table->isVisible() && table->verticalScrollBar()->value() == 0; }));
+    }
+
     // A click of Pin pins, and chooses the rock that is there; it stays the one of the chosen target.
     void aClickPinsAndChoosesItsRock() {
         WindowFixture on;
@@ -311,7 +339,10 @@ private slots:
         QTRY_VERIFY(targets->visibleRegion().isEmpty());
         on.viewer.undo.undo();
         click(on, 3);
-        QTRY_VERIFY2(!targets->visibleRegion().isEmpty(), "the card of the new target is in front");
+        QApplication::processEvents();
+        QVERIFY2(targets->visibleRegion().isEmpty(), "the panel of the rocks stays in front: Merge and Split are there");
+        on.window.findChild<QDockWidget*>("dock-targets")->raise();
+        QTRY_VERIFY(!targets->visibleRegion().isEmpty());
         QVERIFY(on.viewer.views.pinned() && picture(on).labelAt(*on.viewer.views.pinned()) == 3);
         const auto isChosen = [&](std::uint32_t label) {
             const auto& outline = on.viewer.views.cloud().outline();
@@ -329,6 +360,7 @@ private slots:
         QVERIFY(settled(on) && isChosen(3));
         click(on, 4);
         QVERIFY(isChosen(4));
+        on.window.findChild<QDockWidget*>("dock-targets")->raise();
         QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(0)).center());
         QVERIFY(isChosen(3) && on.viewer.views.pinned());
         QTRY_VERIFY(on.viewer.rocksPanel.card().visibleRegion().isEmpty());
@@ -1305,6 +1337,24 @@ private slots:
         }
         QVERIFY(std::filesystem::exists(sidecar));
         QCOMPARE(test::fileText(sidecar), written);
+    }
+
+    // A sweep may begin far at a side: its first lines are in the view at once, and the whole of it later, after one move of the camera.
+    void theFirstLinesOfASweepAreInTheView() {
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.show());
+        const std::uint64_t stream = Engine::newStream();
+        const CloudView& cloud = on.viewer.views.cloud();
+        std::vector<CameraPose> poses;
+        for (const int count : {2, 5, 10, 20, 35, 60, 100, 200, 300, scan_.lines()}) {
+            on.viewer.engine.follow(std::make_shared<const Scan>(firstLines(count)), {stream, {0, count < scan_.lines(), scan_.lines()}});
+            QVERIFY(on.settled());
+            QTRY_VERIFY(cloud.scan() && cloud.scan()->lines() == count);
+            QVERIFY2(cloud.isMostlyInView(), qPrintable(QString::number(count)));
+            if (poses.empty() || !(poses.back() == cloud.camera())) poses.push_back(cloud.camera());
+        }
+        QVERIFY2(poses.size() <= 2, qPrintable(QString::number(poses.size())));
     }
 
     void rocksFollowASweepThatGrows() {

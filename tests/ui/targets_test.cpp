@@ -515,6 +515,10 @@ private slots:
                 QVERIFY2(eventually(seen), qPrintable(QString("%1 targets at %2 x %3").arg(count).arg(size.width()).arg(size.height())));
             }
             QCOMPARE(count, 20);
+            // With a pose too, several targets are in sight.
+            int rows = 0;
+            for (int n = 0; n < list->count(); ++n) rows += list->viewport()->rect().contains(list->visualItemRect(list->item(n))) ? 1 : 0;
+            QVERIFY2(rows >= 4, qPrintable(QString::number(rows)));
         }
     }
 
@@ -647,8 +651,15 @@ private slots:
         QVERIFY(gray.marks() == on.viewer.views.cloud().marks() && gray.marks() == on.viewer.views.edges().marks());
         // The list has the value and the first warning; the rest is below it, for the chosen measurement.
         const auto* remarks = on.viewer.targetsPanel.findChild<QLabel*>("measure-remarks");
-        QVERIFY(remarks->isVisible() && remarks->text().contains("at ") && remarks->text().contains(", "));
+        QVERIFY(remarks->isVisible() && remarks->text().contains("ranges ") && remarks->text().contains(" / "));
         QVERIFY(on.viewer.targetsPanel.measures()->item(0)->text().count('\n') <= 1);
+        // An end that is not on an edge is named.
+        const edges::Detection& detection = *on.picture().detection;
+        const auto isOff = [&](std::uint32_t end) { return !edges::nearestEdge(*detection.mask, end, 1); };
+        const bool first = isOff(ends[0]), second = isOff(ends[1]);
+        QVERIFY(first || second);
+        const QString off = first && second ? "ends 1, 2 not on an edge" : QString("end %1 not on an edge").arg(first ? 1 : 2);
+        QVERIFY2(remarks->text().contains(off), qPrintable(remarks->text()));
         // The lines and the label are on the screen, in the cloud too.
         const auto blue = [](QRgb p) {
             return std::abs(qRed(p) - 120) < 12 && std::abs(qGreen(p) - 190) < 12 && std::abs(qBlue(p) - 255) < 12;

@@ -218,6 +218,61 @@ private slots:
         QVERIFY2(heightAt(4, 30) < 26, qPrintable(QString::number(heightAt(4, 30))));
     }
 
+    // A value that was changed has its way back next to it, without a double click that must be known.
+    void aChangedValueHasItsWayBackNextToIt() {
+        use(edges::Settings{});
+        EdgesPanel& panel = window_->viewer().panel;
+        for (const char* key : {"sensitivity", "method"}) {
+            auto* reset = panel.findChild<QToolButton*>(QString("reset-") + key);
+            QVERIFY(reset != nullptr && !reset->isVisible());
+            const edges::Settings before = window_->viewer().engine.settings();
+            if (QString(key) == "method")
+                panel.row(key)->choice()->setCurrentIndex(panel.row(key)->choice()->currentIndex() + 1);
+            else
+                panel.row(key)->number()->setValue(2.5);
+            QVERIFY(on_->settled());
+            QVERIFY2(reset->isVisible(), key);
+            QVERIFY2(reset->toolTip().startsWith("Back to "), qPrintable(reset->toolTip()));
+            QTest::mouseClick(reset, Qt::LeftButton);
+            QVERIFY(on_->settled());
+            QVERIFY(!reset->isVisible());
+            QCOMPARE(panel.row(key)->parameter().get(window_->viewer().engine.settings()), panel.row(key)->parameter().get(before));
+        }
+    }
+
+    // An edge cell below the threshold: the plain sentence names the strong cell that it continues.
+    void whyNamesTheStrongPlaceOfAWeakEdge() {
+        edges::Settings settings;
+        settings.sensitivity = 2.5;
+        settings.classes = edges::kClassRock | edges::kClassSilhouette | edges::kClassVoidRim | edges::kClassBorder;
+        use(settings);
+        const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
+        std::optional<edges::Why> weak, strong, rim;
+        for (const std::uint32_t cell : *detection.edges) {
+            const edges::Why why = edges::whyCell(detection, cell);
+            const bool ofRock = why.probe.kind == edges::DepthEdge::Jump || why.probe.kind == edges::DepthEdge::Convex ||
+                                why.probe.kind == edges::DepthEdge::Concave;
+            if (!ofRock) rim = why;
+            if (ofRock && why.level == edges::StrengthLevel::Between && why.chain.size() > 1) weak = why;
+            if (ofRock && why.level == edges::StrengthLevel::Above) strong = why;
+            if (weak && strong && rim) break;
+        }
+        QVERIFY(weak && strong);
+        const auto plainOf = [&](const edges::Why& why) {
+            askWhy(why.probe.cell);
+            return window_->viewer().explanation.card()->findChild<QLabel*>("why-plain")->text();
+        };
+        const QString ofWeak = plainOf(*weak);
+        const edges::CellStrength& top = weak->chain.back();
+        QVERIFY2(ofWeak.contains(QString("Its strength %1 is below the Edge strength 2.50").arg(weak->strength, 0, 'f', 2)),
+                 qPrintable(ofWeak));
+        QVERIFY2(ofWeak.contains(QString("reaches %1 at line %2, beam %3").arg(top.strength, 0, 'f', 2).arg(top.line).arg(top.beam)),
+                 qPrintable(ofWeak));
+        const QString ofStrong = plainOf(*strong);
+        QVERIFY2(ofStrong.contains("is above the Edge strength 2.50"), qPrintable(ofStrong));
+        if (rim) QVERIFY2(plainOf(*rim).contains("do not depend on Edge strength"), qPrintable(plainOf(*rim)));
+    }
+
     // What a preset is for is in sight, not only under the pointer.
     void aPresetSaysWhatItIsFor() {
         const auto* purpose = window_->viewer().panel.findChild<QLabel*>("preset-purpose");

@@ -57,6 +57,21 @@ QString strengths(const edges::Why& why) {
            Explanation::tr("This cell has the strength %1; the threshold is %2.").arg(why.strength, 0, 'f', 2).arg(why.lower, 0, 'f', 2);
 }
 
+/// Why a strength is enough: above the threshold, or less where the edge goes on to a strong place.
+QString enough(const edges::Why& why) {
+    if (!why.depth) return {};
+    const auto number = [](double value) { return QString::number(value, 'f', 2); };
+    if (why.level == edges::StrengthLevel::Above || why.chain.empty())
+        return ' ' + Explanation::tr("Its strength %1 is above the Edge strength %2.").arg(number(why.strength), number(why.upper));
+    const edges::CellStrength& strong = why.chain.back();
+    return ' ' + Explanation::tr("Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, "
+                                 "beam %5. Such a cell needs only %6.")
+                     .arg(number(why.strength), number(why.upper), number(strong.strength))
+                     .arg(strong.line)
+                     .arg(strong.beam)
+                     .arg(number(why.lower));
+}
+
 /// For readers who do not know the terms of the verdict.
 QString plainWords(const edges::Why& why) {
     if (why.probe.state != CellState::Valid && !why.probe.filled) return Explanation::tr("Nothing was measured here.");
@@ -66,15 +81,16 @@ QString plainWords(const edges::Why& why) {
                    : Explanation::tr("The surface changes here, but another cell of it is the edge.");
     switch (why.probe.kind) {
     case edges::DepthEdge::Jump:
-    case edges::DepthEdge::Silhouette:
-        return Explanation::tr("One surface ends here in front of another.");
+        return Explanation::tr("One surface ends here in front of another.") + enough(why);
     case edges::DepthEdge::Convex:
-        return Explanation::tr("The surface bends outwards here, as at the corner of a rock.");
+        return Explanation::tr("The surface bends outwards here, as at the corner of a rock.") + enough(why);
     case edges::DepthEdge::Concave:
-        return Explanation::tr("The surface bends inwards here, as where two rocks meet.");
+        return Explanation::tr("The surface bends inwards here, as where two rocks meet.") + enough(why);
     case edges::DepthEdge::Border:
     case edges::DepthEdge::VoidRim:
-        return Explanation::tr("The measured surface ends here.");
+    case edges::DepthEdge::Silhouette:
+        return Explanation::tr("The measured surface ends here.") + ' ' +
+               Explanation::tr("Edges of this class do not depend on Edge strength.");
     case edges::DepthEdge::None:
         break;
     }

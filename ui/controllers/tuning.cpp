@@ -2,6 +2,7 @@
 #include "ui/controllers/tuning.h"
 
 #include "core/base/whole_file.h"
+#include "core/edges/pipeline/parameter_change.h"
 #include "core/edges/settings/parameters.h"
 #include "core/edges/tuning/flat_scan.h"
 #include "ui/base/notice_bar.h"
@@ -97,7 +98,7 @@ void Tuning::count(bool grows) {
 void Tuning::proposePreset(const edges::Detection& detection) {
     if (!(detection.settings == edges::Settings{}) || !edges::isFlatAndQuiet(detection)) return;
     notice_.showNotice(NoticeBar::Kind::Done,
-                       tr("This scan is flat and quiet: with the preset smooth-walls low steps far away are edges too."));
+                       tr("This scan is flat and quiet: with the preset Smooth walls low steps far away are edges too."));
     notice_.offer(tr("Use It"), [this] {
         if (const auto preset = edges::findPreset("smooth-walls")) usePreset(*preset);
     });
@@ -148,6 +149,12 @@ void Tuning::setParameter(const char* key, double value) {
     edges::Settings settings = engine_.settings();
     edges::findParameter(key)->set(settings, value);
     change(settings, false);
+}
+
+void Tuning::reset(const QString& parameter) {
+    if (parameter.isEmpty()) return usePreset(edges::builtInPresets().front());
+    const edges::Parameter& p = *edges::findParameter(parameter.toStdString());
+    change(edges::withParameterChanged(engine_.settings(), p, p.get(edges::Settings{}), engine_.settings()), false);
 }
 
 void Tuning::startWith(const edges::Preset& preset, const edges::Settings& settings) {

@@ -32,6 +32,8 @@ public:
     void setPart(const inspect::TuningPart& part);
     /// Changes one parameter of the table as if the operator had used its row in the panel.
     void setParameter(const char* key, double value);
+    /// To the default value, as an undo step; empty: all parameters.
+    void reset(const QString& parameter);
     /// Settings of the command line: for this start only, not stored until the operator changes a setting.
     void startWith(const edges::Preset& preset, const edges::Settings& settings);
     /// The number or choice that the operator changed last, if the method uses it; else the method's main threshold.

@@ -67,10 +67,24 @@ Docks::Docks(QMainWindow& window, DockRail& rail, Viewer& viewer)
         if (inFront && window_.tabifiedDockWidgets(&targets).contains(&rocks)) rocks.raise(); // the card of the rock, in place of no target
     });
     connect(&viewer.layers, &Layers::shownChanged, this, [this](bool on) { want(kLayers, on); });
-    connect(&viewer.targets, &Targets::pinned, this, [this] {
+    connect(&viewer.targets, &Targets::pinned, this, [this, &viewer] {
+        const auto cell = viewer.views.pinned();
+        const auto& rocks = viewer.rocks.picture();
+        QDockWidget* stays = cell && rocks && rocks->labelAt(*cell) != 0 ? rocksInFront() : nullptr;
         want(kTargets, true);
+        if (stays != nullptr) return stays->raise(); // the operator works on rocks: Merge and Split are there
         if (QDockWidget& dock = *named(kTargets).widget; !dock.isHidden()) dock.raise(); // its card, also over the panel of the rocks
     });
+}
+
+/// The panel or the table of rocks if it is the tab in front of the targets; null: it is not.
+QDockWidget* Docks::rocksInFront() {
+    const auto behind = window_.tabifiedDockWidgets(named(kTargets).widget);
+    for (const char* name : {kRocks, kTable}) {
+        QDockWidget* dock = named(name).widget;
+        if (behind.contains(dock) && !dock->isHidden() && !dock->visibleRegion().isEmpty()) return dock;
+    }
+    return nullptr;
 }
 
 void Docks::add(const QString& title, const char* name, QWidget* content, Side side, int opensFrom) {
@@ -182,7 +196,10 @@ void Docks::showTitles() {
         const bool below = tab && !dock.widget->isHidden();
         if (auto* title = dock.widget->titleBarWidget()->findChild<QLabel*>())
             title->setText((below ? QString() : dock.widget->windowTitle()) + (ofB_ ? QString(" · B") : QString()));
-        if (auto* fold = dock.widget->titleBarWidget()->findChild<QToolButton*>()) fold->setText(below ? tr("Fold") + " »" : QString("»"));
+        if (auto* fold = dock.widget->titleBarWidget()->findChild<QToolButton*>()) {
+            fold->setText(below ? tr("Hide panel") + " »" : QString("»"));
+            fold->setAutoRaise(!below); // with a frame, so that it is not read as a heading
+        }
     }
 }
 

@@ -63,6 +63,7 @@ private:
     };
     void add(const QString& title, const char* name, QWidget* content, Side side, int opensFrom);
     void want(const char* name, bool on);
+    [[nodiscard]] QDockWidget* rocksInFront();
     void keep(QDockWidget& dock, const QString& byHand);
     [[nodiscard]] Dock& named(const char* name);
     [[nodiscard]] Side sideOf(const Dock& dock) const;

@@ -249,6 +249,8 @@ void MainWindow::layOutLegend() {
     over->setContentsMargins(8, 8, 8, 8);
     over->addStretch(1);
     over->addWidget(&viewer_.legend, 0, Qt::AlignLeft | Qt::AlignBottom);
+    viewer_.legend.unfold()->setChecked(viewer_.preferences.flag("view/legend-open", true));
+    connect(&viewer_.legend, &EdgeLegend::unfolded, this, [this](bool open) { viewer_.preferences.keep("view/legend-open", open); });
     connect(&viewer_.cloud, &CloudView::edgesCovered, &viewer_.legend, &EdgeLegend::showCovered);
     connect(&viewer_.legend, &EdgeLegend::classesRequested, this, [this](int classes) { viewer_.tuning.setParameter("classes", classes); });
 }
@@ -287,7 +289,8 @@ void MainWindow::layOutTools() {
 }
 
 void MainWindow::showOrigin() {
-    const PictureOrigin origin = originOfDrawn(viewer_.engine, viewer_.live.scanner(), viewer_.comparing.drawnA());
+    const PictureOrigin origin =
+        originOfDrawn(viewer_.engine, viewer_.live.scanner(), viewer_.comparing.pictureA().get(), viewer_.views.flipped());
     viewer_.origin.showState(origin.sign, origin.badge);
     viewer_.origin.setToolTip(viewer_.origin.text() + "\n" + origin.more);
     viewer_.targets.setSource(originOf(viewer_.engine, viewer_.live.scanner()).badge); // also while A is drawn
@@ -320,6 +323,7 @@ void MainWindow::connectEngine() {
     });
     connect(&viewer_.engine, &Engine::settingsChanged, this, [this] { viewer_.statusLine.showSettings(viewer_.engine.settings()); });
     viewer_.statusLine.showSettings(viewer_.engine.settings());
+    connect(&viewer_.statusLine, &StatusLine::resetRequested, &viewer_.tuning, &Tuning::reset);
     connect(&viewer_.engine, &Engine::failed, this,
             [this](const QString& sentence) { viewer_.notice.showNotice(NoticeBar::Kind::Error, sentence); });
     connect(&viewer_.views, &LinkedViews::probed, &viewer_.statusLine, [this](const std::optional<edges::Probe>& probe) {
@@ -345,7 +349,7 @@ void MainWindow::showFacts() {
     viewer_.statusLine.showPlace(*detection.scan, picture.source.growth.growing);
     const ScannerLink& scanner = viewer_.live.scanner();
     viewer_.statusLine.showTimeOf(*detection.scan, scanner.connected() && picture.source.stream == scanner.stream());
-    viewer_.statusLine.showSettings(viewer_.views.flipped() ? detection.settings : viewer_.engine.settings());
+    viewer_.statusLine.showSettings(viewer_.views.flipped() ? detection.settings : viewer_.engine.settings(), !viewer_.views.flipped());
     viewer_.legend.showResult(detection);
     viewer_.legend.setVisible(viewer_.views.scene().insteadNow() == nullptr); // a comparison has a legend of its own
 }

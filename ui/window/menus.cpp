@@ -258,8 +258,9 @@ Command edgesMenu(Viewer& v, QMainWindow& window) {
     auto* sheets = new ContactSheets(v.engine, tuning, v.notice, &window);
     Command presets = submenu("&Presets", {});
     for (const edges::Preset& preset : edges::builtInPresets())
-        presets.submenu.push_back(linked(command(preset.name.c_str(), "", [&tuning, preset] { tuning.usePreset(preset); }),
-                                         [preset](QAction& action) { action.setToolTip(QObject::tr(preset.help.c_str())); }));
+        presets.submenu.push_back(
+            linked({.text = presetName(preset.name), .run = [&tuning, preset] { tuning.usePreset(preset); }, .source = preset.name.c_str()},
+                   [preset](QAction& action) { action.setToolTip(QObject::tr(preset.help.c_str())); }));
     presets.submenu.push_back(kLine);
     presets.submenu.push_back(command("&Open…", "", [&tuning] { tuning.askOpenPreset(); }));
     presets.submenu.push_back(command("&Save…", "", [&tuning] { tuning.askSavePreset(); }));

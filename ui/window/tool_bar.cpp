@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QCursor>
 #include <QMenu>
+#include <QPainter>
 #include <QStringList>
 #include <QStyle>
 #include <QToolButton>
@@ -19,10 +20,24 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kSign = 22, kLeastHigh = 34; // px
+constexpr double kArrow = 4.0;             // px
 constexpr int kLeastWords = 12;            // px: without a prompt no button gives way
 constexpr int kForAsked = 300;             // px: the prompt has its place also while there is none
 constexpr int kForShortAsked = 200;        // px: next to the first names only
 constexpr int kLinesAsked = 2;             // as high as the buttons
+
+/// A button that opens a menu has an arrow in its corner.
+class MenuButton : public QToolButton {
+    void paintEvent(QPaintEvent* event) override {
+        QToolButton::paintEvent(event);
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(isEnabled() ? palette().color(QPalette::ButtonText) : themeInUse().unusable);
+        const QPointF tip(width() - kArrow - 2.0, height() - 4.0);
+        painter.drawPolygon(QPolygonF(QVector<QPointF>{tip, tip + QPointF(-kArrow, -kArrow), tip + QPointF(kArrow, -kArrow)}));
+    }
+};
 
 } // namespace
 
@@ -66,7 +81,7 @@ void ToolBar::add(QAction& action, const char* sign, const QString& word, Word s
 }
 
 void ToolBar::add(QMenu* menu, const char* name, const char* sign, const QString& word, const QList<QAction*>& lights) {
-    auto* button = new QToolButton;
+    auto* button = new MenuButton;
     menu->setParent(button, menu->windowFlags());
     button->setObjectName(name);
     button->setIcon(toolIcon(sign));

@@ -359,7 +359,7 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
         return withValues(translated(pattern), values);
     };
     std::string ranges;
-    for (std::size_t n = 0; n < measured.rangesM.size(); ++n) ranges += (n == 0 ? "" : ", ") + fixedText(measured.rangesM[n], 2);
+    for (std::size_t n = 0; n < measured.rangesM.size(); ++n) ranges += (n == 0 ? "" : " / ") + fixedText(measured.rangesM[n], 2);
     std::vector<std::string> parts;
     if (measured.kind == MeasureKind::Throat) {
         if (measured.clickBehindM > 0.0)
@@ -376,7 +376,7 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
         else if (!measured.narrowsOn())
             parts.push_back(say("no narrower way next to it"));
     }
-    parts.push_back(say("at %1 m", {ranges}));
+    parts.push_back(say("ranges %1 m", {ranges}));
     if (const std::string clicks = clicksPart(measured, translated); !clicks.empty()) parts.push_back(clicks);
     if (measured.angleIsBelow) parts.push_back(say("a side is below what is resolved there"));
     if (measured.leaps > 0) parts.push_back(say("jumps that are part of it: %1", {std::to_string(measured.leaps)}));

@@ -49,6 +49,7 @@ struct MeasureWords {
     QString kind, value;  ///< "Throat Width", "1.611 m ± 0.135 m"
     QStringList warnings; ///< each begins with ▲
     QStringList remarks;
+    QString offEdge; ///< also one of the remarks; empty: each end is on an edge
 };
 
 /// GUI thread only. The objects passed to it must outlive it.

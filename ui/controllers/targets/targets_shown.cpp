@@ -40,6 +40,20 @@ bool isDoubtful(const Scan& scan, const inspect::StoredMeasure& measure) {
     return false;
 }
 
+/// "end 1 not on an edge"; empty: all ends are next to one at most, or the method finds the ends itself.
+QString offEdgeText(const Grid<std::uint8_t>& mask, const inspect::StoredMeasure& measure) {
+    using Kind = inspect::MeasureKind;
+    constexpr int kDrawn = 1; // an edge is drawn wider than its cell
+    if (measure.kind == Kind::Throat || measure.kind == Kind::Section) return {};
+    QStringList off;
+    for (std::size_t n = 0; n < measure.cells.size(); ++n) {
+        if (measure.cells[n] < mask.size() && !edges::nearestEdge(mask, measure.cells[n], kDrawn)) off << QString::number(n + 1);
+    }
+    if (off.isEmpty()) return {};
+    return off.size() == 1 ? Targets::tr("end %1 not on an edge").arg(off.front())
+                           : Targets::tr("ends %1 not on an edge").arg(off.join(", "));
+}
+
 QString movedText(const inspect::StoredMeasure& measure) {
     int moved = 0;
     for (std::size_t n = 0; n < measure.clicked.size(); ++n) moved += measure.clicked[n] != measure.cells[n] ? 1 : 0;
@@ -131,7 +145,7 @@ CellMarks Targets::marks() const {
 }
 
 MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
-    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), tr("a cell of it has no range"), {}, {}};
+    MeasureWords words{tr(inspect::traitsOf(measure.kind).label), tr("a cell of it has no range"), {}, {}, {}};
     const inspect::MeasuredCells* now = knownOf(measure);
     QStringList all;
     if (now != nullptr) {
@@ -142,6 +156,7 @@ MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
         all << movedText(measure);
     if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
         all << tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
+    if (now != nullptr) all << (words.offEdge = offEdgeText(*known_.picture->detection->mask, measure));
     if (now != nullptr && mountingAssumed(*known_.picture->detection->scan)) all << tr("▲ mounting assumed");
     for (const QString& remark : all) {
         if (!remark.isEmpty()) (remark.startsWith("▲") ? words.warnings : words.remarks) << remark;
@@ -172,7 +187,7 @@ void Targets::show() {
         if (target.locked) words += "   " + tr("locked");
         if (!target.note.empty()) words += "   " + shownName(exactText(target.note), 80);
         const QString first = words; // shortened in the list
-        if (const QString place = now != nullptr ? positionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
+        if (const QString place = now != nullptr ? briefPositionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
         lines.push_back({words, first + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown});
     }
     rocks_.setNames(names);
@@ -181,6 +196,7 @@ void Targets::show() {
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const MeasureWords words = wordsOf(measure);
         QString line = briefOf(measure) + "  " + words.value + "\n" + words.kind; // the value is never shortened
+        if (words.warnings.empty() && !words.offEdge.isEmpty()) line += " · " + words.offEdge;
         if (words.warnings.size() == 1) line += " · " + words.warnings.front();
         if (words.warnings.size() > 1) line += " · ▲ " + tr("%1 warnings").arg(words.warnings.size());
         lines.push_back({line, (words.warnings + words.remarks).join('\n'), lines.size() == chosen_});

@@ -152,6 +152,7 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
     const auto selection = cloud_.selection();
     const auto hidden = cloud_.hidden();
     const auto outline = cloud_.outline();
+    cloud_.setFrameOf(flipped() ? picture_->detection->scan : nullptr);
     if (cloud_.scan() != shown()->detection->scan) {
         cloud_.setCloud(shown()->detection->scan, shown()->cloud, CloudView::Camera::Keep);
         cloud_.setAxes(std::nullopt);
@@ -188,6 +189,7 @@ void LinkedViews::showNewScan() {
     cloud_.setAxes(std::nullopt);
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
     fitted_ = turned;
+    begun_ = false;
     nameDirections();
     fitToSweep();
     box_.reset();
@@ -217,18 +219,21 @@ void LinkedViews::showMoreLines(const Picture& last) {
 /// Those of the whole sweep: the mean direction of its lines turns while it grows, and one view would be Top at first and then Front.
 void LinkedViews::nameDirections() {
     const Growth& growth = shown()->source.growth;
-    if (!growth.growing) return cloud_.setAxes(shown()->cloud->axes);
+    if (!growth.growing) return cloud_.setAxes(picture_->cloud->axes); // A is shown in the frame of B
     if (cloud_.axesSet()) return;
     if (const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
 }
 
-/// Once, as soon as the place of its lines is known: the view shows what is to come, and does not move while it comes.
+/// Once, as soon as the place of its lines is known: the view shows what is to come, and does not move while it comes. A sweep may begin
+/// far at a side, outside of that view: it shows the first lines until most of what came is in it.
 void LinkedViews::fitToSweep() {
     const Growth& growth = shown()->source.growth;
     if (!fitted_ && growth.growing) {
         const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines);
+        const CameraPose before = cloud_.camera();
         if (whole) cloud_.frameFromScanner(*whole);
-        fitted_ = whole || shown()->detection->scan->lines() >= kLinesToFit;
+        fitted_ = whole ? cloud_.isMostlyInView() : shown()->detection->scan->lines() >= kLinesToFit;
+        if (whole && !fitted_) std::exchange(begun_, true) ? cloud_.setCamera(before) : cloud_.viewFromScanner();
     } else {
         fitted_ = true;
     }

@@ -198,6 +198,7 @@ private:
     QString note_, asked_, shapeNote_;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved it
     bool fitted_ = false;     // to the whole sweep
+    bool begun_ = false;      // to its first lines, which the whole sweep has outside of the view
     bool windowKept_ = false;
     bool trueAngles_ = false;
     std::optional<QRect> box_; // of cells, as dragged

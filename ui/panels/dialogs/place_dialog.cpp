@@ -107,9 +107,10 @@ QWidget* PlaceDialog::posePage() {
     take->setObjectName("survey-take");
     take->setAutoDefault(false);
     auto* row = new QHBoxLayout;
-    row->addWidget(line_, 1);
     row->addWidget(order_);
     row->addWidget(take);
+    row->addStretch(1);
+    column->addWidget(line_); // alone: its example is read whole
     column->addLayout(row);
     const auto taken = [this] { emit surveyLineTyped(line_->text(), order_->currentIndex() == 1); };
     connect(take, &QPushButton::clicked, this, taken);

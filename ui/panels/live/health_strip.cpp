@@ -9,6 +9,7 @@
 
 #include <QLabel>
 #include <QResizeEvent>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr int kStripRim = 2, kStripGap = 10; // px
 constexpr int kTwoRowsBelow = 700;           // px
+constexpr int kEmptyMs = 3000;
 
 } // namespace
 
@@ -45,6 +47,14 @@ HealthStrip::HealthStrip(QWidget* parent)
     sentence_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     for (QLabel* label : {lines_, lost_, noReturn_, pose_, end_, sentence_}) label->setTextFormat(Qt::PlainText);
     for (QLabel* label : {lines_, lost_, noReturn_, pose_, end_}) label->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    auto* empty = new QTimer(this); // a row that was empty for so long is given back
+    empty->setObjectName("live-empty-row");
+    empty->setSingleShot(true);
+    empty->setInterval(kEmptyMs);
+    connect(empty, &QTimer::timeout, this, [this] {
+        kept_ = 0;
+        keepHeight();
+    });
     showHealth(files::LiveHealth{});
 }
 
@@ -113,6 +123,13 @@ void HealthStrip::keepHeight() {
     const bool narrow = brief_ && width() < kTwoRowsBelow; // there the rows change with every line
     kept_ = steady_ ? std::max({kept_, narrow ? 2 * row + kStripGap / 2 + around : row + around, heightForWidth(width())}) : 0;
     setMinimumHeight(kept_);
+    auto* empty = findChild<QTimer*>("live-empty-row");
+    if (empty == nullptr) return; // not yet
+    const bool isEmpty = steady_ && !narrow && heightForWidth(width()) < kept_;
+    if (!isEmpty)
+        empty->stop();
+    else if (!empty->isActive())
+        empty->start();
 }
 
 void HealthStrip::resizeEvent(QResizeEvent* event) {

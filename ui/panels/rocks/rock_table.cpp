@@ -12,6 +12,8 @@
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QShowEvent>
 #include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -159,7 +161,7 @@ void RockTable::showCount() {
     QString text = shown == all ? rockCount(static_cast<std::size_t>(all)) : tr("%1 of %2 rocks").arg(shown).arg(all);
     if (model_->picture()) {
         const std::vector<rocks::Rock>& rocks = model_->picture()->study.rocks;
-        text += tr(", %1 hatched (p < 0.85)").arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful));
+        text += tr(", %1 of them uncertain (hatched)").arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful));
     }
     count_->setText((remark_.isEmpty() ? QString() : remark_ + " · ") + text + " · " + rockCaveat());
     export_->setEnabled(all > 0);
@@ -178,12 +180,31 @@ void RockTable::select(const std::vector<std::uint32_t>& labels) {
         last = index;
     }
     table_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
-    if (last.isValid()) {
-        table_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
-        table_->scrollTo(last);
-    }
+    const int scrolled = table_->verticalScrollBar()->value();
+    if (last.isValid()) table_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
+    table_->verticalScrollBar()->setValue(scrolled); // Qt puts a new current row at the border
+    bringIntoSight();
     showing_ = false;
     markOnCurve(labels);
+}
+
+/// The last selected row, with its neighbours; a row that is in sight stays where it is.
+void RockTable::bringIntoSight() {
+    const QModelIndex row = table_->currentIndex();
+    if (!isVisible() || !table_->selectionModel()->isRowSelected(row.row(), QModelIndex())) return;
+    const QRect place = table_->visualRect(row);
+    if (place.top() < 0 || place.bottom() > table_->viewport()->height()) table_->scrollTo(row, QAbstractItemView::PositionAtCenter);
+}
+
+/// It begins with its first row.
+void RockTable::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (event->spontaneous()) return;
+    const auto begin = [this] {
+        table_->scrollToTop();
+        bringIntoSight();
+    };
+    QMetaObject::invokeMethod(this, begin, Qt::QueuedConnection); // when it has its height
 }
 
 void RockTable::markOnCurve(const std::vector<std::uint32_t>& labels) {

@@ -53,6 +53,7 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -60,6 +61,7 @@ private:
     void fitColumns();
     void showCount();
     void emitChosen();
+    void bringIntoSight();
     void markOnCurve(const std::vector<std::uint32_t>& labels);
 
     RockTableModel* model_;

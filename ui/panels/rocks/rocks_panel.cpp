@@ -118,7 +118,7 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
     const std::vector<rocks::Rock>& rocks = picture->study.rocks;
     const rocks::RegionCounts fines = rocks::regionCounts(picture->study.map, rocks::RegionKind::Fines);
     QString text = remark.isEmpty() ? QString() : remark + "\n";
-    text += tr("%1, %2 hatched (p < 0.85); regions of fines: %3")
+    text += tr("%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock")
                 .arg(rockCount(rocks.size()))
                 .arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful))
                 .arg(fines.regions);

@@ -170,6 +170,12 @@ QString positionText(const inspect::CellTarget& target) {
         .arg(fixed(at.x(), 3), fixed(at.y(), 3), fixed(at.z(), 3));
 }
 
+QString briefPositionText(const inspect::CellTarget& target) {
+    if (target.probe.state != CellState::Valid || !target.probe.mineM) return positionText(target);
+    const Eigen::Vector3d& at = *target.probe.mineM;
+    return QObject::tr("E %1 N %2 RL %3").arg(fixed(at.x(), 2), fixed(at.y(), 2), fixed(at.z(), 2));
+}
+
 QString tableHeading() {
     return QStringList{QObject::tr("Target"),
                        QObject::tr("Name"),

@@ -51,6 +51,8 @@ struct TargetRow {
 [[nodiscard]] QString toleranceText(const inspect::CellTarget& target);
 /// "E 498765.432  N 5150123.456  RL 287.654 m", without a pose "x 1.234  y 5.678  z 9.012 m"; empty if the cell is not valid.
 [[nodiscard]] QString positionText(const inspect::CellTarget& target);
+/// The same for one line of the list: mine coordinates in centimetres, without their unit. The card has all digits.
+[[nodiscard]] QString briefPositionText(const inspect::CellTarget& target);
 /// A row of the table of all targets: number, name, distance, X Y Z, E N RL, line, beam, note; tabs between the columns. `known`: null
 /// before it is computed.
 [[nodiscard]] QString tableRow(const inspect::PinnedTarget& target, const inspect::CellTarget* known);

@@ -18,8 +18,8 @@
 namespace edgescan::ui {
 namespace {
 
-// Of a list before it scrolls: with a pose a target has three lines, and its card stays in sight at 1280 x 768.
-constexpr int kMostTargets = 3, kMostWithMeasures = 2, kMostMeasures = 2;
+// Of a list before it scrolls: a target has two lines, and its card stays in sight at 1280 x 768.
+constexpr int kMostTargets = 4, kMostWithMeasures = 3, kMostMeasures = 2;
 
 /// So that the panel has one scroll bar instead of three. `constant`: as high as `most` of its lines, so that one more line moves nothing
 /// below the list. Its own bar follows from the number of lines alone: a bar that comes with the height changes the width, the width the

@@ -22,7 +22,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kForGloves = 48; // px
+constexpr int kForGloves = 48, kArrow = 22; // px
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
@@ -71,19 +71,26 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     unfold_->setObjectName("legend-unfold");
     unfold_->setAccessibleName(QObject::tr("Classes"));
     unfold_->setIcon(toolIcon("layers"));
-    unfold_->setFixedSize(kForGloves, kForGloves);
+    unfold_->setAutoRaise(true);
     unfold_->setCheckable(true);
+    unfold_->setChecked(true);
     unfold_->setFocusPolicy(Qt::TabFocus);
-    connect(unfold_, &QToolButton::toggled, this, [this] {
+    connect(unfold_, &QToolButton::toggled, this, [this](bool open) {
         showRows();
         adjustSize();
+        if (brief_) return;
+        openAtDesk_ = open;
+        emit unfolded(open);
     });
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         rows_[n] = addRow(*grid, classLabel(n), nullptr);
         rows_[n].box->setObjectName(QString("legend-%1").arg(n));
         rows_[n].box->setToolTip(QObject::tr(edges::findParameter("classes")->help) + "\n" +
                                  tr("Without one class the other numbers change too: a cell has one class, and a weak cell counts where it "
-                                    "continues a strong one of any class."));
+                                    "continues a strong one of any class.") +
+                                 (n < kOfRocks ? QString()
+                                               : '\n' + tr("With a higher edge strength this number can rise: cells that are no "
+                                                           "longer jumps or folds count here.")));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
     }
     taken_ = new QLabel;
@@ -109,11 +116,13 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     filled_->hide();
     grid->addWidget(filled_, grid->rowCount(), 0, 1, 2);
     addOthers(*grid);
+    auto* head = new QHBoxLayout;
+    head->addStretch(1);
+    grid->addLayout(head, 0, 0);
     foot_ = new QHBoxLayout;
     foot_->addStretch(1);
     grid->addLayout(foot_, grid->rowCount(), 0, 1, 3);
-    placeHead();
-    paintSwatches();
+    setBrief(false);
     hide(); // no content yet
 }
 
@@ -190,15 +199,17 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 }
 
 void EdgeLegend::showRows() {
-    const bool open = !low_ && (!brief_ || unfold_->isChecked());
+    const bool open = !low_ && unfold_->isChecked();
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const QString count = rows_[n].count->text();
         const bool counts = !count.isEmpty() && count != "0"; // the rows add up to the total
         const bool shown = offered_[n] && open && (!brief_ || n < kOfRocks || n == kRimClass || counts);
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
-    byClass_->setVisible(known_ && !brief_ && !low_);
-    unfold_->setVisible(known_ && brief_ && !low_);
+    byClass_->setVisible(known_ && !brief_ && open);
+    unfold_->setVisible(known_ && !low_);
+    unfold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);
+    unfold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     covered_->setVisible(isCovered_ && (open || !brief_));
     edges_->setText(isCovered_ && brief_ && !low_ ? tr("Edges, under rocks") : tr("Edges")); // a tick alone would say that they are seen
     filled_->setVisible(isFilled_ && (open || !brief_));
@@ -233,13 +244,18 @@ void EdgeLegend::placeHead() {
         return;
     }
     auto* grid = static_cast<QGridLayout*>(layout());
-    grid->addWidget(edges_, 0, 0);
+    auto* head = static_cast<QHBoxLayout*>(grid->itemAtPosition(0, 0)->layout()); // the arrow that folds is next to the word
+    head->insertWidget(0, edges_);
+    head->insertWidget(1, unfold_);
     grid->addWidget(total_, 0, 1, Qt::AlignRight);
-    grid->addWidget(unfold_, 0, 2);
 }
 
 void EdgeLegend::setBrief(bool on) {
     brief_ = on;
+    unfold_->setChecked(!on && openAtDesk_);
+    unfold_->setMinimumSize(on ? kForGloves : kArrow, on ? kForGloves : kArrow);
+    unfold_->setMaximumSize(unfold_->minimumSize());
+    unfold_->setAutoRaise(!on);
     placeHead();
     paintSwatches();
     showRows();

@@ -43,6 +43,8 @@ signals:
     void byClassRequested(bool on);
     /// Bits of EdgeClassBits.
     void classesRequested(int classes);
+    /// Its button was pressed, not in a cab.
+    void unfolded(bool open);
 
 private:
     struct Row {
@@ -69,9 +71,10 @@ private:
     std::array<bool, kEdgeClasses> offered_{}; // the classes of the method
     bool known_ = false;                       // the counts of the classes are known
     bool brief_ = false, low_ = false, roomy_ = true;
+    bool openAtDesk_ = true;
     bool isCovered_ = false, isFilled_ = false, isMissing_ = false;
     QLabel* covered_ = nullptr;
-    QToolButton* unfold_ = nullptr; // visible in a cab only
+    QToolButton* unfold_ = nullptr; // on: the rows are shown
     QLabel* taken_ = nullptr;       // where the cells of a class that is off went; empty: nowhere
     bool showing_ = false;
 };

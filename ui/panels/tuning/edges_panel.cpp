@@ -124,18 +124,23 @@ EdgesPanel::EdgesPanel(QWidget* parent)
     setPreset(preset_);
 }
 
-/// What each built-in preset is for, in one line. Files and the command line have the names in English.
+/// Each built-in preset in plain words, and what it is for, in one line. Files and the command line have its key.
 struct PresetWords {
-    const char *name, *purpose;
+    const char *key, *label, *purpose;
 };
 constexpr std::array<PresetWords, 6> kPresetWords{{
-    {QT_TRANSLATE_NOOP("QObject", "default"), QT_TRANSLATE_NOOP("QObject", "For most scans of rock")},
-    {QT_TRANSLATE_NOOP("QObject", "log"), QT_TRANSLATE_NOOP("QObject", "Steps in percent of the range")},
-    {QT_TRANSLATE_NOOP("QObject", "thesis"), QT_TRANSLATE_NOOP("QObject", "To compare with the thesis")},
-    {QT_TRANSLATE_NOOP("QObject", "window"), QT_TRANSLATE_NOOP("QObject", "The thesis, with more contrast")},
-    {QT_TRANSLATE_NOOP("QObject", "smooth-walls"), QT_TRANSLATE_NOOP("QObject", "For flat walls with low steps")},
-    {QT_TRANSLATE_NOOP("QObject", "default-3"), QT_TRANSLATE_NOOP("QObject", "To compare with version 3")},
+    {"default", QT_TRANSLATE_NOOP("QObject", "Default"), QT_TRANSLATE_NOOP("QObject", "For most scans of rock")},
+    {"log", QT_TRANSLATE_NOOP("QObject", "Percent of range"), QT_TRANSLATE_NOOP("QObject", "Steps in percent of the range")},
+    {"thesis", QT_TRANSLATE_NOOP("QObject", "Thesis"), QT_TRANSLATE_NOOP("QObject", "To compare with the thesis")},
+    {"window", QT_TRANSLATE_NOOP("QObject", "Thesis, contrast"), QT_TRANSLATE_NOOP("QObject", "The thesis, with more contrast")},
+    {"smooth-walls", QT_TRANSLATE_NOOP("QObject", "Smooth walls"), QT_TRANSLATE_NOOP("QObject", "For flat walls with low steps")},
+    {"default-3", QT_TRANSLATE_NOOP("QObject", "Version 3"), QT_TRANSLATE_NOOP("QObject", "To compare with version 3")},
 }};
+
+QString presetName(const std::string& name) {
+    const auto known = std::ranges::find(kPresetWords, std::string_view(name), &PresetWords::key);
+    return known != kPresetWords.end() ? QObject::tr(known->label) : shownName(exactText(name), 60);
+}
 
 void EdgesPanel::addPresets(QGridLayout& grid) {
     presets_ = new QComboBox;
@@ -143,7 +148,7 @@ void EdgesPanel::addPresets(QGridLayout& grid) {
     presets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     presets_->setMinimumContentsLength(8);
     for (const edges::Preset& preset : edges::builtInPresets()) {
-        presets_->addItem(QObject::tr(preset.name.c_str()), shownText(preset.name));
+        presets_->addItem(presetName(preset.name), shownText(preset.name));
         presets_->setItemData(presets_->count() - 1, QObject::tr(preset.help.c_str()), Qt::ToolTipRole);
     }
     connect(presets_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
@@ -321,7 +326,7 @@ void EdgesPanel::showInUse() {
     fold_->setVisible(std::ranges::any_of(edges::parameters(), folded));
     for (ParameterRow* row : rows_) {
         const edges::Parameter& p = row->parameter();
-        row->show(p.get(shown_), automaticValue(p));
+        row->show(p.get(shown_), automaticValue(p), p.get(preset_.settings));
         row->setVisible(p.usedBy(shown_));
         if (CountCurve* below = curve(p.key)) {
             below->showValue(p.get(shown_));
@@ -357,10 +362,12 @@ void EdgesPanel::setPreset(const edges::Preset& preset) {
         index = presets_->count() - 1;
     }
     presets_->setCurrentIndex(index);
-    const auto known = std::ranges::find(kPresetWords, preset.name, [](const PresetWords& each) { return std::string(each.name); });
-    const QString help = QObject::tr(preset.help.c_str());
+    const auto known = std::ranges::find(kPresetWords, std::string_view(preset.name), &PresetWords::key);
+    QString help = QObject::tr(preset.help.c_str());
+    if (known != kPresetWords.end()) help += "\n" + tr("On the command line: --preset %1").arg(known->key);
     purpose_->setText(known != kPresetWords.end() ? QObject::tr(known->purpose) : tr("From a file"));
     for (QWidget* each : std::initializer_list<QWidget*>{presets_, purpose_}) each->setToolTip(help);
+    showInUse();
     showPresetName();
 }
 

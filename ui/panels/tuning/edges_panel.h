@@ -29,6 +29,9 @@ class ParameterRow;
 /// The chosen entries of a list of choices, in the language of the window.
 [[nodiscard]] QString choiceWords(const edges::Parameter& parameter, const edges::Settings& settings);
 
+/// The name of a built-in preset in plain words; of any other preset its own name.
+[[nodiscard]] QString presetName(const std::string& name);
+
 /// GUI thread only. Displays settings and signals the operator's changes; it changes no settings itself.
 class EdgesPanel : public QWidget {
     Q_OBJECT

@@ -2,6 +2,7 @@
 #include "ui/panels/tuning/parameter_row.h"
 
 #include "core/edges/settings/slider_scale.h"
+#include "ui/base/icons.h"
 #include "ui/base/shown_text.h"
 
 #include <QCheckBox>
@@ -16,6 +17,7 @@
 #include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +26,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kNarrowestNumber = 72, kUsualNumber = 160; // px of a number box
+constexpr int kResetIcon = 14;                           // px
 
 // A number box that accepts any text while typing. Text that is not a value is reported when typing ends; single letters are not rejected.
 class ReadingBox : public QDoubleSpinBox {
@@ -85,6 +88,7 @@ ParameterRow::ParameterRow(const edges::Parameter& parameter, QGridLayout& grid,
     label_->setWordWrap(true); // for a narrow dock
     label_->installEventFilter(this);
     if (parameter.choices.empty() || numericChoices()) grid.addWidget(label_, row, 0);
+    addReset(parent);
     if (parameter.choices.empty())
         addNumber(grid, row, parent);
     else
@@ -136,7 +140,12 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
     connect(number_, &QDoubleSpinBox::editingFinished, this, &ParameterRow::dragEnded);
     connect(number_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this](double value) { changeTo(edges::snapped(parameter_, value)); });
-    grid.addWidget(number_, row, 1, 1, p.automatic == nullptr ? 3 : 2);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(2);
+    line->addWidget(number_);
+    line->addWidget(reset_);
+    line->addStretch(1);
+    grid.addLayout(line, row, 1, 1, p.automatic == nullptr ? 3 : 2);
     if (p.automatic == nullptr) return;
     auto* automatic = new QCheckBox(tr("auto"), parent);
     automatic->setObjectName(QString("auto-") + p.key);
@@ -163,6 +172,7 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
         line->setSpacing(6);
         line->addWidget(label_);
         line->addWidget(choice_, 1);
+        line->addWidget(reset_);
         grid.addLayout(line, row, 0, 1, 4);
         return;
     }
@@ -170,10 +180,24 @@ void ParameterRow::addChoice(QGridLayout& grid, int row, QWidget* parent) {
     slider_->setRange(0, static_cast<int>(parameter_.choices.size()) - 1);
     slider_->setPageStep(1);
     slider_->setTickPosition(QSlider::TicksBelow);
-    grid.addWidget(choice_, row, 1, 1, 3);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(2);
+    line->addWidget(choice_, 1);
+    line->addWidget(reset_);
+    grid.addLayout(line, row, 1, 1, 3);
 }
 
-void ParameterRow::show(double value, double inUse) {
+void ParameterRow::addReset(QWidget* parent) {
+    reset_ = new QToolButton(parent);
+    reset_->setObjectName(QString("reset-") + parameter_.key);
+    reset_->setIcon(toolIcon("usual"));
+    reset_->setIconSize({kResetIcon, kResetIcon});
+    reset_->setAutoRaise(true);
+    reset_->hide();
+    connect(reset_, &QToolButton::clicked, this, &ParameterRow::resetRequested);
+}
+
+void ParameterRow::show(double value, double inUse, double preset) {
     showing_ = true;
     const bool automatic = std::isnan(value);
     const double shown = automatic ? inUse : value;
@@ -187,6 +211,13 @@ void ParameterRow::show(double value, double inUse) {
     // While the operator drags the slider it must not be moved: its own rounding would push it back.
     if (slider_ != nullptr && !std::isnan(shown) && !slider_->isSliderDown()) slider_->setValue(edges::sliderPosition(parameter_, shown));
     showing_ = false;
+    const std::string before = edges::formatValue(parameter_, preset);
+    differs_ = edges::formatValue(parameter_, value) != before && !(automatic_ != nullptr && std::isnan(preset));
+    reset_->setVisible(visible_ && differs_);
+    const QString back = tr("Back to %1, the value of the preset")
+                             .arg(choice_ != nullptr ? choice_->itemText(edges::sliderPosition(parameter_, preset)) : shownText(before));
+    reset_->setToolTip(back);
+    reset_->setAccessibleName(label_->text() + ": " + back);
 }
 
 std::vector<QWidget*> ParameterRow::widgets() const {
@@ -200,6 +231,7 @@ std::vector<QWidget*> ParameterRow::widgets() const {
 
 void ParameterRow::setEnabled(bool enabled) {
     for (QWidget* widget : widgets()) widget->setEnabled(enabled);
+    reset_->setEnabled(enabled);
 }
 
 void ParameterRow::read(Reading reading) {
@@ -207,7 +239,9 @@ void ParameterRow::read(Reading reading) {
 }
 
 void ParameterRow::setVisible(bool visible) {
+    visible_ = visible;
     for (QWidget* widget : widgets()) widget->setVisible(visible);
+    reset_->setVisible(visible && differs_);
 }
 
 void ParameterRow::changeTo(double value) {

@@ -17,6 +17,7 @@ class QGridLayout;
 class QKeyEvent;
 class QLabel;
 class QSlider;
+class QToolButton;
 class QWidget;
 
 namespace edgescan::ui {
@@ -28,8 +29,9 @@ public:
     /// Adds its widgets as the next row of `grid`.
     ParameterRow(const edges::Parameter& parameter, QGridLayout& grid, QWidget* parent);
 
-    /// Shows the value without a signal. `inUse`: the value of an automatic parameter, NaN if unknown.
-    void show(double value, double inUse);
+    /// Shows the value without a signal. `inUse`: the value of an automatic parameter, NaN if unknown. A value that differs from `preset`
+    /// gets a button that restores it; where the preset is automatic, "auto" does that.
+    void show(double value, double inUse, double preset);
     void setEnabled(bool enabled);
     void setVisible(bool visible);
     /// Parses a text typed into the number, such as "0.5 m"; error: the reason why it is not a value. By default the table parses it.
@@ -48,12 +50,13 @@ signals:
     void dragEnded();
     /// The typed text is not a value and the former value is restored; the sentence gives the reason.
     void refused(const QString& sentence);
-    /// A double-click: restore the value of the preset.
+    /// The button, or a double-click: restore the value of the preset.
     void resetRequested();
 
 private:
     void addNumber(QGridLayout& grid, int row, QWidget* parent);
     void addChoice(QGridLayout& grid, int row, QWidget* parent);
+    void addReset(QWidget* parent);
     [[nodiscard]] std::vector<QWidget*> widgets() const;
     void changeTo(double value);
     bool stepByKey(const QKeyEvent& event);
@@ -65,6 +68,9 @@ private:
     QDoubleSpinBox* number_ = nullptr;     // null for choices
     QComboBox* choice_ = nullptr;          // null for numbers
     QAbstractButton* automatic_ = nullptr; // null: the parameter has no automatic value
+    QToolButton* reset_ = nullptr;
+    bool differs_ = false; // from the preset
+    bool visible_ = true;
     bool showing_ = false;
 };
 

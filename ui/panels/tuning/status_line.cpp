@@ -15,9 +15,11 @@
 #include <QBoxLayout>
 #include <QEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +65,7 @@ ProbeTexts probeWords(const edges::Probe& probe) {
 
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent), strip_(new QWidget), way_(new QBoxLayout(QBoxLayout::LeftToRight, strip_)), probe_(new QLabel),
-      noPose_(new QToolButton), work_(new QWidget), stage_(new QLabel), bar_(new QProgressBar) {
+      noPose_(new QToolButton), work_(new QWidget), stage_(new QLabel), bar_(new QProgressBar), changed_(new QMenu(this)) {
     setSizeGripEnabled(false);
     probe_->setObjectName("probe");
     probe_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -113,6 +115,8 @@ StatusLine::StatusLine(QWidget* parent)
         facts_->addWidget(label);
         factLabels_[static_cast<std::size_t>(kind)].label = label;
     }
+    changed_->setObjectName("settings-changed");
+    factLabel(Fact::Settings).label->installEventFilter(this);
     noPose_->setObjectName("no-pose");
     noPose_->setAutoRaise(true);
     noPose_->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
@@ -146,7 +150,8 @@ void StatusLine::showFact(Fact fact, const QString& words, const QString& brief,
 /// From left to right in the order of importance. Facts that do not fit get a shorter text and are then dropped, starting at the right end.
 /// The place of the cell, its verdict, and warnings (incomplete, out of spec) move to a second line before they are dropped.
 void StatusLine::fit() {
-    const int whole = strip_->width() - kBetween - (work_->isHidden() ? 0 : work_->sizeHint().width() + kBetween);
+    const int withoutWork = strip_->width() - kBetween;
+    const int whole = withoutWork - (work_->isHidden() ? 0 : work_->sizeHint().width() + kBetween);
     const QFontMetrics letters(probe_->font());
     const int left = std::max(letters.horizontalAdvance(probeMain_), longestProbe_) + kBetween;
     const int withCell = std::max(letters.horizontalAdvance(probeShown()), longestCell_) + kBetween;
@@ -178,7 +183,7 @@ void StatusLine::fit() {
     // For line and beam of the cell all other facts may be dropped except the counts. The counts are dropped only for warnings.
     shorten(whole - withCell, false);
     shorten(whole - left, true);
-    const bool two = width() > whole - left;
+    const bool two = width() > withoutWork - left; // work that begins or ends moves nothing: its row is there
     if (two) {
         forms = {};
         shorten(whole, true);
@@ -216,6 +221,11 @@ bool StatusLine::event(QEvent* event) {
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    QLabel* settings = factLabel(Fact::Settings).label;
+    if (watched == settings && event->type() == QEvent::MouseButtonRelease && !changed_->isEmpty()) {
+        changed_->popup(settings->mapToGlobal(QPoint(0, -changed_->sizeHint().height())));
+        return true;
+    }
     if (event->type() == QEvent::Show || event->type() == QEvent::Hide || event->type() == QEvent::Resize)
         QMetaObject::invokeMethod(this, &StatusLine::fit, Qt::QueuedConnection);
     return QStatusBar::eventFilter(watched, event);
@@ -284,18 +294,28 @@ void StatusLine::showCountsToCome(std::optional<std::size_t> cells) {
 
 void StatusLine::showBox(const QString& words) { showFact(Fact::Box, words, {}, false); }
 
-void StatusLine::showSettings(const edges::Settings& settings) {
+void StatusLine::showSettings(const edges::Settings& settings, bool own) {
     const std::vector<std::string> keys = edges::changedFromDefault(settings);
     const QString set = QString("%1 %2").arg(QString(edges::kDefaultSet.name)).arg(edges::kDefaultSet.version);
     QLabel& label = *factLabel(Fact::Settings).label;
-    showFact(Fact::Settings, keys.empty() ? tr("default settings") : tr("settings: %1 changed").arg(keys.size()),
-             keys.empty() ? QString() : tr("%1 changed").arg(keys.size()), false);
+    const bool menu = own && !keys.empty();
+    const QString more = menu ? QString(" ▾") : QString();
+    showFact(Fact::Settings, keys.empty() ? tr("default settings") : tr("settings: %1 changed").arg(keys.size()) + more,
+             keys.empty() ? QString() : tr("%1 changed").arg(keys.size()) + more, false);
+    label.setCursor(menu ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    changed_->clear();
     QStringList about{tr("Set of default settings: %1").arg(set)};
     for (const std::string& key : keys) {
         const edges::Parameter& p = *edges::findParameter(key);
-        about << tr("%1: %2 instead of %3")
-                     .arg(QObject::tr(p.label), shownText(edges::formatValue(p, p.get(settings))),
-                          shownText(edges::formatValue(p, p.get(edges::Settings{}))));
+        const QString change = tr("%1: %2 instead of %3")
+                                   .arg(QObject::tr(p.label), shownText(edges::formatValue(p, p.get(settings))),
+                                        shownText(edges::formatValue(p, p.get(edges::Settings{}))));
+        about << change;
+        if (menu) changed_->addAction(tr("Reset %1").arg(change), this, [this, key = shownText(key)] { emit resetRequested(key); });
+    }
+    if (menu) {
+        changed_->addSeparator();
+        changed_->addAction(tr("Reset all") + "\tCtrl+D", this, [this] { emit resetRequested({}); });
     }
     about << (keys.empty() ? tr("All settings are those of the default set.") : tr("Ctrl+D restores the default settings."));
     label.setToolTip(about.join("\n"));

@@ -13,6 +13,7 @@
 
 class QBoxLayout;
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QPushButton;
 class QToolButton;
@@ -47,7 +48,8 @@ public:
     /// Marks a picture from a file, with its time of measurement. A followed scanner is shown in the live panel instead.
     void showTimeOf(const Scan& scan, bool live);
     /// The number and names of the settings that differ from the defaults.
-    void showSettings(const edges::Settings& settings);
+    /// With a menu that resets them one by one, or all; `own`: they are not those of A.
+    void showSettings(const edges::Settings& settings, bool own = true);
     /// Work that ends quickly is not shown.
     void showWork(const QString& title, const QString& stage, double fraction);
     void endWork();
@@ -61,6 +63,8 @@ signals:
     void cancelRequested();
     /// The operator wants to give the scan a pose.
     void poseRequested();
+    /// The operator wants the default value of this parameter back; empty: all of them.
+    void resetRequested(const QString& parameter);
 
 protected:
     bool event(QEvent* event) override;
@@ -97,6 +101,7 @@ private:
     QString workTitle_, workStage_;
     double workFraction_ = 0.0;
     QTimer untilWorkIsShown_;
+    QMenu* changed_; // the settings that differ from the defaults
 };
 
 } // namespace edgescan::ui

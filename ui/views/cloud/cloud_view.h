@@ -77,6 +77,9 @@ public:
     void setOutline(std::shared_ptr<const CellIndices> cells);
     [[nodiscard]] const std::shared_ptr<const CellIndices>& outline() const { return outline_; }
     [[nodiscard]] const std::shared_ptr<const Scan>& scan() const { return scan_; }
+    /// The scan whose frame the cloud is shown in; null: its own. A of a comparison is shown in the frame of B.
+    void setFrameOf(std::shared_ptr<const Scan> scan) { frameOf_ = std::move(scan); }
+    [[nodiscard]] const std::shared_ptr<const Scan>& frameOf() const { return frameOf_ ? frameOf_ : scan_; }
     [[nodiscard]] const std::shared_ptr<const CloudGeometry>& geometryOfCloud() const { return cloud_; }
 
     [[nodiscard]] bool edgesVisible() const { return edgesVisible_; }
@@ -154,6 +157,8 @@ public slots:
     void viewFromScanner();
     /// As if the cloud were this one, of the same scanner.
     void frameFromScanner(const CloudGeometry& cloud);
+    /// Half of its points or more are within the picture, whatever hides them.
+    [[nodiscard]] bool isMostlyInView() const;
     void viewFront();
     void viewBack();
     void viewLeft();
@@ -283,7 +288,7 @@ private:
 
     std::unique_ptr<CloudScene> scene_;
     CloudOverlay* overlay_ = nullptr; // child widget, owned by Qt
-    std::shared_ptr<const Scan> scan_;
+    std::shared_ptr<const Scan> scan_, frameOf_;
     std::shared_ptr<const CloudGeometry> cloud_;
     EdgeCells edges_;
     std::shared_ptr<const CloudGeometry> whole_; // the cloud with all cells; cloud_ differs from it while cells are hidden

@@ -59,6 +59,18 @@ void CloudView::frameFromScanner(const CloudGeometry& cloud) {
     applyCamera();
 }
 
+bool CloudView::isMostlyInView() const {
+    constexpr std::size_t kLooks = 2000;
+    const std::size_t cells = scan_ ? scan_->cells() : 0;
+    std::size_t all = 0, seen = 0;
+    for (std::size_t k = 0; k < cells; k += std::max<std::size_t>(1, cells / kLooks)) {
+        if (!cloud_->drawable(k)) continue;
+        ++all;
+        seen += pixelOf(static_cast<std::uint32_t>(k)) ? 1 : 0;
+    }
+    return 2 * seen >= all;
+}
+
 void CloudView::resetView() {
     clip_ = {};
     viewFromScanner();

@@ -52,7 +52,7 @@ TEST(Lengths, ARockOf50MmAt10MIsNoNumber) {
     ASSERT_TRUE(measured);
     EXPECT_TRUE(measured->lengths.front().isBelow);
     EXPECT_EQ(measureText(*measured), "< 89 mm"); // 29.1 of spacing, 59 of beam, rounded up
-    EXPECT_EQ(measureBasis(*measured), "at 10.00, 10.00 m");
+    EXPECT_EQ(measureBasis(*measured), "ranges 10.00 / 10.00 m");
     EXPECT_EQ(measureText(*measureCells(small, kUsualNoise, MeasureKind::Vertical, ends)), "< 89 mm");
     EXPECT_EQ(measureText(*measureCells(small, kUsualNoise, MeasureKind::Angle, std::vector{ends[0], ends[1], ends[0] + 200})),
               "not resolved");
