@@ -106,8 +106,10 @@ private slots:
         QCOMPARE(numbers[1], numberIn(legend.counted(ChangeRow::Lost)));
         on.window.cab().set(true);
         on.window.resize(1280, 800);
+        QTest::mouseClick(legend.findChild<QToolButton*>("change-fold"), Qt::LeftButton); // it begins folded
         QTRY_VERIFY(label->isVisible());
         on.window.cab().set(false);
+        QTRY_VERIFY(label->isVisible());
     }
 
     void twoSettingsOfOneScanAreGainedLostAndKept() {

@@ -359,7 +359,8 @@ void ChangeLegend::foldInCab() {
 
 void ChangeLegend::setBrief(bool on) {
     brief_ = on;
-    if (on && compared_) foldInCab(); // before a comparison the view may not have its height
+    if (!on) fold_->setChecked(false); // the desk has room for it
+    if (on && compared_) foldInCab();  // before a comparison the view may not have its height
     showFlipped(flipped_);
 }
 
