@@ -133,10 +133,10 @@ LiveHealth healthOf(const LiveStatus& status, const Placement* placement, const 
     health.liveness = livenessOf(status, age);
     health.badge = badgeOf(health.liveness, age);
     health.sentence = status.connection.sentence;
-    if (health.stale() && age && isOver(lines) && !status.wholeClouds) {
+    if (health.stale() && age && isOver(sweep) && !status.wholeClouds) {
+        if (health.liveness == Liveness::Stale) health.sentence = "The sweep has ended; no line has come since.";
         health.liveness = Liveness::Stopped;
         health.badge = "STOPPED " + ageText(*age);
-        health.sentence = "The sweep has ended; no line has come since.";
     }
     if (status.scanner) health.scanner = status.scanner->words();
     if (status.lines > 0) {

@@ -56,7 +56,8 @@ TEST(LiveHealth, AfterTheLastLineNothingIsLost) {
         EXPECT_EQ(health.badge, "STOPPED 42 s");
         EXPECT_EQ(health.end, "sweep complete");
         EXPECT_FALSE(health.stale());
-        EXPECT_EQ(health.sentence, "The sweep has ended; no line has come since.");
+        EXPECT_EQ(health.sentence,
+                  phase == scanner::ConnectionPhase::Lost ? status.connection.sentence : "The sweep has ended; no line has come since.");
     }
     status.connection.phase = scanner::ConnectionPhase::Live;
     status.secondsSinceLine = 0.1;
