@@ -1459,6 +1459,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Right</source><translation>Der.</translation></message>
 <message><source>Top</source><translation>Arriba</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
+<message><source>Without a pose, Top is the top of the range image</source><translation>Sin pose, Arriba es la parte superior de la imagen de distancias</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Ajustar muestra todo</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>

@@ -1459,6 +1459,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Right</source><translation>Droite</translation></message>
 <message><source>Top</source><translation>Haut</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
+<message><source>Without a pose, Top is the top of the range image</source><translation>Sans pose, Haut est le haut de l'image de distances</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Agrandi %1 × · Ajuster montre tout</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>

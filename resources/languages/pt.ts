@@ -1459,6 +1459,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Right</source><translation>Dir.</translation></message>
 <message><source>Top</source><translation>Topo</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
+<message><source>Without a pose, Top is the top of the range image</source><translation>Sem pose, Topo é a parte superior da imagem de distâncias</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Ajustar mostra tudo</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>

@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScreen>
@@ -53,6 +54,19 @@ struct PlaceForm : WindowFixture {
     Placing& placing;
 };
 
+/// The menu of directions says what Top means without a pose.
+bool namesDirections(const QWidget& window) {
+    for (QAction* action : window.actions()) {
+        if (action->shortcut() != QKeySequence("7")) continue;
+        auto* menu = qobject_cast<QMenu*>(action->parent());
+        if (menu == nullptr) return false;
+        emit menu->aboutToShow();
+        const auto* note = menu->findChild<QAction*>("directions-note");
+        return note != nullptr && note->isVisible() && !note->isEnabled();
+    }
+    return false;
+}
+
 } // namespace
 
 class PlacingTest : public QObject {
@@ -81,6 +95,7 @@ private slots:
         QCOMPARE(on.field("talin-northing_m").text(), QString("5150123.456"));
         QVERIFY(on.placed());
         QVERIFY(on.place() != nullptr);
+        QVERIFY(!namesDirections(on.window));
         QCOMPARE(on.place()->originEnhM.x(), 498700.0);
         QVERIFY2(on.placing.dialog()->stateText().contains("E 498765.432, N 5150123.456, RL 287.654"),
                  qPrintable(on.placing.dialog()->stateText()));
@@ -88,6 +103,7 @@ private slots:
         on.placing.dialog()->reject();
         QVERIFY(on.settled());
         QVERIFY(on.place() == nullptr);
+        QVERIFY(namesDirections(on.window));
         QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
     }
 

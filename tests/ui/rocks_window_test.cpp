@@ -1354,7 +1354,7 @@ private slots:
             QVERIFY2(cloud.isMostlyInView(), qPrintable(QString::number(count)));
             if (poses.empty() || !(poses.back() == cloud.camera())) poses.push_back(cloud.camera());
         }
-        QVERIFY2(poses.size() <= 2, qPrintable(QString::number(poses.size())));
+        QVERIFY2(poses.size() <= 8, qPrintable(QString::number(poses.size()))); // it moves when the lines have doubled
     }
 
     void rocksFollowASweepThatGrows() {

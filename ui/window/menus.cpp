@@ -114,16 +114,26 @@ std::vector<Command> edgeLook(Viewer& v) {
 }
 
 Command directions(CloudView& cloud) {
-    return submenu("Loo&k from", {
-                                     command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
-                                     command("&Front", "1", [&cloud] { cloud.viewFront(); }),
-                                     command("&Back", "Shift+1", [&cloud] { cloud.viewBack(); }),
-                                     command("&Right", "3", [&cloud] { cloud.viewRight(); }),
-                                     command("&Left", "Shift+3", [&cloud] { cloud.viewLeft(); }),
-                                     command("&Top", "7", [&cloud] { cloud.viewTop(); }),
-                                     command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
-                                     command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
-                                 });
+    Command menu = submenu("Loo&k from", {
+                                             command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
+                                             command("&Front", "1", [&cloud] { cloud.viewFront(); }),
+                                             command("&Back", "Shift+1", [&cloud] { cloud.viewBack(); }),
+                                             command("&Right", "3", [&cloud] { cloud.viewRight(); }),
+                                             command("&Left", "Shift+3", [&cloud] { cloud.viewLeft(); }),
+                                             command("&Top", "7", [&cloud] { cloud.viewTop(); }),
+                                             command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
+                                             command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
+                                         });
+    menu.fill = [&cloud](QMenu& shown) {
+        auto* note = shown.findChild<QAction*>("directions-note");
+        if (note == nullptr) {
+            note = shown.addAction(ViewCube::withoutPose());
+            note->setObjectName("directions-note");
+            note->setEnabled(false);
+        }
+        note->setVisible(cloud.scan() && !cloud.scan()->placement);
+    };
+    return menu;
 }
 
 Command savedViews(SavedViews& saved) {

@@ -189,7 +189,7 @@ void LinkedViews::showNewScan() {
     cloud_.setAxes(std::nullopt);
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, turned ? CloudView::Camera::Keep : CloudView::Camera::Reset);
     fitted_ = turned;
-    begun_ = false;
+    framedLines_ = 0;
     nameDirections();
     fitToSweep();
     box_.reset();
@@ -224,6 +224,14 @@ void LinkedViews::nameDirections() {
     if (const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
 }
 
+/// The view moves only where it would soon show a small part of them: when their number has doubled.
+void LinkedViews::frameFirstLines(const CameraPose& before) {
+    const int lines = shown()->detection->scan->lines();
+    if (lines < 2 * framedLines_) return cloud_.setCamera(before);
+    framedLines_ = lines;
+    cloud_.viewFromScanner();
+}
+
 /// Once, as soon as the place of its lines is known: the view shows what is to come, and does not move while it comes. A sweep may begin
 /// far at a side, outside of that view: it shows the first lines until most of what came is in it.
 void LinkedViews::fitToSweep() {
@@ -233,7 +241,7 @@ void LinkedViews::fitToSweep() {
         const CameraPose before = cloud_.camera();
         if (whole) cloud_.frameFromScanner(*whole);
         fitted_ = whole ? cloud_.isMostlyInView() : shown()->detection->scan->lines() >= kLinesToFit;
-        if (whole && !fitted_) std::exchange(begun_, true) ? cloud_.setCamera(before) : cloud_.viewFromScanner();
+        if (whole && !fitted_) frameFirstLines(before);
     } else {
         fitted_ = true;
     }

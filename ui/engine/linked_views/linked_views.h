@@ -175,6 +175,7 @@ private:
     void showCaption();
     void showNewScan();
     void showMoreLines(const Picture& last);
+    void frameFirstLines(const CameraPose& before);
     void fitToSweep();
     void nameDirections();
     void hover(std::optional<std::size_t> cell, const QObject* from);
@@ -198,7 +199,7 @@ private:
     QString note_, asked_, shapeNote_;
     CameraPose fittedCamera_; // while the camera equals it, the operator has not moved it
     bool fitted_ = false;     // to the whole sweep
-    bool begun_ = false;      // to its first lines, which the whole sweep has outside of the view
+    int framedLines_ = 0;     // the first lines that the view shows, while the view of the whole sweep has them outside
     bool windowKept_ = false;
     bool trueAngles_ = false;
     std::optional<QRect> box_; // of cells, as dragged

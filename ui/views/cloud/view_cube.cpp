@@ -48,12 +48,13 @@ ViewCube::ViewCube(CloudView* cloud) : QWidget(cloud), cloud_(cloud) {
     setObjectName("view-cube");
     setMouseTracking(true);
     setCursor(Qt::PointingHandCursor);
-    setToolTip(tr("Click a face: look at the cloud from there"));
     resize(kSide, kSide);
     connect(cloud, &CloudView::frameDrawn, this, &ViewCube::follow);
     cloud->installEventFilter(this);
     hide();
 }
+
+QString ViewCube::withoutPose() { return tr("Without a pose, Top is the top of the range image"); }
 
 void ViewCube::setWanted(bool on) {
     wanted_ = on;
@@ -72,6 +73,8 @@ bool ViewCube::eventFilter(QObject* watched, QEvent* event) {
 
 void ViewCube::place() {
     const auto& cloud = cloud_->geometryOfCloud();
+    const bool placed = cloud_->scan() && cloud_->scan()->placement;
+    setToolTip(tr("Click a face: look at the cloud from there") + (placed ? QString() : "\n" + withoutPose()));
     setVisible(wanted_ && !forGloves_ && cloud && cloud->validCount > 0 && cloud_->width() >= kLeastCubeView.width() &&
                cloud_->height() >= kLeastCubeView.height());
     move(cloud_->width() - kFromRight - width(), kFromTop);
