@@ -1392,7 +1392,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Umbral superior  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (ningún gradiente lo alcanza)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
-<message><source>On the command line: --preset %1</source><translation>En la línea de comandos: --preset %1</translation></message>
+<message><source>In files and on the command line its name is %1</source><translation>En los archivos y en la línea de comandos se llama %1</translation></message>
 <message><source>From a file</source><translation>De un archivo</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
 <message><source>

@@ -1392,7 +1392,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Seuil haut  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (aucun gradient ne l'atteint)</translation></message>
 <message><source>• modified</source><translation>• modifié</translation></message>
-<message><source>On the command line: --preset %1</source><translation>Dans la ligne de commande : --preset %1</translation></message>
+<message><source>In files and on the command line its name is %1</source><translation>Dans les fichiers et dans la ligne de commande, son nom est %1</translation></message>
 <message><source>From a file</source><translation>D'un fichier</translation></message>
 <message><source>computing …</source><translation>calcul en cours …</translation></message>
 <message><source>

@@ -1392,7 +1392,7 @@ RL %3 m</translation></message>
 <message><source>Upper threshold  %1</source><translation>Limiar superior  %1</translation></message>
 <message><source>  (no gradient reaches it)</source><translation>  (nenhum gradiente o atinge)</translation></message>
 <message><source>• modified</source><translation>• modificado</translation></message>
-<message><source>On the command line: --preset %1</source><translation>Na linha de comando: --preset %1</translation></message>
+<message><source>In files and on the command line its name is %1</source><translation>Nos arquivos e na linha de comando o nome é %1</translation></message>
 <message><source>From a file</source><translation>De um arquivo</translation></message>
 <message><source>computing …</source><translation>calculando …</translation></message>
 <message><source>

@@ -364,7 +364,7 @@ void EdgesPanel::setPreset(const edges::Preset& preset) {
     presets_->setCurrentIndex(index);
     const auto known = std::ranges::find(kPresetWords, std::string_view(preset.name), &PresetWords::key);
     QString help = QObject::tr(preset.help.c_str());
-    if (known != kPresetWords.end()) help += "\n" + tr("On the command line: --preset %1").arg(known->key);
+    if (known != kPresetWords.end()) help += "\n" + tr("In files and on the command line its name is %1").arg(known->key);
     purpose_->setText(known != kPresetWords.end() ? QObject::tr(known->purpose) : tr("From a file"));
     for (QWidget* each : std::initializer_list<QWidget*>{presets_, purpose_}) each->setToolTip(help);
     showInUse();

@@ -29,7 +29,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kShowWorkAfterMs = 100;
-constexpr int kBetween = 14; // px between two facts
+constexpr int kBetween = 14;  // px between two facts
+constexpr int kNarrow = 1000; // px
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
@@ -183,7 +184,8 @@ void StatusLine::fit() {
     // For line and beam of the cell all other facts may be dropped except the counts. The counts are dropped only for warnings.
     shorten(whole - withCell, false);
     shorten(whole - left, true);
-    const bool two = width() > withoutWork - left; // work that begins or ends moves nothing: its row is there
+    // Work that begins or ends moves nothing: its row is there. A narrow window makes room for its words.
+    const bool two = width() > (strip_->width() < kNarrow ? whole : withoutWork) - left;
     if (two) {
         forms = {};
         shorten(whole, true);

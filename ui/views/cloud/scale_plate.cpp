@@ -49,11 +49,13 @@ bool ScalePlate::coloured() const { return colours_.points && cloud_->pointColou
 
 void ScalePlate::place() {
     const auto& cloud = cloud_->geometryOfCloud();
-    const bool some = cloud && cloud->validCount > 0 && cloud_->width() >= kLeastView.width() && cloud_->height() >= kLeastView.height();
+    isSmall_ = cloud_->width() < kSmallView;
+    const bool crowded = isSmall_ && !(cloud_->caption().isEmpty() && keptFree_.isEmpty()); // most of a small view is for the rocks
+    const bool some =
+        cloud && cloud->validCount > 0 && cloud_->width() >= kLeastView.width() && cloud_->height() >= kLeastView.height() && !crowded;
     const auto covers = [this](const std::vector<QRect>& places) {
         return std::ranges::any_of(places, [this](const QRect& each) { return each.intersects(geometry()); });
     };
-    isSmall_ = cloud_->width() < kSmallView;
     const bool stays =
         some && isVisible() && size() == sizeHint() && std::exchange(view_, cloud_->size()) == cloud_->size() && !covers(taken());
     resize(sizeHint());
