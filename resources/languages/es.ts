@@ -21,6 +21,7 @@
 <message><source>no return %1 %</source><translation>sin retorno %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
+<message><source>STEP ASSUMED %1°</source><translation>PASO SUPUESTO %1°</translation></message>
 <message><source>1 remark</source><translation>1 observación</translation></message>
 <message><source>%1 remarks</source><translation>%1 observaciones</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes en este barrido</translation></message>
@@ -459,15 +460,22 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>barrido %1: %2/%3 líneas, parcial</translation></message>
 <message><source>Mounting and step are not known.</source><translation>No se conocen montaje ni paso.</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
+<message><source>The mounting is not known.</source><translation>No se conoce el montaje.</translation></message>
+<message><source>How is the scanner mounted? Until that is given, the shape is assumed.</source><translation>¿Cómo está montado el escáner? Mientras no se indique, la forma es supuesta.</translation></message>
+<message><source>The step from line to line is not known.</source><translation>No se conoce el paso de una línea a otra.</translation></message>
+<message><source>How far does the scanner turn from line to line? Until that is given, the shape is assumed.</source><translation>¿Cuánto gira el escáner de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
 <message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Empieza con el barrido en curso: %1 líneas de él llegaron antes de Grabar.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
+<message><source>Give it…</source><translation>Indicarlo…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
 <message><source>last line %1</source><translation>última línea %1</translation></message>
 <message><source>last line %1 at %2 UTC</source><translation>última línea %1 a las %2 UTC</translation></message>
 <message><source>Waiting for the first line</source><translation>Se espera la primera línea</translation></message>
+<message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el paso en Escaneo &gt; Barrido…</translation></message>
+<message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el montaje en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>

@@ -21,6 +21,7 @@
 <message><source>no return %1 %</source><translation>sans retour %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
+<message><source>STEP ASSUMED %1°</source><translation>PAS SUPPOSÉ %1°</translation></message>
 <message><source>1 remark</source><translation>1 remarque</translation></message>
 <message><source>%1 remarks</source><translation>%1 remarques</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 plus tôt dans ce balayage</translation></message>
@@ -459,15 +460,22 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>balayage %1 : %2/%3 lignes, partiel</translation></message>
 <message><source>Mounting and step are not known.</source><translation>Montage et pas sont inconnus.</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
+<message><source>The mounting is not known.</source><translation>Le montage est inconnu.</translation></message>
+<message><source>How is the scanner mounted? Until that is given, the shape is assumed.</source><translation>Comment le scanner est-il monté ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
+<message><source>The step from line to line is not known.</source><translation>Le pas d'une ligne à l'autre est inconnu.</translation></message>
+<message><source>How far does the scanner turn from line to line? Until that is given, the shape is assumed.</source><translation>De combien le scanner tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
 <message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Il commence par le balayage en cours : %1 lignes de celui-ci sont arrivées avant Enregistrer.</translation></message>
 <message><source>Give them…</source><translation>Indiquer…</translation></message>
+<message><source>Give it…</source><translation>L'indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
 <message><source>last line %1</source><translation>dernière ligne %1</translation></message>
 <message><source>last line %1 at %2 UTC</source><translation>dernière ligne %1 à %2 UTC</translation></message>
 <message><source>Waiting for the first line</source><translation>En attente de la première ligne</translation></message>
+<message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le pas dans Scan &gt; Balayage…</translation></message>
+<message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le montage dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>

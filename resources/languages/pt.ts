@@ -21,6 +21,7 @@
 <message><source>no return %1 %</source><translation>sem retorno %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
+<message><source>STEP ASSUMED %1°</source><translation>PASSO SUPOSTO %1°</translation></message>
 <message><source>1 remark</source><translation>1 observação</translation></message>
 <message><source>%1 remarks</source><translation>%1 observações</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes nesta varredura</translation></message>
@@ -459,15 +460,22 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>varredura %1: %2/%3 linhas, parcial</translation></message>
 <message><source>Mounting and step are not known.</source><translation>Montagem e passo são desconhecidos.</translation></message>
 <message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
+<message><source>The mounting is not known.</source><translation>A montagem é desconhecida.</translation></message>
+<message><source>How is the scanner mounted? Until that is given, the shape is assumed.</source><translation>Como está montado o scanner? Enquanto isso não for indicado, a forma é suposta.</translation></message>
+<message><source>The step from line to line is not known.</source><translation>O passo de uma linha para outra é desconhecido.</translation></message>
+<message><source>How far does the scanner turn from line to line? Until that is given, the shape is assumed.</source><translation>Quanto gira o scanner de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Não é possível ligar a %1: escreva o nome ou o endereço do scanner, ou ws://ROBOT para um robô com ROS.</translation></message>
 <message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Começa com a varredura em curso: %1 linhas dela chegaram antes de Gravar.</translation></message>
 <message><source>Give them…</source><translation>Indicar…</translation></message>
+<message><source>Give it…</source><translation>Indicá-lo…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
 <message><source>last line %1</source><translation>última linha %1</translation></message>
 <message><source>last line %1 at %2 UTC</source><translation>última linha %1 às %2 UTC</translation></message>
 <message><source>Waiting for the first line</source><translation>À espera da primeira linha</translation></message>
+<message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique o passo em Varredura &gt; Varredura…</translation></message>
+<message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique a montagem em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>

@@ -159,6 +159,17 @@ private slots:
             on.viewer.explanation.closeCard();
             QVERIFY(on.viewer.views.cloud().marks().targets.empty());
         }
+        // Another tool ends it.
+        const auto explain = [&] {
+            on.viewer.explanation.explain(inspect::exactly(edge), Explanation::Subject::Click);
+            return on.viewer.explanation.card()->isVisible();
+        };
+        QVERIFY(explain());
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        QVERIFY(!on.viewer.explanation.card()->isVisible() && on.viewer.views.tool() == Tool::Measure);
+        QVERIFY(explain());
+        QTest::mouseClick(tool(on.window, "cab-pin"), Qt::LeftButton);
+        QVERIFY(!on.viewer.explanation.card()->isVisible() && on.viewer.views.tool() == Tool::Pin);
     }
 
     // The arrows lead to another target, or they are off.

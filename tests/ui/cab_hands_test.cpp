@@ -24,6 +24,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPointer>
@@ -31,6 +32,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSet>
 #include <QSpinBox>
 #include <QStyle>
 #include <QTimer>
@@ -188,6 +190,32 @@ private slots:
             QTRY_VERIFY2(room.contains(dialog.frameGeometry()), qPrintable(QString::number(at)));
             QVERIFY2(!pad.place().intersects(onScreen(*name)) && room.contains(pad.place()), qPrintable(QString::number(at)));
         }
+    }
+
+    // After their key closed them, a dialog that made room for the keys has its place and size again.
+    void aDialogIsAsLargeAsBeforeTheKeys() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        Keypad& pad = on.window.cab().keypad();
+        QDialog dialog(&on.window);
+        auto* name = new QLineEdit(&dialog);
+        name->setGeometry(20, 20, 200, 40);
+        name->setFocusPolicy(Qt::ClickFocus); // not from the start
+        dialog.resize(400, on.window.screen()->availableGeometry().height() - 60);
+        dialog.show();
+        dialog.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        dialog.move(300, 30);
+        QApplication::processEvents();
+        const QRect usual = dialog.geometry();
+        QTest::mouseClick(name, Qt::LeftButton);
+        name->setFocus();
+        QTRY_VERIFY(pad.isVisible());
+        QTRY_VERIFY(dialog.height() < usual.height());
+        tap(pad, "▼");
+        QTRY_COMPARE(dialog.geometry(), usual);
+        on.window.cab().set(false);
     }
 
     void escapeClosesTheKeys() {
@@ -362,6 +390,25 @@ private slots:
         QTest::qWait(QApplication::style()->styleHint(QStyle::SH_Menu_SubMenuSloppyCloseTimeout) + 200);
         QVERIFY(inner->isVisible() && file->isVisible() && first->isVisible());
         while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+        on.window.cab().set(false);
+    }
+
+    // A long menu has one column, which scrolls by its arrows: columns would leave a low screen at its right.
+    void aMenuHasOneColumn() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QCOMPARE(QApplication::style()->pixelMetric(QStyle::PM_MenuScrollerHeight), 48);
+        int seen = 0;
+        for (QMenu* menu : on.window.menuBar()->findChildren<QMenu*>()) {
+            QSet<int> lefts;
+            for (QAction* each : menu->actions()) {
+                if (each->isVisible() && !each->isSeparator()) lefts << menu->actionGeometry(each).left();
+            }
+            QVERIFY2(lefts.size() <= 1, qPrintable(menu->title()));
+            seen += static_cast<int>(lefts.size());
+        }
+        QVERIFY2(seen >= 6, qPrintable(QString::number(seen)));
         on.window.cab().set(false);
     }
 

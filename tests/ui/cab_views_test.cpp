@@ -440,6 +440,15 @@ private slots:
         const QToolButton& tune = *tool(on.window, "cab-tune");
         QCOMPARE(tune.text(), "Tune\n" + on.window.cab().frame().side().mainStepper()->value());
         QVERIFY(!tune.text().endsWith('\n') && tune.height() >= tune.sizeHint().height());
+        // Of many warnings the first ones are next to their number.
+        TargetNumbers throat;
+        throat.title = "W1";
+        throat.distance = "1.61 m";
+        throat.warned = QString("▲ a warning\n").repeated(16).trimmed();
+        on.window.findChild<NumbersSide*>()->showNumbers(throat);
+        QTRY_VERIFY(page.isVisible() && placeOf(*warned).top() + warned->fontMetrics().lineSpacing() <= placeOf(*below).top());
+        throat.warned.clear();
+        on.window.findChild<NumbersSide*>()->showNumbers(throat);
         resizeTo(on.window, {1280, 800});
         QTRY_VERIFY(!page.isVisible());
         QCOMPARE(tune.text(), QString("Tune"));

@@ -583,6 +583,11 @@ private slots:
         fields->close();
         QVERIFY2(!v.notice.isVisible() || !v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
         QTRY_VERIFY2(!overlay->marks().note.contains("Sweep…"), qPrintable(overlay->marks().note));
+        // With the mounting, only the step is asked for.
+        scanner::SweepSettings half = sweep();
+        half.stepAssumed = true;
+        v.live.connectTo("127.0.0.1", emulated->port(), half);
+        QVERIFY2(v.notice.text().startsWith("How far does the scanner turn"), qPrintable(v.notice.text()));
     }
 
     void nothingOfALostScannerIsGreen() {

@@ -1043,6 +1043,8 @@ private slots:
         QVERIFY(palette.isVisible() && palette.chosen() == nullptr);
         palette.words()->clear();
         QVERIFY(!none->isVisible());
+        QTest::mouseClick(palette.findChild<QPushButton*>("palette-close"), Qt::LeftButton); // a cab has no Escape key
+        QVERIFY(!palette.isVisible() && palette.chosen() == nullptr);
     }
 
     // From the menu, the tool bar and the palette; off, with its reason, while there are no targets.

@@ -52,12 +52,26 @@ QString sweepName(const scanner::SweepProgress& sweep) {
         .arg(sweep.expected);
 }
 
-/// `brief`: for a cab.
-QString mountingQuestion(bool brief) {
-    return brief
-               ? Live::tr("Mounting and step are not known.")
-               : Live::tr(
-                     "How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.");
+/// About what is assumed. `brief`: for a cab.
+QString mountingQuestion(bool axis, bool step, bool brief) {
+    if (axis && step)
+        return brief ? Live::tr("Mounting and step are not known.")
+                     : Live::tr("How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape "
+                                "is assumed.");
+    if (axis)
+        return brief ? Live::tr("The mounting is not known.")
+                     : Live::tr("How is the scanner mounted? Until that is given, the shape is assumed.");
+    return brief ? Live::tr("The step from line to line is not known.")
+                 : Live::tr("How far does the scanner turn from line to line? Until that is given, the shape is assumed.");
+}
+
+QStringList mountingQuestions() {
+    QStringList all;
+    for (const bool brief : {false, true}) {
+        for (const auto& [axis, step] : {std::pair(true, true), std::pair(true, false), std::pair(false, true)})
+            all << mountingQuestion(axis, step, brief);
+    }
+    return all;
 }
 
 } // namespace
@@ -116,7 +130,7 @@ void Live::connectPanel() {
         scanner_.disconnectScanner();
         if (showsScanner()) return;
         panel_.forgetScanner();
-        notice_.withdraw({mountingQuestion(false), mountingQuestion(true)}); // of a sweep without a line
+        notice_.withdraw(mountingQuestions()); // of a sweep without a line
     });
     connect(&panel_, &LivePanel::recordRequested, this, &Live::record);
     connect(&panel_, &LivePanel::keepRequested, this, &Live::keepLastMinute);
@@ -171,8 +185,12 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);
     if (scanner.bridge || (!sweep.axisAssumed && !sweep.stepAssumed)) return;
-    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion(panel_.brief()));
-    notice_.offer(tr("Give them…"), [this] { panel_.askSweep(); });
+    askMounting(sweep);
+}
+
+void Live::askMounting(const scanner::SweepSettings& sweep) {
+    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion(sweep.axisAssumed, sweep.stepAssumed, panel_.brief()));
+    notice_.offer(sweep.axisAssumed && sweep.stepAssumed ? tr("Give them…") : tr("Give it…"), [this] { panel_.askSweep(); });
 }
 
 void Live::useSweep() {
@@ -180,7 +198,9 @@ void Live::useSweep() {
     const std::optional<int> gone = scanner_.useSweep(sweep);
     if (!gone) return;
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
-    if (!sweep.axisAssumed && !sweep.stepAssumed) notice_.withdraw({mountingQuestion(false), mountingQuestion(true)});
+    const bool asks = !notice_.isHidden() && mountingQuestions().contains(notice_.text());
+    notice_.withdraw(mountingQuestions());
+    if (asks && (sweep.axisAssumed || sweep.stepAssumed)) askMounting(sweep); // about the rest
     QStringList remarks;
     if (*gone > 0) remarks << tr("The first %1 lines of this sweep are too old to be moved to their new places.").arg(*gone);
     if (scanner_.recording())
@@ -246,8 +266,10 @@ QString Live::shapeNote() const {
     if (!shown) return {};
     const scanner::SweepSettings sweep = panel_.sweep();
     if (scanner_.connected() && showsScanner() && !panel_.bridge() && (sweep.axisAssumed || sweep.stepAssumed))
-        return panel_.brief() ? QString() // its strip has the badge
-                              : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
+        return panel_.brief()       ? QString() // its strip has the badge
+               : !sweep.axisAssumed ? tr("▲ The shape is assumed: give the step in Scan > Sweep…")
+               : !sweep.stepAssumed ? tr("▲ The shape is assumed: give the mounting in Scan > Sweep…")
+                                    : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
     return mountingAssumed(*shown->detection->scan) ? tr("▲ mounting assumed") : QString();
 }
 

@@ -59,6 +59,7 @@ signals:
 private:
     void connectPanel();
     void useSweep();
+    void askMounting(const scanner::SweepSettings& sweep);
     void connectScanner();
     void showHealth();
     void offerOther();

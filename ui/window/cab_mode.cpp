@@ -158,7 +158,11 @@ void CabMode::follow() {
         showNumbers();
         showCorner();
     });
-    connect(&window_.viewer().measures, &Measures::kindChanged, this, &CabMode::showNumbers);
+    connect(&window_.viewer().measures, &Measures::kindChanged, this, [this] {
+        if (on_ && window_.viewer().measures.kind())
+            window_.viewer().explanation.closeCard(); // it would take the taps, and cover the cloud
+        showNumbers();
+    });
     connect(&window_.viewer().views, &LinkedViews::flippedChanged, this, [this] {
         showNumbers();
         showCorner();

@@ -76,6 +76,7 @@ void CabMode::addTools() {
         viewer.rocks.useTool(RockTool::None);
         viewer.views.setChoosesOnly(!on && viewer.rocks.shown()); // first: the tool says so
         viewer.views.setTool(Tool::Pin);
+        viewer.explanation.closeCard();
     });
     QToolButton* measure = column.add("cab-measure", "measure", tr("Measure"));
     measure->setCheckable(true);

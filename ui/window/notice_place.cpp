@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kTextMargin = 8;       // px
 constexpr int kLeastWidth = 220;     // px of a note
+constexpr int kLeastTexts = 80;      // px of height for the texts of a view under a high note
 constexpr int kLeastUnderNote = 480; // px of a cloud that has a line of a note with its buttons
 
 class NoticePlace : public QObject {
@@ -66,7 +67,7 @@ private:
         const auto takenOf = [&](const QWidget& view) {
             const QRect place(view.mapTo(&views_, QPoint(0, 0)), view.size());
             const bool covers = !notice_.isHidden() && bar.intersects(place) && bar.top() <= place.top() + kTextMargin;
-            return covers ? std::min(bar.bottom() + 1 - place.top(), place.height() / 2) : 0;
+            return covers ? std::min(bar.bottom() + 1 - place.top(), std::max(place.height() / 2, place.height() - kLeastTexts)) : 0;
         };
         for (auto* view : views_.findChildren<CloudView*>()) view->setTopTaken(takenOf(*view));
         for (auto* view : views_.findChildren<ImageView*>()) view->setTopTaken(takenOf(*view));

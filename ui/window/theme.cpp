@@ -38,6 +38,7 @@ public:
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override {
         if (hint == SH_EtchDisabledText) return 0;
         if (hint == SH_UnderlineShortcut && forGloves_) return 0; // a cab has no keyboard
+        if (hint == SH_Menu_Scrollable && forGloves_) return 1;   // columns would leave a low screen at its right
         // Else a menu closes the menu of its menu: a finger does not stay where it tapped, and never was over the first menu.
         if (hint == SH_Menu_SubMenuDontStartSloppyOnLeave) return 1;
         return QProxyStyle::styleHint(hint, option, widget, data);
@@ -73,6 +74,7 @@ public:
         case PM_SliderControlThickness:
         case PM_SliderLength:
         case PM_TabBarTabVSpace:
+        case PM_MenuScrollerHeight:
             return std::max(usual, kGlovePx);
         default:
             return usual;

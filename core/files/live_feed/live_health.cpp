@@ -2,10 +2,12 @@
 #include "core/files/live_feed/live_health.h"
 
 #include "core/base/number_text.h"
+#include "core/scan/grid/assumed_mounting.h"
 #include "core/scan/grid/placement.h"
 
 #include <cmath>
 #include <numeric>
+#include <string_view>
 
 namespace edgescan::files {
 namespace {
@@ -81,6 +83,14 @@ void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
     if ((error || warning) && !now) health.contamination += " earlier in this sweep";
 }
 
+/// "MOUNTING ASSUMED", or "STEP ASSUMED 0.18°" if only the step was not given.
+std::string assumedWords(const std::string& sentence) {
+    const std::size_t step = sentence.find(kStepAssumed);
+    if (step == sentence.npos || sentence.find(kAxisAssumed) != sentence.npos) return "MOUNTING ASSUMED";
+    const std::size_t number = step + std::string_view(kStepAssumed).size();
+    return "STEP ASSUMED " + sentence.substr(number, sentence.find(' ', number) - number) + "°";
+}
+
 /// What is wrong with the telegrams themselves.
 void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::SweepProgress& sweep) {
     health.remarks = sweep.irregular.sentences();
@@ -95,7 +105,7 @@ void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::
     health.telegrams = Condition::OutOfSpec;
     const std::size_t count = health.remarks.size();
     health.remark = sweep.irregular.countersInDoubt() ? "COUNTERS IN DOUBT"
-                    : !sweep.assumed.empty()          ? "MOUNTING ASSUMED"
+                    : !sweep.assumed.empty()          ? assumedWords(sweep.assumed)
                     : count == 1                      ? "1 remark"
                                                       : std::to_string(count) + " remarks";
 }

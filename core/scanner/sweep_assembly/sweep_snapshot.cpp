@@ -63,9 +63,9 @@ std::string assumedText(const SweepSettings& settings, AngleSource source) {
         what += (what.empty() ? "" : ", ") + words;
         flags += (flags.empty() ? "" : ", ") + std::string(flag);
     };
-    if (settings.axisAssumed) addAssumption(std::string("the axis (") + (settings.axis == Axis::Spin ? "spin" : "sweep") + ")", "--axis");
+    if (settings.axisAssumed) addAssumption(std::string(kAxisAssumed) + (settings.axis == Axis::Spin ? "spin" : "sweep") + ")", "--axis");
     if (settings.stepAssumed && source == AngleSource::Steps) {
-        addAssumption("the step from line to line (" + shortestText(*settings.degPerLine) + " degrees" +
+        addAssumption(kStepAssumed + shortestText(*settings.degPerLine) + " degrees" +
                           (settings.continuous ? ", the motor turning on while a line is measured)" : ")"),
                       "--line-step");
     }

@@ -1,15 +1,36 @@
-// The entry that closes a menu.
+// The entry that closes a menu, and its scrolling by taps.
 #include "ui/panels/cab/glove_menus.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QMenu>
+#include <QMouseEvent>
+#include <QTimer>
 
 namespace edgescan::ui {
 namespace {
 
 constexpr const char* kTaken = "of-gloves";
+constexpr int kScrolledMs = 280; // by a tap on an arrow: about five entries
+
+/// Qt scrolls a menu from a press on its arrow until the pointer leaves the arrow, which a finger does not.
+void endScrolling(QMenu& menu, const QPoint& at) {
+    const QList<QAction*> all = menu.actions();
+    if (all.isEmpty()) return;
+    QAction* active = menu.activeAction();
+    const bool whole = menu.actionGeometry(all.front()).top() >= 0 && menu.actionGeometry(all.back()).bottom() <= menu.height();
+    if (whole || (active != nullptr && menu.actionGeometry(active).contains(at))) return;
+    QTimer::singleShot(kScrolledMs, &menu, [&menu] {
+        const QAction* now = menu.activeAction();
+        const bool opened = now != nullptr && now->menu() != nullptr && now->menu()->isVisible();
+        if (!menu.isVisible() || opened || QGuiApplication::mouseButtons() != Qt::NoButton) return;
+        const QPointF away(-10000.0, -10000.0);
+        QMouseEvent leave(QEvent::MouseMove, away, away, away, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&menu, &leave);
+    });
+}
 
 } // namespace
 
@@ -37,6 +58,9 @@ bool GloveMenus::eventFilter(QObject* watched, QEvent* event) {
             menu->setAttribute(Qt::WA_NoMouseReplay);
             take(*menu);
         }
+    }
+    if (event->type() == QEvent::MouseButtonRelease) {
+        if (auto* menu = qobject_cast<QMenu*>(watched)) endScrolling(*menu, static_cast<QMouseEvent*>(event)->pos());
     }
     return false;
 }

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -26,7 +27,8 @@ constexpr int kLowScreen = 640;                                  // px: a lower 
 const QString kBack = QStringLiteral("⌫"), kDone = QStringLiteral("↵"), kHide = QStringLiteral("▼"), kShift = QStringLiteral("⇧"),
               kBlank = QStringLiteral("␣"), kToLetters = QStringLiteral("a–z"), kToNumbers = QStringLiteral("123");
 // A text that follows itself is one wide key.
-const QStringList kNumberRows{"7 8 9 - " + kBack, "4 5 6 . " + kDone, "1 2 3 : " + kHide, "0 , / " + kBlank + " " + kToLetters};
+const QStringList kNumberRows{"7 8 9 - / " + kBack, "4 5 6 . : " + kDone, "1 2 3 , ; " + kHide,
+                              "0 0 0" + QString(" " + kBlank).repeated(2) + " " + kToLetters};
 const QStringList kLetterRows{"q w e r t y u i o p", "a s d f g h j k l _", kShift + " z x c v b n m . " + kBack,
                               kToNumbers + " - :" + QString(" " + kBlank).repeated(5) + " " + kDone + " " + kHide};
 
@@ -49,7 +51,7 @@ QWidget* fieldOf(QObject* focused) {
 bool isNumber(const QWidget& field) {
     if (qobject_cast<QAbstractSpinBox*>(field.parentWidget()) != nullptr) return true;
     const auto* line = qobject_cast<const QLineEdit*>(&field);
-    static const QRegularExpression number("^[0-9.:-]+$"); // an address too
+    static const QRegularExpression number("^[0-9.:,; -]+$"); // an address and three numbers too
     if (line != nullptr && line->text().isEmpty()) return line->inputMethodHints().testFlag(Qt::ImhPreferNumbers);
     return line != nullptr && number.match(line->text()).hasMatch();
 }
@@ -175,6 +177,7 @@ void Keypad::dock() {
     place.moveBottom(room.bottom());
     auto* dialog = qobject_cast<QDialog*>(field_->window());
     if (dialog != nullptr && window.frameGeometry().bottom() >= place.top()) {
+        if (std::exchange(moved_, dialog) != dialog) before_ = dialog->geometry();
         // As high as the room above the keys, if it can be.
         const int around = window.frameGeometry().height() - window.height();
         dialog->resize(window.width(), std::clamp(place.top() - room.top() - around,
@@ -201,6 +204,12 @@ void Keypad::close() {
     if (keys_ != nullptr) keys_->hide();
 }
 
+/// Only after a key closed them: a dialog must not move under a finger that taps its button.
+void Keypad::giveBackRoom() {
+    if (moved_ != nullptr && moved_->isVisible()) moved_->setGeometry(before_);
+    moved_ = nullptr;
+}
+
 void Keypad::showPage(bool letters) {
     keys_->findChild<QWidget*>("keypad-numbers")->setVisible(!letters);
     keys_->findChild<QWidget*>("keypad-letters")->setVisible(letters);
@@ -225,6 +234,7 @@ void Keypad::type(const QString& text) {
         QWidget* closed = field_;
         close();
         closedFor_ = closed;
+        giveBackRoom();
         return;
     }
     if (field_ == nullptr) return;

@@ -11,7 +11,8 @@ namespace edgescan::ui {
 
 /// GUI thread only. While it is on, keys open at the bottom of the screen for each field that gets the focus or is tapped, and close with
 /// the focus, with their own key, with Escape and with the dialog. A tap selects the text of a field of one line. The dialog of the field
-/// moves up, so that its buttons stay in sight. The keys act on that field like a keyboard and never take the focus.
+/// moves up, so that its buttons stay in sight, and back when a key closes the keys. The keys act on that field like a keyboard and never
+/// take the focus.
 class Keypad : public QObject {
     Q_OBJECT
 public:
@@ -31,6 +32,7 @@ private:
     void openFor(QWidget& field);
     void close();
     void dock();
+    void giveBackRoom();
     void type(const QString& text);
     void press(int key, const QString& text = {});
     void showPage(bool letters);
@@ -41,6 +43,8 @@ private:
     QPointer<QWidget> field_;
     QPointer<QWidget> closedFor_; // a field whose keys were closed by their key
     QPointer<QWidget> keys_;      // a child of the field's window, which a modal dialog does not block
+    QPointer<QWidget> moved_;     // a dialog that made room for the keys
+    QRect before_;                // its place and size before that
     bool capitals_ = false;
     bool pressing_ = false;
 };

@@ -17,18 +17,22 @@ constexpr int kPageHigh = 48; // px: of the button that turns the page
 
 } // namespace
 
-/// The rows that begin the pages after the first one: what belongs together is on one page.
-std::vector<const QWidget*> NumbersSide::pageStarts(int room, int high) const {
+/// Where the pages after the first one begin: what belongs together is on one page. Warnings begin on the first page, next to their number,
+/// even if their last lines have no room there.
+std::vector<int> NumbersSide::pageStarts(int room, int high) const {
     std::vector<const QWidget*> firsts;
-    firsts.push_back(warned_);
     for (const auto& [name, value] : coordinateLabels_) firsts.push_back(value);
     firsts.push_back(rock_->isVisibleTo(facts_) ? rock_ : sizeRemark_);
     for (const auto& [name, value] : rowLabels_) firsts.push_back(value);
     std::erase_if(firsts, [this](const QWidget* each) { return !each->isVisibleTo(facts_); });
-    std::vector<const QWidget*> starts;
-    for (std::size_t n = 0; n < firsts.size(); ++n) {
-        const int end = n + 1 < firsts.size() ? firsts[n + 1]->y() : high, start = starts.empty() ? 0 : starts.back()->y();
-        if (end - start > room && firsts[n]->y() > start) starts.push_back(firsts[n]);
+    std::vector<int> tops;
+    const int line = warned_->fontMetrics().lineSpacing(), lines = warned_->isVisibleTo(facts_) ? warned_->height() / line : 0;
+    for (int n = 0; n < lines; ++n) tops.push_back(warned_->y() + n * line);
+    for (const QWidget* each : firsts) tops.push_back(each->y());
+    std::vector<int> starts;
+    for (std::size_t n = 0; n < tops.size(); ++n) {
+        const int end = n + 1 < tops.size() ? tops[n + 1] : high, start = starts.empty() ? 0 : starts.back();
+        if (end - start > room && tops[n] > start) starts.push_back(tops[n]);
     }
     return starts;
 }
@@ -44,7 +48,7 @@ void NumbersSide::fitPages() {
         facts_->resize(room.width(), factsHigh_);
         facts_->layout()->activate();
         starts_ = pageStarts(room.height() - kPageHigh, factsHigh_);
-        const int last = starts_.empty() ? 0 : starts_.back()->y();
+        const int last = starts_.empty() ? 0 : starts_.back();
         facts_->layout()->setContentsMargins(0, 0, 0, std::max(0, last + room.height() - factsHigh_));
         facts_->resize(room.width(), std::max(factsHigh_, last + room.height()));
     }
@@ -58,7 +62,7 @@ void NumbersSide::showPage() {
     page_->setVisible(!starts_.empty());
     page_->setText(last ? "▲ " + tr("Back") : "▼ " + tr("More"));
     const QSize room = scroll_->viewport()->size();
-    const int start = shownPage_ == 0 ? 0 : starts_[shownPage_ - 1]->y(), end = last ? factsHigh_ : starts_[shownPage_]->y();
+    const int start = shownPage_ == 0 ? 0 : starts_[shownPage_ - 1], end = last ? factsHigh_ : starts_[shownPage_];
     const int from = std::min(room.height() - kPageHigh, end - start);
     below_->setVisible(!starts_.empty());
     below_->setGeometry(0, from, room.width(), room.height() - from);

@@ -7,6 +7,7 @@
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/swipes.h"
 
+#include <QEvent>
 #include <QFontMetrics>
 #include <QGridLayout>
 #include <QLabel>
@@ -288,6 +289,10 @@ void NumbersSide::fitHeight() {
     // The part of it that is in the window: with the stepper it would not become lower than the stepper needs.
     const int seen = std::min(height(), window()->height() - mapTo(window(), QPoint()).y());
     for (FittedLabel* each : {distance_, size_}) each->setMost(seen >= kLowestPx ? kNumberPx : kLowNumberPx);
+    if (QFont letters = warned_->font(); letters.pixelSize() != (seen >= kLowestPx ? kNotePx : kLeastNotePx)) {
+        letters.setPixelSize(seen >= kLowestPx ? kNotePx : kLeastNotePx);
+        warned_->setFont(letters);
+    }
     for (const auto& [name, value] : coordinateLabels_) static_cast<FittedLabel*>(value)->setMost(low ? kTextPx : kCoordinatePx);
     for (const auto& [name, value] : rowLabels_) {
         for (QLabel* each : {name, value}) {

@@ -90,7 +90,7 @@ private:
     void connectStepper(Stepper& stepper);
 
     [[nodiscard]] bool factsFitAbove(int stepperHigh) const;
-    [[nodiscard]] std::vector<const QWidget*> pageStarts(int room, int high) const;
+    [[nodiscard]] std::vector<int> pageStarts(int room, int high) const;
     void fitPages();
     void showPage();
     void showValueInTune();
@@ -112,9 +112,9 @@ private:
     QGridLayout* coordinates_;
     QGridLayout* rows_;
     std::vector<std::pair<QLabel*, QLabel*>> coordinateLabels_, rowLabels_;
-    QWidget* below_;                     // covers what is on the next page
-    QToolButton* page_;                  // turns the page of the facts
-    std::vector<const QWidget*> starts_; // the first rows of the pages after the first one
+    QWidget* below_;          // covers what is on the next page
+    QToolButton* page_;       // turns the page of the facts
+    std::vector<int> starts_; // px: the tops of the pages after the first one
     int factsHigh_ = 0;
     std::size_t shownPage_ = 0;
     QString shownTitle_, titleWords_;

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -52,6 +53,11 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->addWidget(words_);
     column->addWidget(list_);
+    auto* close = new QPushButton(tr("Close")); // a cab has no Escape key
+    close->setObjectName("palette-close");
+    close->setAutoDefault(false); // Return runs the command
+    column->addWidget(close, 0, Qt::AlignRight);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
     resize(520, 420);
     connect(words_, &QLineEdit::textChanged, this, &CommandPalette::find);
     connect(words_, &QLineEdit::returnPressed, this, &CommandPalette::take);

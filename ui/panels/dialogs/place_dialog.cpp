@@ -193,6 +193,7 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
         edit->setObjectName(name);
         row.edit = edit;
         row.usual = field.usual != nullptr ? QString(field.usual) : QString();
+        if (field.kind != PlaceField::Kind::Text) edit->setInputMethodHints(Qt::ImhPreferNumbers);
         edit->setPlaceholderText(row.usual);
         connect(edit, &QLineEdit::textChanged, this, told);
         row.text = [edit] { return edit->text(); };

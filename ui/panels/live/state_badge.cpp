@@ -110,20 +110,22 @@ void StateBadge::setRoom(int pixels) {
 
 void StateBadge::setTwoLines() { twoLines_ = true; }
 
-/// The time is always whole, in two lines if it has to be; the name before it is shortened in its middle.
+/// The time is always whole, in two lines if it has to be. The name of a file is shortened in its middle, a state at its end.
 QStringList StateBadge::linesIn(int width) const {
     const QFontMetrics metrics(font());
     const auto fits = [&](const QString& words) { return metrics.horizontalAdvance(words) <= width; };
     if (fits(text_)) return {text_};
     const BadgeParts parts = partsOf(text_);
+    const bool isFile = sign_ == Sign::File || sign_ == Sign::Recorded;
+    const Qt::TextElideMode where = isFile ? Qt::ElideMiddle : Qt::ElideRight;
     if (parts.time.isEmpty()) return twoLines_ ? brokenIn(width) : QStringList{metrics.elidedText(text_, Qt::ElideRight, width)};
     if (!twoLines_) {
         const int room = width - metrics.horizontalAdvance(parts.between + parts.time);
         const bool some = room >= kLeastLetters * metrics.averageCharWidth();
-        return {some ? metrics.elidedText(parts.name, Qt::ElideMiddle, room) + parts.between + parts.time
+        return {some ? metrics.elidedText(parts.name, where, room) + parts.between + parts.time
                      : metrics.elidedText(text_, Qt::ElideRight, width)};
     }
-    QStringList lines{metrics.elidedText(parts.name, Qt::ElideMiddle, width)};
+    QStringList lines{metrics.elidedText(parts.name, where, width)};
     if (fits(parts.time + parts.ago)) return lines << parts.time + parts.ago;
     if (fits(parts.time)) return lines << parts.time;
     if (room_ > 0) return lines << metrics.elidedText(parts.time, Qt::ElideLeft, width); // the seconds stay

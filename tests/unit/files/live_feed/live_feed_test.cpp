@@ -1,5 +1,6 @@
 // The operator's status of a live scan, and the content of a recording that is started late.
 #include "core/files/live_feed/live_health.h"
+#include "core/scan/grid/assumed_mounting.h"
 #include "core/scan/grid/placement.h"
 #include "tests/support/live_session.h"
 #include "tests/support/point_lists.h"
@@ -160,6 +161,14 @@ TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     EXPECT_EQ(healthOf(status).end, "sweep complete");
     status.undecodable = 2;
     EXPECT_EQ(healthOf(status).remark, "2 remarks");
+    const std::string axis = "the axis (spin)",
+                      step = "the step from line to line (0.18 degrees, the motor turning on while a line is measured)";
+    for (const auto& [what, badge] :
+         {std::pair(axis, "MOUNTING ASSUMED"), std::pair(axis + ", " + step, "MOUNTING ASSUMED"), std::pair(step, "STEP ASSUMED 0.18°")}) {
+        status.sweep.assumed = kMountingAssumed + what + ". Give it where that is wrong.";
+        EXPECT_EQ(healthOf(status).remark, badge);
+    }
+    status.sweep.assumed.clear();
     EXPECT_NE(healthOf(status).remarks.at(0).find("(line 7)"), std::string::npos) << healthOf(status).remarks.at(0);
     status.sweep.irregular.note(scanner::Irregularity::CounterJump, 9, 3);
     EXPECT_EQ(healthOf(status).remark, "COUNTERS IN DOUBT");
