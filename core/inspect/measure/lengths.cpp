@@ -182,7 +182,7 @@ void takeNarrower(const Scan& scan, std::span<const std::uint32_t> ends, Measure
     const CartesianTables tables(scan);
     const auto lengthM = [&](std::span<const std::uint32_t> of) { return (tables.point(of[0]) - tables.point(of[1])).norm(); };
     const auto around = narrowestBetween(scan, tables, ends[0], ends[1]);
-    if (!around || lengthM(*around) >= lengthM(ends)) return;
+    if (!around || !(lengthM(*around) < lengthM(ends))) return;
     measured.narrowerM = lengthM(*around);
     measured.narrowerEnds = *around;
 }
