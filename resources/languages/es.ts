@@ -712,6 +712,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>No se vio un paso libre entre estos dos lados, que distan %1 m en profundidad: haga clic en el borde cercano de la garganta en cada lado.</translation></message>
+<message><source>Farther along, this throat narrows to %1 m.</source><translation>Más allá, esta garganta se estrecha hasta %1 m.</translation></message>
+<message><source>Measure There</source><translation>Medir allí</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Ancho de la garganta: se busca el paso más estrecho …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
@@ -1237,8 +1239,9 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Export Section…</source><translation>Exportar la sección…</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
+<message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
-<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 puntos quedan fuera: la rueda aleja la vista</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
@@ -1484,7 +1487,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
 <message><source>What can be done with rocks</source><translation>Qué se puede hacer con las rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Images</source><translation>Imágenes</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
 <message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>

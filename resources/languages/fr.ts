@@ -712,6 +712,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Aucun passage libre n'a été vu entre ces deux côtés, éloignés de %1 m en profondeur : cliquez le bord proche du goulot de chaque côté.</translation></message>
+<message><source>Farther along, this throat narrows to %1 m.</source><translation>Plus loin, ce goulot se resserre à %1 m.</translation></message>
+<message><source>Measure There</source><translation>Mesurer là-bas</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largeur de l'étranglement : le passage le plus étroit est recherché …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
@@ -1237,8 +1239,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Export Section…</source><translation>Exporter la coupe…</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
+<message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
-<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 points sont en dehors : la molette dézoome</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
@@ -1484,7 +1487,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
 <message><source>What can be done with rocks</source><translation>Ce qu'on peut faire avec les blocs</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Images</source><translation>Images</translation></message>
 <message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
 <message><source>Undo: %1</source><translation>Annuler : %1</translation></message>

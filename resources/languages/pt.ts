@@ -712,6 +712,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Não se viu passagem livre entre estes dois lados, que distam %1 m em profundidade: clique na borda próxima da garganta em cada lado.</translation></message>
+<message><source>Farther along, this throat narrows to %1 m.</source><translation>Mais adiante, esta garganta estreita-se até %1 m.</translation></message>
+<message><source>Measure There</source><translation>Medir ali</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largura da garganta: procurando a passagem mais estreita …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
@@ -1237,8 +1239,9 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Export Section…</source><translation>Exportar a secção…</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
+<message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
-<message><source>%1 points are outside: the wheel zooms out</source><translation>%1 pontos estão fora: a roda afasta o zoom</translation></message>
+<message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
@@ -1484,7 +1487,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
 <message><source>What can be done with rocks</source><translation>O que se pode fazer com as rochas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Images</source><translation>Imagens</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
 <message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>

@@ -630,6 +630,9 @@ private slots:
                 QVERIFY2(name.startsWith(QString(first).remove("…")), qPrintable(first));
                 QVERIFY2(lines.join(' ') == time && lines.size() <= 2, qPrintable(lines.join('|')));
             }
+            badge->showState(StateBadge::Sign::File,
+                             QString::fromUtf8("FILE demo of a draw-bell before …the blast · 2026-11-24 09:09:09 UTC"));
+            QCOMPARE(badge->linesIn(badge->width() - 40).front().count(QString::fromUtf8("…")), 1);
             QCOMPARE(places(), before);
             head.showWork("Finding rocks: growing, 34 %");
             QCOMPARE(places(), before);

@@ -86,6 +86,31 @@ private slots:
         QVERIFY(on.window.findChild<QLabel*>("counts")->isVisible());
     }
 
+    void thePoseAndChangedSettingsStayWhileATargetIsSelected() {
+        Scan scan = boxesToShow();
+        Placement placement = *test::randomPlacement(3, 1, true);
+        placement.outOfSpec = false;
+        scan.placement = std::make_shared<const Placement>(placement);
+        const std::string path = (folder_ / "good_pose.json").string();
+        QVERIFY(bool(files::saveScan(scan, path)));
+        WindowFixture on;
+        QVERIFY(on.showWith(path));
+        edges::Settings changed;
+        changed.minimumLength = 50;
+        QVERIFY(on.use(changed));
+        const auto valid = std::ranges::find(scan.state.cells, CellState::Valid) - scan.state.cells.begin();
+        const QPoint cell = on.viewer.views.placeOf(static_cast<std::size_t>(valid));
+        for (const int width : {1024, 1280, 1366}) {
+            resizeTo(on.window, {width, 768});
+            on.viewer.views.clearPin();
+            emit on.viewer.views.gray().clicked(cell.y(), cell.x());
+            QApplication::processEvents();
+            const auto* settings = on.viewer.statusLine.findChild<QLabel*>("settings");
+            QVERIFY2(settings->isVisible() && settings->text().contains("1 changed"), qPrintable(QString::number(width)));
+            QVERIFY2(on.viewer.statusLine.findChild<QLabel*>("place")->isVisible(), qPrintable(QString::number(width)));
+        }
+    }
+
     // The notice bar covers the top of the cloud: the texts of the view are below it, and at the top again when it is closed.
     void textsOfTheViewsAreBelowTheNotice() {
         for (const bool cab : {false, true}) {

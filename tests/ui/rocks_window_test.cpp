@@ -136,6 +136,11 @@ private slots:
             std::size_t outside = 0;
             for (const std::uint32_t k : *cloud.outline()) outside += cloud.geometryOfCloud()->drawable(k) && !inSight(k) ? 1 : 0;
             QVERIFY(outside * 8 <= cloud.outline()->size());
+            if (cloud.camera() == before) continue;
+            // From the scanner's side, where the rock has the face that was measured.
+            const CloudGeometry& all = *cloud.geometryOfCloud();
+            const Eigen::Vector3f way = all.point(picture(on).rockAt(*on.viewer.rocks.selected().begin())->cell) - all.sensor;
+            QVERIFY(cloud.camera().forward().dot(way.cast<double>().normalized()) > 0.9);
         }
         QVERIFY(moved > 0);
         // The rock of the row is what Isolate takes: nothing else was selected.
@@ -726,6 +731,7 @@ private slots:
         QTest::keyClick(&on.window, Qt::Key_S);
         QTest::mouseClick(&on.viewer.views.gray(), Qt::LeftButton, Qt::NoModifier, pixelOn(on, on.viewer.views.gray(), 1));
         QVERIFY(settled(on));
+        QVERIFY2(on.viewer.notice.text().startsWith("Split: rock "), qPrintable(on.viewer.notice.text()));
         QVERIFY(on.viewer.targets.notebook().empty());
         QCOMPARE(on.viewer.undo.count(), 2);
         QVERIFY(picture(on).labels == before);

@@ -50,7 +50,7 @@ using namespace edgescan::ui;
 class TargetsTest : public QObject {
     Q_OBJECT
     test::TemporaryFolder folder_;
-    std::string boxes_, placed_, plate_;
+    std::string boxes_, placed_, plate_, wedge_;
 
     static void move(QWidget& view, QPoint at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, buttons, modifiers);
@@ -96,6 +96,21 @@ class TargetsTest : public QObject {
         }
         return scan;
     }
+    // A wall at 5 m with an opening that narrows towards the first line; the next surface is 9 m away.
+    static Scan wedgeScan() {
+        Scan scan = test::makeScan(101, 101, [](int, int) { return 5000.0F; });
+        auto& polar = std::get<PolarGeometry>(scan.geometry);
+        for (std::size_t n = 0; n < 101; ++n) {
+            polar.beamDeg[n] = 90.0 + (static_cast<double>(n) - 50) / 4;
+            polar.lineDeg[n] = (static_cast<double>(n) - 50) / 4;
+        }
+        for (int i = 0; i < 101; ++i) {
+            for (int j = 0; j < 101; ++j) {
+                if (std::abs(j - 50) < 16 + 0.3 * (i - 50)) scan.rangeMm.at(i, j) = 9000.0F;
+            }
+        }
+        return scan;
+    }
 
 private slots:
     void initTestCase() {
@@ -106,6 +121,8 @@ private slots:
         scan.placement = std::make_shared<const Placement>(*test::randomPlacement(3, 1, true));
         placed_ = (folder_ / "placed.json").string();
         QVERIFY(bool(files::saveScan(scan, placed_)));
+        wedge_ = (folder_ / "wedge.json").string();
+        QVERIFY(bool(files::saveScan(wedgeScan(), wedge_)));
         plate_ = (folder_ / "plate.json").string();
         QVERIFY(bool(files::saveScan(plateScan(), plate_)));
     }
@@ -150,6 +167,7 @@ private slots:
         QTest::mouseClick(on.viewer.targetsPanel.card().lock(), Qt::LeftButton);
         QVERIFY(on.viewer.targets.active()->locked);
         QVERIFY(!on.viewer.targetsPanel.card().close()->isEnabled());
+        QVERIFY2(list->item(1)->text().startsWith("locked"), qPrintable(list->item(1)->text())); // the end of a long row is cut
         QTest::keyClick(&on.window, Qt::Key_Delete);
         QCOMPARE(static_cast<int>(targets(on).size()), 3);
         on.viewer.notice.hide();
@@ -408,6 +426,44 @@ private slots:
         QVERIFY(known(on));
         const QString listed = on.viewer.targetsPanel.measures()->item(on.viewer.targetsPanel.measures()->count() - 1)->text();
         QVERIFY2(listed.contains("  " + plot.lengthShown() + "\nLength in a Section"), qPrintable(listed));
+        // Its buttons zoom and close it; so does Esc in the main window.
+        const auto perM = [&plot] { return plot.placeOf({1.0, 0.0}).x() - plot.placeOf({0.0, 0.0}).x(); };
+        const auto press = [&](const char* name) {
+            QTest::mouseClick(on.viewer.sections.card()->findChild<QPushButton*>(name), Qt::LeftButton);
+        };
+        const double fitted = perM();
+        press("section-zoom-out");
+        QVERIFY(perM() < fitted);
+        press("section-zoom-in");
+        press("section-zoom-in");
+        QVERIFY(perM() > fitted);
+        press("section-fit");
+        QCOMPARE(perM(), fitted);
+        press("section-close");
+        QVERIFY(!on.viewer.sections.card()->isVisible());
+        on.viewer.sections.throughMeasurement();
+        QTRY_VERIFY(on.viewer.sections.card()->isVisible());
+        on.viewer.notice.hide();
+        QTest::keyClick(&on.window, Qt::Key_Escape);
+        QVERIFY(!on.viewer.sections.card()->isVisible());
+    }
+
+    void aThroatThatNarrowsOnIsMeasuredThereByOneClick() {
+        WindowFixture on;
+        QVERIFY(showWith(on, wedge_));
+        on.viewer.measures.start(inspect::MeasureKind::Throat);
+        click(on.viewer.views.gray(), 50, 31);
+        click(on.viewer.views.gray(), 50, 69);
+        const auto* there = on.viewer.notice.findChild<QToolButton*>("notice-action");
+        QTRY_VERIFY2(on.viewer.notice.isVisible() && there->text() == "Measure There", qPrintable(on.viewer.notice.text()));
+        const auto first = on.viewer.targets.known().measures.front().second;
+        QVERIFY(first && first->narrowsOn());
+        QTest::mouseClick(on.viewer.notice.findChild<QToolButton*>("notice-action"), Qt::LeftButton);
+        QCOMPARE(on.viewer.targets.notebook().measures.size(), std::size_t{2});
+        const inspect::StoredMeasure& second = on.viewer.targets.notebook().measures.back();
+        const auto measured = inspect::measureCells(*on.picture().detection->scan, {}, second.kind, second.cells);
+        QVERIFY(measured && std::abs(measured->lengths.front().valueM - first->narrowerM) < 1e-9);
+        QVERIFY(on.viewer.targets.chosenMeasure() == std::size_t{1});
     }
 
     void aFarWallDoesNotShrinkASection() {
@@ -655,7 +711,7 @@ private slots:
         QVERIFY(on.viewer.targetsPanel.measures()->item(0)->text().count('\n') <= 1);
         // An end that is not on an edge is named.
         const edges::Detection& detection = *on.picture().detection;
-        const auto isOff = [&](std::uint32_t end) { return !edges::nearestEdge(*detection.mask, end, 1); };
+        const auto isOff = [&](std::uint32_t end) { return (*detection.mask)[end] == 0; }; // as in the status bar
         const bool first = isOff(ends[0]), second = isOff(ends[1]);
         QVERIFY(first || second);
         const QString off = first && second ? "ends 1, 2 not on an edge" : QString("end %1 not on an edge").arg(first ? 1 : 2);
@@ -736,7 +792,7 @@ private slots:
         QVERIFY(known(on));
         const QListWidget& list = *on.viewer.targetsPanel.measures();
         QCOMPARE(list.count(), 6);
-        QVERIFY2(list.item(1)->text().startsWith("M2  "), qPrintable(list.item(1)->text()));
+        QVERIFY2(list.item(1)->text().remove(QString::fromUtf8("▲ ")).startsWith("M2  "), qPrintable(list.item(1)->text()));
         const int row = list.fontMetrics().lineSpacing();
         for (int n = 0; n < list.count(); ++n) QVERIFY(list.visualItemRect(list.item(n)).height() < 3 * row);
         QVERIFY2(list.height() < 8 * row && list.verticalScrollBar()->maximum() > 0, qPrintable(QString::number(list.height())));

@@ -146,6 +146,12 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
     card_->raise();
 }
 
+bool Sections::close() {
+    if (card_ == nullptr || !card_->isVisible()) return false;
+    card_->hide();
+    return true;
+}
+
 void Sections::showLength(const inspect::SectionVertex& from, const inspect::SectionVertex& to) {
     const edges::Detection& detection = *picture_->detection;
     const RangeNoise noise = detection.surface ? inspect::noiseOf(detection) : RangeNoise{};

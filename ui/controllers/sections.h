@@ -40,6 +40,8 @@ public:
     void throughRock();
     /// Null before the first section.
     [[nodiscard]] SectionCard* card() const { return card_; }
+    /// False: it is not open.
+    bool close();
     void exportTo(const QString& path);
 
 private:

@@ -32,6 +32,8 @@ void MainWindow::escape() {
         maximise(maximised_);
     else if (!viewer_.selection.cells().empty())
         viewer_.selection.select({});
+    else if (viewer_.sections.close())
+        return;
     else {
         viewer_.views.clearPin();
         viewer_.targets.chooseMeasure(std::nullopt);

@@ -177,12 +177,14 @@ double acrossBeamsM(const Scan& scan, const CartesianTables& tables, std::uint32
     return std::isfinite(apart) ? apart * static_cast<double>(scan.rangeMm[end]) / 1000.0 : 0.0;
 }
 
-/// Of the narrowest way from the ends of a throat; 0: that is the throat itself.
-double narrowerM(const Scan& scan, std::span<const std::uint32_t> ends) {
+/// The narrowest way from the ends of a throat, unless that is the throat itself.
+void takeNarrower(const Scan& scan, std::span<const std::uint32_t> ends, MeasuredCells& measured) {
     const CartesianTables tables(scan);
     const auto lengthM = [&](std::span<const std::uint32_t> of) { return (tables.point(of[0]) - tables.point(of[1])).norm(); };
     const auto around = narrowestBetween(scan, tables, ends[0], ends[1]);
-    return around && lengthM(*around) < lengthM(ends) ? lengthM(*around) : 0.0;
+    if (!around || !(lengthM(*around) < lengthM(ends))) return;
+    measured.narrowerM = lengthM(*around);
+    measured.narrowerEnds = *around;
 }
 
 /// How far the cell that the click meant is behind this end, across a jump; 0: it is not, or nothing was measured there.
@@ -295,7 +297,7 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
 
 void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
     if (measured.kind != MeasureKind::Throat || cells.size() != 2) return;
-    measured.narrowerM = narrowerM(scan, cells);
+    takeNarrower(scan, cells, measured);
     if (clicked.empty()) clicked = cells; // each end is where it was clicked
     if (clicked.size() != 2 || std::ranges::any_of(clicked, [&](std::uint32_t k) { return k >= scan.cells(); })) return;
     const CartesianTables tables(scan);

@@ -69,6 +69,7 @@ struct MeasuredCells {
     double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find (throatAt()); 0: not known
     double clickBehindM = 0.0;        ///< only for Throat: how far a click is behind its end, across a jump; 0: neither click is
     double narrowerM = 0.0;           ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
+    std::array<std::uint32_t, 2> narrowerEnds{}; ///< of that way
 
     /// Only for Throat: true if a way farther along is narrower than all that clicks around these find, by more than its tolerance.
     [[nodiscard]] bool narrowsOn() const;

@@ -108,11 +108,13 @@ void Rocks::judgeEdit() {
         return notice_.showHint(tr("No rock changed, so nothing is to be undone: click or draw on another part of the rock."));
     }
     const bool isNew = edits_.size() > before->study.edits.size();
-    const bool merges = isNew && edits_.back().kind == rocks::EditKind::Join;
-    const QString words =
-        QStringList{isNew ? editWords(edits_.back(), *before, *picture_) : QString(), changeWords(changes, *picture_)}.join(' ').trimmed();
-    if (const QString apart = merges ? apartWords(edits_.back().cells, *before, *picture_) : QString(); !apart.isEmpty()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, words.isEmpty() ? apart : apart + " " + words);
+    const rocks::EditKind kind = isNew ? edits_.back().kind : rocks::EditKind::Part; // a split that took joins back
+    const bool merges = kind == rocks::EditKind::Join;
+    const QString apart = merges ? apartWords(edits_.back().cells, *before, *picture_) : QString(); // names the merged rock too
+    const QString result = apart.isEmpty() ? editWords(kind, *before, *picture_) : apart;
+    const QString words = QStringList{result, changeWords(changes, *picture_)}.join(' ').trimmed();
+    if (!apart.isEmpty()) {
+        notice_.showNotice(NoticeBar::Kind::Warning, words);
         if (isNewestStep()) notice_.offerUndo(undo_);
         return;
     }

@@ -340,8 +340,8 @@ void Rocks::lookAt(std::uint32_t label) {
     select({cell});
     ViewPort& images = *views_.gray().viewPort();
     if (!images.fitted()) images.centreOn(QPointF(views_.placeOf(cell)) + QPointF(0.5, 0.5)); // else all of it is in sight
-    views_.cloud().flyTo(static_cast<qint64>(cell));
-    if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline()); // a large one
+    constexpr double kRecognised = 0.12;                                                      // of the view's height
+    if (views_.cloud().outline()) bringIntoSight(views_.cloud(), *views_.cloud().outline(), kRecognised);
 }
 
 void Rocks::lookAtLargest() {

@@ -7,6 +7,7 @@
 
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -50,6 +51,7 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
         if (views_.tool() != Tool::Measure) stop();
     });
     connect(&views_, &LinkedViews::flippedChanged, this, &Measures::show);
+    connect(&targets_, &Targets::cardChanged, this, &Measures::offerNarrower);
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
         picked_.clear(); // cells of the old scan have no meaning in the new one
         show();
@@ -113,19 +115,39 @@ void Measures::keepPicked() {
 void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
     show();
     const Scan& scan = *asked.of->detection->scan;
-    const Picture* now = views_.picture().get(); // of another scan the cells have no meaning; a sweep may have grown
-    if (now == nullptr || now->source.stream != asked.of->source.stream || now->source.growth.sweep != asked.of->source.growth.sweep)
-        return;
+    if (!isOnScreen(*asked.of)) return;
     if (found) return keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);
     notice_.showHint(tr("No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat "
                         "on each side.")
                          .arg(std::abs(scan.rangeMm[asked.cells[0]] - scan.rangeMm[asked.cells[1]]) / 1000.0, 0, 'f', 2));
 }
 
+/// Of another scan the cells have no meaning; a sweep may have grown.
+bool Measures::isOnScreen(const Picture& of) const {
+    const Picture* now = views_.picture().get();
+    return now != nullptr && now->source.stream == of.source.stream && now->source.growth.sweep == of.source.growth.sweep;
+}
+
+/// Once for a throat, when its card is known.
+void Measures::offerNarrower() {
+    if (!newThroat_) return;
+    const KnownTargets& known = targets_.known();
+    const auto found = std::ranges::find(known.measures, *newThroat_, [](const auto& each) { return each.first; });
+    if (found == known.measures.end()) return;
+    newThroat_.reset();
+    if (!found->second || !found->second->narrowsOn() || !isOnScreen(*known.picture)) return;
+    notice_.showHint(tr("Farther along, this throat narrows to %1 m.").arg(found->second->narrowerM, 0, 'f', 3));
+    notice_.offer(tr("Measure There"), [this, of = known.picture, ends = found->second->narrowerEnds] {
+        if (isOnScreen(*of)) keep(inspect::MeasureKind::Throat, {ends.begin(), ends.end()}, {});
+    });
+}
+
 void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked) {
     if (clicked == cells) clicked.clear();
     const auto measured = inspect::measureCells(*views_.picture()->detection->scan, {}, kind, cells);
-    targets_.keepMeasure({kind, std::move(cells), std::move(clicked)});
+    targets_.keepMeasure({kind, cells, std::move(clicked)});
+    const auto& all = targets_.notebook().measures;
+    if (kind == inspect::MeasureKind::Throat && !all.empty() && all.back().cells == cells) newThroat_ = all.back();
     if (measured && measured->behindM > 0.0)
         notice_.showHint(tr("An end of this measurement is %1 m behind the surface under its line: check where its "
                             "ends are, and click again on the near side if that was meant.")

@@ -53,6 +53,8 @@ private:
     void pick(const inspect::MeantCell& click);
     void keepPicked();
     void takeThroat(const ThroatAsked& asked, const Throat& found);
+    [[nodiscard]] bool isOnScreen(const Picture& of) const;
+    void offerNarrower();
     void keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked);
 
     LinkedViews& views_;
@@ -60,7 +62,8 @@ private:
     NoticeBar& notice_;
     std::optional<inspect::MeasureKind> kind_;
     std::vector<inspect::MeantCell> picked_;
-    Derived<ThroatAsked, Throat> throats_; // last
+    std::optional<inspect::StoredMeasure> newThroat_; // until it is known whether it narrows farther along
+    Derived<ThroatAsked, Throat> throats_;            // last
 };
 
 } // namespace edgescan::ui

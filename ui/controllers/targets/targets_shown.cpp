@@ -40,14 +40,13 @@ bool isDoubtful(const Scan& scan, const inspect::StoredMeasure& measure) {
     return false;
 }
 
-/// "end 1 not on an edge"; empty: all ends are next to one at most, or the method finds the ends itself.
+/// "end 1 not on an edge", by the rule of the status bar; empty: all ends are on one, or the method finds the ends itself.
 QString offEdgeText(const Grid<std::uint8_t>& mask, const inspect::StoredMeasure& measure) {
     using Kind = inspect::MeasureKind;
-    constexpr int kDrawn = 1; // an edge is drawn wider than its cell
     if (measure.kind == Kind::Throat || measure.kind == Kind::Section) return {};
     QStringList off;
     for (std::size_t n = 0; n < measure.cells.size(); ++n) {
-        if (measure.cells[n] < mask.size() && !edges::nearestEdge(mask, measure.cells[n], kDrawn)) off << QString::number(n + 1);
+        if (measure.cells[n] < mask.size() && mask[measure.cells[n]] == 0) off << QString::number(n + 1);
     }
     if (off.isEmpty()) return {};
     return off.size() == 1 ? Targets::tr("end %1 not on an edge").arg(off.front())
@@ -183,8 +182,8 @@ void Targets::show() {
         const inspect::CellTarget* now = knownOf(target.cell);
         QStringList known = wordsOf(target);
         if (now != nullptr) known << edgeText(*now);
+        if (target.locked) known.prepend(tr("locked")); // first: the end of a long row is cut
         QString words = known.join("   ");
-        if (target.locked) words += "   " + tr("locked");
         if (!target.note.empty()) words += "   " + shownName(exactText(target.note), 80);
         const QString first = words; // shortened in the list
         if (const QString place = now != nullptr ? briefPositionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
@@ -195,7 +194,8 @@ void Targets::show() {
     lines.clear();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {
         const MeasureWords words = wordsOf(measure);
-        QString line = briefOf(measure) + "  " + words.value + "\n" + words.kind; // the value is never shortened
+        QString line = (words.warnings.empty() ? "" : "▲ ") + briefOf(measure) + "  " + words.value + "\n"; // this row is never shortened
+        line += words.kind;
         if (words.warnings.empty() && !words.offEdge.isEmpty()) line += " · " + words.offEdge;
         if (words.warnings.size() == 1) line += " · " + words.warnings.front();
         if (words.warnings.size() > 1) line += " · ▲ " + tr("%1 warnings").arg(words.warnings.size());

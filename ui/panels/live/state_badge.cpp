@@ -79,6 +79,14 @@ struct BadgeParts {
     QString name, between, time, ago; ///< "FILE north 3", " · ", "2026-11-19 08:12:05 UTC", ", 5 days ago"
 };
 
+/// With one ellipsis, also if the name has one already.
+QString shortened(const QString& name, const QFontMetrics& letters, int room, Qt::TextElideMode where) {
+    QString shown = letters.elidedText(name, where, room);
+    const QChar ellipsis(0x2026);
+    const int first = shown.indexOf(ellipsis), last = shown.lastIndexOf(ellipsis);
+    return first == last ? shown : shown.left(first) + shown.mid(last);
+}
+
 /// Without a time in the text, what is after the last separator.
 BadgeParts partsOf(const QString& text) {
     static const QRegularExpression time("(\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d UTC)(.*)$");
@@ -122,10 +130,10 @@ QStringList StateBadge::linesIn(int width) const {
     if (!twoLines_) {
         const int room = width - metrics.horizontalAdvance(parts.between + parts.time);
         const bool some = room >= kLeastLetters * metrics.averageCharWidth();
-        return {some ? metrics.elidedText(parts.name, where, room) + parts.between + parts.time
+        return {some ? shortened(parts.name, metrics, room, where) + parts.between + parts.time
                      : metrics.elidedText(text_, Qt::ElideRight, width)};
     }
-    QStringList lines{metrics.elidedText(parts.name, where, width)};
+    QStringList lines{shortened(parts.name, metrics, width, where)};
     if (fits(parts.time + parts.ago)) return lines << parts.time + parts.ago;
     if (fits(parts.time)) return lines << parts.time;
     if (room_ > 0) return lines << metrics.elidedText(parts.time, Qt::ElideLeft, width); // the seconds stay

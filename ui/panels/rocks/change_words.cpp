@@ -47,7 +47,7 @@ QString numbersOf(const std::set<std::uint32_t>& labels) {
 
 } // namespace
 
-QString editWords(const rocks::Edit& edit, const RockPicture& before, const RockPicture& after) {
+QString editWords(rocks::EditKind kind, const RockPicture& before, const RockPicture& after) {
     std::map<std::uint32_t, std::set<std::uint32_t>> parts, sources; // rocks after of a rock before, and the other way round
     std::pair<std::uint32_t, std::uint32_t> last;                    // neighbours mostly have the same
     for (std::size_t k = 0; k < before.labels.size(); ++k) {
@@ -57,11 +57,11 @@ QString editWords(const rocks::Edit& edit, const RockPicture& before, const Rock
         sources[now.second].insert(now.first);
     }
     QStringList sentences;
-    if (edit.kind == rocks::EditKind::Join) {
+    if (kind == rocks::EditKind::Join) {
         for (const auto& [rock, from] : sources) {
             if (from.size() > 1) sentences << QObject::tr("Merged: rocks %1 are rock %2 now.").arg(numbersOf(from)).arg(rock);
         }
-    } else if (edit.kind == rocks::EditKind::Cut) {
+    } else if (kind == rocks::EditKind::Cut || kind == rocks::EditKind::Part) {
         for (const auto& [rock, to] : parts) {
             if (to.size() > 1) sentences << QObject::tr("Split: rock %1 is now rocks %2.").arg(rock).arg(numbersOf(to));
         }

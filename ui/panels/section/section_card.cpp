@@ -9,6 +9,11 @@
 #include <QVBoxLayout>
 
 namespace edgescan::ui {
+namespace {
+
+constexpr double kZoomStep = 1.25;
+
+} // namespace
 
 SectionCard::SectionCard(QWidget* parent)
     : QDialog(parent), plot_(new SectionPlot), words_(new QLabel), export_(new QPushButton(tr("Export Section…"))) {
@@ -18,12 +23,34 @@ SectionCard::SectionCard(QWidget* parent)
     export_->setAutoDefault(false);
     plot_->setToolTip(tr("Wheel: zoom; drag: move; two clicks: a length"));
     auto* foot = new QHBoxLayout;
-    foot->addWidget(words_, 1);
-    foot->addWidget(export_, 0, Qt::AlignBottom);
+    const auto zoomBy = [this](double factor) { plot_->zoom(factor, QRectF(plot_->rect()).center()); };
+    addButton(*foot, "section-zoom-in", "+", tr("Zoom in"), [zoomBy] { zoomBy(kZoomStep); })->setAutoRepeat(true);
+    addButton(*foot, "section-zoom-out", QString::fromUtf8("−"), tr("Zoom out"), [zoomBy] {
+        zoomBy(1.0 / kZoomStep);
+    })->setAutoRepeat(true);
+    addButton(*foot, "section-fit", tr("Fit"), {}, [this] { plot_->zoomToFit(); });
+    foot->addStretch(1);
+    foot->addWidget(export_);
+    addButton(*foot, "section-close", tr("Close"), {}, [this] { hide(); }); // a cab has no frame to close it by
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->addWidget(plot_, 1);
+    column->addWidget(words_);
     column->addLayout(foot);
+}
+
+QPushButton* SectionCard::addButton(QHBoxLayout& row, const char* name, const QString& text, const QString& words,
+                                    const std::function<void()>& press) {
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    button->setAutoDefault(false);
+    if (!words.isEmpty()) {
+        button->setAccessibleName(words);
+        button->setToolTip(words);
+    }
+    connect(button, &QPushButton::clicked, this, press);
+    row.addWidget(button);
+    return button;
 }
 
 void SectionCard::setWords(const QString& words) { words_->setText(words); }

@@ -1,8 +1,11 @@
-// The window of a section: the plot, what it goes through, and its export.
+// The window of a section: the plot, what it goes through, its zoom, export and Close.
 #pragma once
 
 #include <QDialog>
 
+#include <functional>
+
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -22,6 +25,9 @@ public:
     [[nodiscard]] QPushButton* exportButton() const { return export_; }
 
 private:
+    QPushButton* addButton(QHBoxLayout& row, const char* name, const QString& text, const QString& words,
+                           const std::function<void()>& press);
+
     SectionPlot* plot_;
     QLabel* words_;
     QPushButton* export_;

@@ -233,7 +233,7 @@ std::size_t SectionPlot::outside() const {
 
 void SectionPlot::drawOutside(QPainter& painter) const {
     const std::size_t count = outside();
-    if (count > 0) drawTipAt(painter, rect(), rect().topRight(), tr("%1 points are outside: the wheel zooms out").arg(countText(count)));
+    if (count > 0) drawTipAt(painter, rect(), rect().topRight(), tr("%1 points are outside: zoom out").arg(countText(count)));
 }
 
 void SectionPlot::drawMarks(QPainter& painter) const {
@@ -255,11 +255,22 @@ void SectionPlot::drawMarks(QPainter& painter) const {
 void SectionPlot::wheelEvent(QWheelEvent* event) {
     const double steps = notches(*event);
     event->accept();
-    if (steps == 0.0 || !section_) return;
-    const double factor = std::clamp(perM_ * std::pow(1.2, steps), 1.0, 1e5) / perM_;
-    origin_ = event->position() + factor * (origin_ - event->position());
-    perM_ *= factor;
+    if (steps == 0.0) return;
+    zoom(std::pow(1.2, steps), event->position());
+}
+
+void SectionPlot::zoom(double factor, QPointF about) {
+    if (!section_) return;
+    const double by = std::clamp(perM_ * factor, 1.0, 1e5) / perM_;
+    origin_ = about + by * (origin_ - about);
+    perM_ *= by;
     moved_ = true;
+    update();
+}
+
+void SectionPlot::zoomToFit() {
+    moved_ = false;
+    fit();
     update();
 }
 

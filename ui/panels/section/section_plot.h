@@ -50,6 +50,10 @@ public:
     [[nodiscard]] const std::vector<const inspect::SectionVertex*>& ends() const { return ends_; }
     /// Of the length between the two ends.
     void setLength(const QString& words);
+    /// About this place, pixels.
+    void zoom(double factor, QPointF about);
+    /// As it was shown first.
+    void zoomToFit();
     [[nodiscard]] const QString& lengthShown() const { return length_; }
     [[nodiscard]] QPointF placeOf(const Eigen::Vector2d& atM) const;
     [[nodiscard]] QSize sizeHint() const override { return {640, 420}; }

@@ -149,7 +149,7 @@ void StatusLine::showFact(Fact fact, const QString& words, const QString& brief,
 }
 
 /// From left to right in the order of importance. Facts that do not fit get a shorter text and are then dropped, starting at the right end.
-/// The place of the cell, its verdict, and warnings (incomplete, out of spec) move to a second line before they are dropped.
+/// The place of the cell, its verdict, the mine grid, changed settings and warnings move to a second line before they are dropped.
 void StatusLine::fit() {
     const int withoutWork = strip_->width() - kBetween;
     const int whole = withoutWork - (work_->isHidden() ? 0 : work_->sizeHint().width() + kBetween);
@@ -260,7 +260,7 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     const QString spec = place.outOfSpec ? tr("OUT OF SPEC") : QString();
     const QString text = grid + tr(" · origin E %1 N %2 RL %3")
                                     .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
-    showFact(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, place.outOfSpec);
+    showFact(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, true);
     QStringList about{tr("Placed by %1").arg(shownText(place.source)), text};
     for (const std::string& warning : place.warnings) about << coreSentence(warning);
     label.setToolTip(about.join("\n"));
@@ -303,7 +303,7 @@ void StatusLine::showSettings(const edges::Settings& settings, bool own) {
     const bool menu = own && !keys.empty();
     const QString more = menu ? QString(" ▾") : QString();
     showFact(Fact::Settings, keys.empty() ? tr("default settings") : tr("settings: %1 changed").arg(keys.size()) + more,
-             keys.empty() ? QString() : tr("%1 changed").arg(keys.size()) + more, false);
+             keys.empty() ? QString() : tr("%1 changed").arg(keys.size()) + more, !keys.empty());
     label.setCursor(menu ? Qt::PointingHandCursor : Qt::ArrowCursor);
     changed_->clear();
     QStringList about{tr("Set of default settings: %1").arg(set)};

@@ -1,6 +1,8 @@
 // Brings cells into the 3D view.
 #include "ui/views/cloud/sight.h"
 
+#include <QPolygonF>
+
 #include <algorithm>
 
 namespace edgescan::ui {
@@ -20,16 +22,21 @@ bool isInSight(const CloudView& cloud, const CloudView::CellIndices& cells) {
     return static_cast<double>(outside) <= kMostOutside * static_cast<double>(asked);
 }
 
+/// Of the view's height.
+double shareOf(const CloudView& cloud, const CloudView::CellIndices& cells) {
+    QPolygonF places;
+    for (const std::uint32_t k : cells) {
+        if (const auto at = cloud.pixelOf(k)) places << *at;
+    }
+    const QRectF box = places.boundingRect();
+    return std::max(box.width(), box.height()) / std::max(1, cloud.height());
+}
+
 } // namespace
 
-void bringIntoSight(CloudView& cloud, const CloudView::CellIndices& cells) {
-    if (!cloud.geometryOfCloud() || isInSight(cloud, cells)) return;
-    Box3f box;
-    for (const std::uint32_t k : cells) {
-        if (cloud.geometryOfCloud()->drawable(k)) box.extend(cloud.geometryOfCloud()->point(k));
-    }
-    cloud.centreOn(box.center().cast<double>());
-    if (!isInSight(cloud, cells)) cloud.zoomToCells(cells);
+void bringIntoSight(CloudView& cloud, const CloudView::CellIndices& cells, double leastShare) {
+    if (!cloud.geometryOfCloud() || (isInSight(cloud, cells) && shareOf(cloud, cells) >= leastShare)) return;
+    cloud.lookAtCells(cells);
 }
 
 } // namespace edgescan::ui

@@ -5,7 +5,8 @@
 
 namespace edgescan::ui {
 
-/// If more than a tenth of the points are outside the view: moves the camera, and zooms only where that is not enough.
-void bringIntoSight(CloudView& cloud, const CloudView::CellIndices& cells);
+/// If more than a tenth of the points are outside the view, or if they are smaller there than this share of its height: looks at them from
+/// the scanner's side, where a rock has the face that was measured.
+void bringIntoSight(CloudView& cloud, const CloudView::CellIndices& cells, double leastShare = 0.0);
 
 } // namespace edgescan::ui

@@ -200,6 +200,7 @@ TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
 struct Clicked {
     double lengthM;
     std::string basis;
+    MeasuredCells measured;
 };
 std::vector<Clicked> clicksAround(const Scan& scan, int line, int off) {
     const CartesianTables tables(scan);
@@ -215,7 +216,7 @@ std::vector<Clicked> clicksAround(const Scan& scan, int line, int off) {
             const auto ends = narrowestBetween(scan, tables, from, to);
             if (!ends) return {};
             const auto measured = measureStored(scan, kQuietNoise, {MeasureKind::Throat, {(*ends)[0], (*ends)[1]}, {from, to}});
-            all.push_back({measured->lengths.front().valueM, measureBasis(*measured)});
+            all.push_back({measured->lengths.front().valueM, measureBasis(*measured), *measured});
         }
     }
     return all;
@@ -235,7 +236,8 @@ TEST(Throat, SaysWhetherAWayNextToItIsNarrower) {
         EXPECT_NE(each.basis.find("no narrower way next to it"), std::string::npos) << each.basis;
     }
     // Narrower and narrower along the sides: each click finds another length, and the text says so.
-    const std::vector<Clicked> wedge = clicksAround(opening([](double y) { return 0.4 + 0.35 * y; }), 50, 2);
+    const Scan narrowing = opening([](double y) { return 0.4 + 0.35 * y; });
+    const std::vector<Clicked> wedge = clicksAround(narrowing, 50, 2);
     ASSERT_EQ(wedge.size(), 25U);
     const auto [least, most] = std::ranges::minmax(wedge, {}, &Clicked::lengthM);
     EXPECT_GT(most.lengthM, least.lengthM + 0.01);
@@ -244,6 +246,11 @@ TEST(Throat, SaysWhetherAWayNextToItIsNarrower) {
         const auto at = each.basis.find(part);
         ASSERT_NE(at, std::string::npos) << each.basis;
         EXPECT_LT(std::stod(each.basis.substr(at + part.size())), each.lengthM);
+        // The cells of that way have this length.
+        const auto& [first, second] = each.measured.narrowerEnds;
+        const auto there = measureStored(narrowing, kQuietNoise, {MeasureKind::Throat, {first, second}});
+        ASSERT_TRUE(there);
+        EXPECT_NEAR(there->lengths.front().valueM, each.measured.narrowerM, 1e-9);
     }
 }
 
