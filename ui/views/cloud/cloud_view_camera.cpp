@@ -66,9 +66,10 @@ bool CloudView::isMostlyInView() const {
     for (std::size_t k = 0; k < cells; k += std::max<std::size_t>(1, cells / kLooks)) {
         if (!cloud_->drawable(k)) continue;
         ++all;
-        seen += pixelOf(static_cast<std::uint32_t>(k)) ? 1 : 0;
+        const auto at = pixelOf(static_cast<std::uint32_t>(k));
+        seen += at && QRectF(rect()).contains(*at) ? 1 : 0;
     }
-    return 2 * seen >= all;
+    return all > 0 && 2 * seen >= all;
 }
 
 void CloudView::resetView() {
