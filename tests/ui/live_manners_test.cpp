@@ -666,7 +666,7 @@ private slots:
         }
     }
 
-    // The view has room for the whole sweep from its first lines on, and moves only when the operator asks.
+    // The view has room for the whole sweep as soon as most of what came is in it. From then on it moves only when the operator asks.
     void theViewStaysWhileASweepGrows() {
         const auto emulated = scanner(100);
         QVERIFY(emulated);
@@ -674,13 +674,18 @@ private slots:
         MainWindow& window = on.window;
         QVERIFY(showsFirstLines(on, *emulated));
         const CloudView& cloud = on.viewer.views.cloud();
-        const CameraPose pose = cloud.camera();
+        std::vector<CameraPose> poses;
+        connect(&cloud, &CloudView::frameDrawn, &cloud, [&] {
+            if (poses.empty() || !(poses.back() == cloud.camera())) poses.push_back(cloud.camera());
+        });
         QTRY_VERIFY_WITH_TIMEOUT(!on.viewer.live.scanner().following() && !on.viewer.engine.behind(), 30000);
-        QVERIFY(cloud.camera() == pose);
+        QVERIFY2(poses.size() <= 10, qPrintable(QString::number(poses.size())));
+        const CameraPose pose = cloud.camera();
         std::size_t drawn = 0, seen = 0;
         for (std::uint32_t k = 0; k < cloud.scan()->cells(); ++k) {
             drawn += cloud.geometryOfCloud()->drawable(k) ? 1 : 0;
-            seen += cloud.pixelOf(k) ? 1 : 0;
+            const auto at = cloud.pixelOf(k);
+            seen += at && QRectF(cloud.rect()).contains(*at) ? 1 : 0;
         }
         QVERIFY2(seen > drawn / 2, qPrintable(QString("%1 of %2 points are in view").arg(seen).arg(drawn)));
         press(window, "live-follow");

@@ -224,10 +224,11 @@ void LinkedViews::nameDirections() {
     if (const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
 }
 
-/// The view moves only where it would soon show a small part of them: when their number has doubled.
+/// The view moves only where it shows, or would soon show, a small part of them.
 void LinkedViews::frameFirstLines(const CameraPose& before) {
     const int lines = shown()->detection->scan->lines();
-    if (lines < 2 * framedLines_) return cloud_.setCamera(before);
+    cloud_.setCamera(before);
+    if (lines < 2 * framedLines_ && cloud_.isMostlyInView()) return;
     framedLines_ = lines;
     cloud_.viewFromScanner();
 }
@@ -243,6 +244,7 @@ void LinkedViews::fitToSweep() {
         fitted_ = whole ? cloud_.isMostlyInView() : shown()->detection->scan->lines() >= kLinesToFit;
         if (whole && !fitted_) frameFirstLines(before);
     } else {
+        if (!fitted_ && framedLines_ > 0) cloud_.viewFromScanner(); // the sweep ended before
         fitted_ = true;
     }
     fittedCamera_ = cloud_.camera();
