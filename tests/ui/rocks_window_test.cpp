@@ -1364,7 +1364,7 @@ private slots:
                 ++valid;
                 inView += at && QRectF(cloud.rect()).contains(*at) ? 1 : 0;
             }
-            QVERIFY2(valid > 0 && 5 * inView >= 2 * valid, qPrintable(QString("%1: %2 of %3").arg(count).arg(inView).arg(valid)));
+            QVERIFY2(valid > 0 && 5 * inView >= valid, qPrintable(QString("%1: %2 of %3").arg(count).arg(inView).arg(valid)));
             if (poses.empty() || !(poses.back() == cloud.camera())) poses.push_back(cloud.camera());
         }
         QVERIFY2(poses.size() <= 10, qPrintable(QString::number(poses.size())));

@@ -60,7 +60,7 @@ void CloudView::frameFromScanner(const CloudGeometry& cloud) {
 }
 
 bool CloudView::isMostlyInView() const {
-    constexpr std::size_t kLooks = 2000;
+    constexpr std::size_t kLooks = 2000, kSeen = 5;
     const std::size_t cells = scan_ ? scan_->cells() : 0;
     std::size_t all = 0, seen = 0;
     for (std::size_t k = 0; k < cells; k += std::max<std::size_t>(1, cells / kLooks)) {
@@ -69,7 +69,7 @@ bool CloudView::isMostlyInView() const {
         const auto at = pixelOf(static_cast<std::uint32_t>(k));
         seen += at && QRectF(rect()).contains(*at) ? 1 : 0;
     }
-    return all > 0 && 2 * seen >= all;
+    return all > 0 && kSeen * seen >= all;
 }
 
 void CloudView::resetView() {
