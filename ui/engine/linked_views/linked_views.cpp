@@ -228,20 +228,20 @@ void LinkedViews::nameDirections() {
 void LinkedViews::frameFirstLines(const CameraPose& before) {
     const int lines = shown()->detection->scan->lines();
     cloud_.setCamera(before);
-    if (lines < 2 * framedLines_ && cloud_.isMostlyInView()) return;
+    if (lines < 2 * framedLines_ && cloud_.isInPicture()) return;
     framedLines_ = lines;
     cloud_.viewFromScanner();
 }
 
 /// Once, as soon as the place of its lines is known: the view shows what is to come, and does not move while it comes. A sweep may begin
-/// far at a side, outside of that view: it shows the first lines until most of what came is in it.
+/// far at a side, outside of that view: it shows the first lines until enough of what came is in it.
 void LinkedViews::fitToSweep() {
     const Growth& growth = shown()->source.growth;
     if (!fitted_ && growth.growing) {
         const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines);
         const CameraPose before = cloud_.camera();
         if (whole) cloud_.frameFromScanner(*whole);
-        fitted_ = whole ? cloud_.isMostlyInView() : shown()->detection->scan->lines() >= kLinesToFit;
+        fitted_ = whole ? cloud_.isInPicture() : shown()->detection->scan->lines() >= kLinesToFit;
         if (whole && !fitted_) frameFirstLines(before);
     } else {
         if (!fitted_ && framedLines_ > 0) cloud_.viewFromScanner(); // the sweep ended before

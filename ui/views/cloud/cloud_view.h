@@ -157,8 +157,8 @@ public slots:
     void viewFromScanner();
     /// As if the cloud were this one, of the same scanner.
     void frameFromScanner(const CloudGeometry& cloud);
-    /// Half of its points or more are within the picture, whatever hides them.
-    [[nodiscard]] bool isMostlyInView() const;
+    /// A fifth of its points or more are within the picture, whatever hides them: of half a turn, a quarter fits one.
+    [[nodiscard]] bool isInPicture() const;
     void viewFront();
     void viewBack();
     void viewLeft();

@@ -59,7 +59,7 @@ void CloudView::frameFromScanner(const CloudGeometry& cloud) {
     applyCamera();
 }
 
-bool CloudView::isMostlyInView() const {
+bool CloudView::isInPicture() const {
     constexpr std::size_t kLooks = 2000, kSeen = 5;
     const std::size_t cells = scan_ ? scan_->cells() : 0;
     std::size_t all = 0, seen = 0;
