@@ -1356,7 +1356,7 @@ RL %3 m</translation></message>
 <message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
-<message><source>With a higher edge strength this number can rise: cells that are no longer jumps or folds count here.</source><translation>Con una fuerza del borde mayor este número puede subir: las celdas que ya no son saltos ni pliegues cuentan aquí.</translation></message>
+<message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Con una fuerza del borde mayor este número puede subir: las celdas que ya no son saltos ni pliegues cuentan aquí.</translation></message>
 <message><source>Colours by class</source><translation>Colores por clase</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada clase en su color, o todos los bordes en uno: C</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Las rocas los cubren en la nube</translation></message>

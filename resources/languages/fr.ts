@@ -1356,7 +1356,7 @@ RL %3 m</translation></message>
 <message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
-<message><source>With a higher edge strength this number can rise: cells that are no longer jumps or folds count here.</source><translation>Avec une force de l'arête plus élevée, ce nombre peut monter : les cellules qui ne sont plus des sauts ni des plis comptent ici.</translation></message>
+<message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Avec une force de l'arête plus élevée, ce nombre peut monter : les cellules qui ne sont plus des sauts ni des plis comptent ici.</translation></message>
 <message><source>Colours by class</source><translation>Couleurs par classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Chaque classe dans sa couleur, ou toutes les arêtes d'une seule : C</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>Les blocs les couvrent dans le nuage</translation></message>

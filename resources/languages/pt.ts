@@ -1356,7 +1356,7 @@ RL %3 m</translation></message>
 <message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
-<message><source>With a higher edge strength this number can rise: cells that are no longer jumps or folds count here.</source><translation>Com uma força da borda maior este número pode subir: as células que já não são saltos nem dobras contam aqui.</translation></message>
+<message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Com uma força da borda maior este número pode subir: as células que já não são saltos nem dobras contam aqui.</translation></message>
 <message><source>Colours by class</source><translation>Cores por classe</translation></message>
 <message><source>Each class in its own colour, or all edges in one: C</source><translation>Cada classe na sua cor, ou todas as bordas em uma só: C</translation></message>
 <message><source>Rocks cover them in the cloud</source><translation>As rochas as cobrem na nuvem</translation></message>

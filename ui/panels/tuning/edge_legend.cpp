@@ -89,8 +89,8 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
                                  tr("Without one class the other numbers change too: a cell has one class, and a weak cell counts where it "
                                     "continues a strong one of any class.") +
                                  (n < kOfRocks ? QString()
-                                               : '\n' + tr("With a higher edge strength this number can rise: cells that are no "
-                                                           "longer jumps or folds count here.")));
+                                               : '\n' + tr("With a higher edge strength this number can rise: cells that were "
+                                                           "jumps or folds before count here.")));
         connect(rows_[n].box, &QCheckBox::toggled, this, &EdgeLegend::emitClasses);
     }
     taken_ = new QLabel;

@@ -40,7 +40,7 @@ TEST(LiveHealth, TellsWhatTheStateIs) {
     EXPECT_EQ(healthOf(status).badge, "STOPPED");
 }
 
-// A sweep of which all lines came is no reason for an alarm: the scanner has nothing more to send.
+// All lines of a sweep came: nothing is wrong, because the scanner has nothing more to send.
 TEST(LiveHealth, AfterTheLastLineNothingIsLost) {
     LiveStatus status;
     status.connection = {scanner::ConnectionPhase::Lost, "x:2112: disconnected. Check the cable.", {}};
