@@ -647,7 +647,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 líneas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
-<message><source>There is no rock here: choose Pin to set a target.</source><translation>Aquí no hay ninguna roca: elija Fijar para poner un objetivo.</translation></message>
+<message><source>No rock was found here: choose Pin to set a target.</source><translation>Aquí no hay ninguna roca: elija Fijar para poner un objetivo.</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Esto es una &amp;roca</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Roca %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Se&amp;leccionar</translation></message>

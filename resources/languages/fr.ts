@@ -647,7 +647,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ partial: %1 lines</source><translation>▲ partiel : %1 lignes</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
-<message><source>There is no rock here: choose Pin to set a target.</source><translation>Il n'y a pas de bloc ici : choisissez Épingler pour poser une cible.</translation></message>
+<message><source>No rock was found here: choose Pin to set a target.</source><translation>Il n'y a pas de bloc ici : choisissez Épingler pour poser une cible.</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>C’est un &amp;bloc</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Bloc %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Sé&amp;lectionner</translation></message>

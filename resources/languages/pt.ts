@@ -647,7 +647,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 linhas</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
-<message><source>There is no rock here: choose Pin to set a target.</source><translation>Nenhuma rocha aqui: escolha Fixar para marcar um alvo.</translation></message>
+<message><source>No rock was found here: choose Pin to set a target.</source><translation>Nenhuma rocha aqui: escolha Fixar para marcar um alvo.</translation></message>
 <message><source>This Is a Roc&amp;k</source><translation>Isto é uma &amp;rocha</translation></message>
 <message><source>&amp;Rock %1</source><translation>&amp;Rocha %1</translation></message>
 <message><source>Se&amp;lect</source><translation>Se&amp;lecionar</translation></message>

@@ -49,9 +49,6 @@ class CabEaseTest : public QObject {
         on.viewer.rocks.setShown(true);
         return eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.behind(); });
     }
-    static bool useTexts(const char* code) {
-        return useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages");
-    }
     /// A finger on this cell of the range image.
     static void tapCell(ImageView& image, const QPoint& cell) {
         const QPointF at = image.viewPort()->toPixel(QPointF(cell) + QPointF(0.5, 0.5), image.size());

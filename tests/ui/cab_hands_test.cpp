@@ -46,9 +46,6 @@ class CabHandsTest : public QObject {
     test::TemporaryFolder folder_;
     std::string scan_;
 
-    static bool useTexts(const char* code) {
-        return useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages");
-    }
     static QMenu* opened(QToolButton* button) {
         QTest::mouseClick(button, Qt::LeftButton);
         return qobject_cast<QMenu*>(QApplication::activePopupWidget());

@@ -1,8 +1,10 @@
 // Windows of a given size, and their scan.
 #pragma once
 
+#include "tests/support/folders.h"
 #include "tests/support/scans.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/language/languages.h"
 
 #include <QMenu>
 #include <QToolButton>
@@ -11,6 +13,9 @@
 #include <algorithm>
 
 namespace edgescan::ui {
+
+/// The texts of the sources in this language.
+inline bool useTexts(const char* code) { return useLanguage(code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"); }
 
 /// Waits until the desktop has set the size.
 inline void resizeTo(MainWindow& window, QSize size) {

@@ -3,7 +3,6 @@
 
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
-#include "core/base/utc_time.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/assumed_mounting.h"
 #include "core/scanner/cola/host_port.h"
@@ -11,6 +10,7 @@
 #include "ui/base/notice_bar.h"
 #include "ui/base/shown_text.h"
 #include "ui/controllers/files/files.h"
+#include "ui/controllers/files/source.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/engine/worker_bridge/preferences.h"
 #include "ui/panels/live/live_panel.h"
@@ -249,9 +249,9 @@ QString Live::lastLine() const {
     const auto& shown = engine_.picture();
     if (!shown) return {};
     const Scan& scan = *shown->detection->scan;
-    const auto seconds = scan.acquisition ? parseUtc(scan.acquisition->endUtc) : std::nullopt;
-    if (!seconds) return tr("last line %1").arg(scan.lines());
-    return tr("last line %1 at %2 UTC").arg(scan.lines()).arg(shownText(utcText(*seconds)).mid(11, 8));
+    const QString time = scan.acquisition ? timeWords(scan.acquisition->endUtc) : QString();
+    if (time.isEmpty()) return tr("last line %1").arg(scan.lines());
+    return tr("last line %1 at %2 UTC").arg(scan.lines()).arg(time.mid(11, 8));
 }
 
 /// Before the first line: what is wrong with the connection, or that nothing is.

@@ -276,7 +276,7 @@ void Rocks::click(const inspect::MeantCell& click) {
     if (tool_ == RockTool::Split) return splitAt(click.clicked);
     if (!severalWanted() && views_.choosesOnly() && tool_ == RockTool::None) {
         if (const auto rock = rockCellAt(click)) return select({*rock});
-        return notice_.showHint(tr("There is no rock here: choose Pin to set a target."));
+        return notice_.showHint(tr("No rock was found here: choose Pin to set a target."));
     }
     if (!severalWanted()) return tool_ == RockTool::None ? selectPinned() : void(); // also if this target was the chosen one
     const std::size_t cell = rockCellAt(click).value_or(click.clicked);

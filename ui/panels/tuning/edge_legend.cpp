@@ -253,8 +253,8 @@ void EdgeLegend::placeHead() {
 void EdgeLegend::setBrief(bool on) {
     brief_ = on;
     unfold_->setChecked(!on && openAtDesk_);
-    unfold_->setMinimumSize(on ? kForGloves : kArrow, on ? kForGloves : kArrow);
-    unfold_->setMaximumSize(unfold_->minimumSize());
+    const int side = on ? kForGloves : kArrow;
+    unfold_->setFixedSize(side, side);
     unfold_->setAutoRaise(!on);
     placeHead();
     paintSwatches();
