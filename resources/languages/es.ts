@@ -827,6 +827,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Hold to leave</source><translation>Mantener: salir</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Mantener un segundo para salir del modo cabina</translation></message>
+<message><source>End of the menu</source><translation>Fin del menú</translation></message>
 <message><source>Delete the last letter</source><translation>Borrar la última letra</translation></message>
 <message><source>Enter</source><translation>Intro</translation></message>
 <message><source>Close the keys</source><translation>Cerrar las teclas</translation></message>
@@ -1651,7 +1652,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>Roca con el m&amp;ayor ancho b</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Siguiente roca de menor ancho b</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionar las rocas seleccionadas</translation></message>
-<message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir en el próximo clic</translation></message>
+<message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir una roca</translation></message>
 <message><source>&amp;Join along a Line</source><translation>Un&amp;ir a lo largo de una línea</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;No es roca, o sí lo es</translation></message>

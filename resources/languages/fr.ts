@@ -827,6 +827,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Connect</source><translation>Connecter</translation></message>
 <message><source>Hold to leave</source><translation>Tenir : quitter</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Maintenir une seconde pour quitter le mode cabine</translation></message>
+<message><source>End of the menu</source><translation>Fin du menu</translation></message>
 <message><source>Delete the last letter</source><translation>Effacer la dernière lettre</translation></message>
 <message><source>Enter</source><translation>Entrée</translation></message>
 <message><source>Close the keys</source><translation>Fermer les touches</translation></message>
@@ -1651,7 +1652,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>Bloc suivant, &amp;largeur b plus petite</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionner les blocs sélectionnés</translation></message>
-<message><source>S&amp;plit at Next Click</source><translation>&amp;Scinder au prochain clic</translation></message>
+<message><source>S&amp;plit a Rock</source><translation>&amp;Scinder une roche</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>

@@ -827,6 +827,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Connect</source><translation>Conectar</translation></message>
 <message><source>Hold to leave</source><translation>Segurar: sair</translation></message>
 <message><source>Hold for one second to leave cab mode</source><translation>Segurar um segundo para sair do modo cabine</translation></message>
+<message><source>End of the menu</source><translation>Fim do menu</translation></message>
 <message><source>Delete the last letter</source><translation>Apagar a última letra</translation></message>
 <message><source>Enter</source><translation>Enter</translation></message>
 <message><source>Close the keys</source><translation>Fechar as teclas</translation></message>
@@ -1651,7 +1652,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>Rocha com a m&amp;aior largura b</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>&amp;Próxima rocha com largura b menor</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>M&amp;esclar as rochas selecionadas</translation></message>
-<message><source>S&amp;plit at Next Click</source><translation>Di&amp;vidir no próximo clique</translation></message>
+<message><source>S&amp;plit a Rock</source><translation>Di&amp;vidir uma rocha</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Unir ao longo de uma linha</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Não é rocha, ou é sim</translation></message>

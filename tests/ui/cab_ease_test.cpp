@@ -15,6 +15,7 @@
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/state_badge.h"
+#include "ui/panels/rocks/rock_table.h"
 #include "ui/panels/start/start_page.h"
 #include "ui/views/cloud/scale_plate.h"
 #include "ui/window/cab_mode.h"
@@ -24,6 +25,8 @@
 #include <QComboBox>
 #include <QCommandLinkButton>
 #include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -31,6 +34,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QStyle>
+#include <QTableView>
 #include <QToolButton>
 
 #include <algorithm>
@@ -89,6 +93,71 @@ private slots:
             QVERIFY2(sideBySide || above, qPrintable(QString::number(size.height())));
             for (const auto* each : on.window.cab().frame().tools().findChildren<QToolButton*>())
                 QVERIFY2(placeOf(*each).bottom() <= a.bottom(), "Undo is the lowest");
+        }
+    }
+
+    // The table of rocks covers the views, with rows for gloves, and widens nothing. At the desk it is a dock again.
+    void theRockTableCoversTheViews() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        auto* dock = on.window.findChild<QDockWidget*>("dock-rock-table");
+        QTableView* table = on.viewer.rockTable.table();
+        for (const QSize size : {QSize(853, 480), QSize(1280, 800)}) {
+            on.window.cab().set(true);
+            resizeTo(on.window, size);
+            QVERIFY(showsRocks(on));
+            QVERIFY(dock->isHidden() && dock->toggleViewAction()->isEnabled());
+            dock->toggleViewAction()->trigger();
+            QTRY_VERIFY(dock->isVisible() && placeOf(*dock).contains(placeOf(on.viewer.cloud)));
+            QCOMPARE(on.window.size(), size);
+            QVERIFY(!placeOf(*dock).intersects(placeOf(on.window.cab().frame().side())));
+            QVERIFY(!placeOf(*dock).intersects(placeOf(on.window.cab().frame().tools())));
+            QTRY_VERIFY(table->rowHeight(0) >= kGlovePx && table->horizontalHeader()->height() >= kGlovePx);
+            QVERIFY2(table->viewport()->height() >= 3 * kGlovePx, qPrintable(QString::number(table->viewport()->height())));
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualRect(table->model()->index(0, 1)).center());
+            QTRY_VERIFY(on.window.findChild<QLabel*>("cab-target")->text().startsWith("Rock "));
+            auto* close = dock->titleBarWidget()->findChild<QToolButton*>("fold");
+            QVERIFY(close->text().contains("Close") && close->height() >= kGlovePx);
+            QTest::mouseClick(close, Qt::LeftButton);
+            QVERIFY(dock->isHidden());
+            QCOMPARE(on.window.size(), size);
+            dock->toggleViewAction()->trigger();
+            on.window.cab().set(false);
+            resizeTo(on.window, {1366, 768});
+            QTRY_VERIFY(!dock->isHidden() && on.window.tabifiedDockWidgets(dock).contains(on.window.findChild<QDockWidget*>("dock-rocks")));
+            QVERIFY(table->rowHeight(0) < kGlovePx);
+            on.viewer.rocks.setShown(false);
+        }
+    }
+
+    // No entry is for a keyboard, a mouse or the docks. A long menu ends with a row that does nothing, where its lower arrow was.
+    void menusOfACabAreForTaps() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        const auto shown = [&](const char* text) {
+            for (const QAction* each : on.window.findChildren<QAction*>()) {
+                if (each->text().remove('&') == text) return each->isVisible();
+            }
+            return false;
+        };
+        const char* const ofDesk[] = {"Fly to Point under Cursor", "Panels",         "Mouse",       "Images First", "Reset Layout",
+                                      "Find a Command…",           "Keys and Mouse", "Change Keys…"};
+        for (const bool cab : {true, false}) {
+            on.window.cab().set(cab);
+            for (const char* text : ofDesk) QVERIFY2(shown(text) != cab, text);
+            QVERIFY(shown("Split a Rock"));
+        }
+        on.window.cab().set(true);
+        const int high = on.window.screen()->availableGeometry().height();
+        for (const int rows : {3, high / kGlovePx + 2}) {
+            QMenu menu(&on.window);
+            for (int n = 0; n < rows; ++n) menu.addAction(QString::number(n));
+            menu.popup(QPoint());
+            QAction* last = menu.actions().back();
+            QCOMPARE(last->isEnabled(), rows == 3);
+            QCOMPARE(last->objectName() == "end-of-menu", rows != 3);
+            menu.close();
+            QCOMPARE(menu.actions().size(), rows);
         }
     }
 

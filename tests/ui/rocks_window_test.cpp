@@ -628,7 +628,7 @@ private slots:
             QTest::keyClick(&on.window, Qt::Key_S);
             QTest::keyClick(&on.window, Qt::Key_S); // ends it, and says so
             QVERIFY(on.viewer.rocks.tool() == RockTool::None);
-            QVERIFY2(on.viewer.notice.text().contains("Split at Next Click” has ended"), qPrintable(on.viewer.notice.text()));
+            QVERIFY2(on.viewer.notice.text().contains("Split a Rock” has ended"), qPrintable(on.viewer.notice.text()));
             QTest::keyClick(&on.window, Qt::Key_S);
             QVERIFY(on.viewer.rocks.tool() == RockTool::Split);
             QVERIFY(on.viewer.tools.shown().contains("click the part"));

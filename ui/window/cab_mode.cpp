@@ -17,6 +17,7 @@
 #include "ui/panels/cab/swipes.h"
 #include "ui/panels/cab/zoom_buttons.h"
 #include "ui/panels/change/change_legend.h"
+#include "ui/panels/keys/commands.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
@@ -244,6 +245,9 @@ void CabMode::set(bool on) {
 void CabMode::lockDocks(bool on) {
     window_.menuBar()->setVisible(!on);
     window_.statusBar()->setVisible(!on);
+    for (QAction* each : window_.findChildren<QAction*>()) {
+        if (each->property(kOfDesk).toBool()) each->setVisible(!on);
+    }
     window_.lockDocks(DockLock::Cab, on);
 }
 

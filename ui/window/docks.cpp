@@ -98,6 +98,7 @@ void Docks::add(const QString& title, const char* name, QWidget* content, Side s
         if (!open && !dock->isHidden()) behindTab_ = dock->visibleRegion().isEmpty() ? dock : nullptr;
     });
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool open) {
+        if (locked()) return emit changed(); // the table of a cab
         const bool front = open || std::exchange(behindTab_, nullptr) == dock;
         keep(*dock, front ? "open" : "folded");
         emit changed();
@@ -197,8 +198,8 @@ void Docks::showTitles() {
         if (auto* title = dock.widget->titleBarWidget()->findChild<QLabel*>())
             title->setText((below ? QString() : dock.widget->windowTitle()) + (ofB_ ? QString(" · B") : QString()));
         if (auto* fold = dock.widget->titleBarWidget()->findChild<QToolButton*>()) {
-            fold->setText(below ? tr("Hide panel") + " »" : QString("»"));
-            fold->setAutoRaise(!below); // with a frame, so that it is not read as a heading
+            fold->setText(locked() ? "✕ " + tr("Close") : below ? tr("Hide panel") + " »" : QString("»"));
+            fold->setAutoRaise(!below && !locked()); // with a frame, so that it is not read as a heading
         }
     }
 }
@@ -291,16 +292,31 @@ void Docks::wantOpen() {
 }
 
 void Docks::setLocked(DockLock by, bool on) {
+    QDockWidget* table = named(kTable).widget;
+    const bool changes = on != locks_.contains(by);
+    if (changes && by == DockLock::Cab) // see cover()
+        on ? window_.removeDockWidget(table) : window_.addDockWidget(Qt::BottomDockWidgetArea, table);
     if (on)
         locks_.insert(by);
     else
         locks_.erase(by);
     rail_.setLocked(locked());
     for (const Dock& dock : docks_) {
-        dock.widget->toggleViewAction()->setEnabled(!locked());
+        const bool ofCab = dock.widget == table && !locks_.contains(DockLock::Start);
+        dock.widget->toggleViewAction()->setEnabled(!locked() || ofCab);
         if (locked()) dock.widget->hide();
     }
+    showTitles();
     if (!locked()) emit changed();
+}
+
+/// A dock would take the room of the cab's views and numbers. The table covers the views until it is closed.
+void Docks::cover(const QWidget& views) {
+    QDockWidget* table = named(kTable).widget;
+    if (!locked() || table->isHidden()) return;
+    table->setGeometry(QRect(views.mapTo(&window_, QPoint()), views.size()));
+    table->setAutoFillBackground(true); // as a child of the window it has none
+    table->raise();
 }
 
 } // namespace edgescan::ui

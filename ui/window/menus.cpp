@@ -188,15 +188,15 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
                                         command("R&eset View", "R; Home", [&views] { views.resetView(); }),
                                         command("&Zoom In", "+; =", [&views] { views.zoomBy(1.25); }),
                                         command("Zoom O&ut", "-", [&views] { views.zoomBy(0.8); }),
-                                        command("Fl&y to Point under Cursor", "F", [&views] { views.flyToHovered(); }),
+                                        ofDesk(command("Fl&y to Point under Cursor", "F", [&views] { views.flyToHovered(); })),
                                         kLine,
                                     });
     const auto add = [&menu](const std::vector<Command>& more) { menu.submenu.insert(menu.submenu.end(), more.begin(), more.end()); };
     add(edgeLook(v));
     add({kLine, cloudLook(v, window),
          toggle("True &Angle Aspect", "", "view/true-angles", false, [&views](bool on) { views.setTrueAngles(on); }), kLine,
-         panelMenu(window), commands.imagesFirst, command("Reset &Layout", "", commands.resetLayout), kLine,
-         mouseMenu(window, v.cloud, v.preferences), themeMenu(window, v.preferences), languageMenu(window, v.preferences, v.notice),
+         ofDesk(panelMenu(window)), ofDesk(commands.imagesFirst), ofDesk(command("Reset &Layout", "", commands.resetLayout)), kLine,
+         ofDesk(mouseMenu(window, v.cloud, v.preferences)), themeMenu(window, v.preferences), languageMenu(window, v.preferences, v.notice),
          commands.cab,
          command("Full Scree&n", "F11", [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); })});
     return menu;
@@ -313,10 +313,10 @@ std::vector<Command> menusOf(Viewer& viewer, QMainWindow& window, const WindowCo
             edgesMenu(viewer, window),
             rocksMenu(viewer, window),
             measureMenu(viewer),
-            submenu("&Help", {command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); }),
-                              command("&Manual", "F1", commands.manual), command("&Keys and Mouse", "H; ?", showKeys),
+            submenu("&Help", {ofDesk(command("&Find a Command…", "Ctrl+Shift+P", [&window] { runFromPalette(&window, window.actions()); })),
+                              command("&Manual", "F1", commands.manual), ofDesk(command("&Keys and Mouse", "H; ?", showKeys)),
                               command("&Tour", "", commands.tour),
-                              command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); }),
+                              ofDesk(command("&Change Keys…", "", [&viewer, &window] { editKeys(window, viewer.preferences); })),
                               command("&About EdgeScan", "", [&window] { showAbout(&window, checkGl().renderer); })})};
 }
 

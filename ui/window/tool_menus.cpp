@@ -61,7 +61,7 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
                                  command("Next Sm&aller Rock by Width b", "", [&rocks] { rocks.lookAtNextSmaller(); }),
                                  kLine,
                                  command("&Merge Selected Rocks", "M", [&rocks] { rocks.mergeSelected(); }),
-                                 tool("S&plit at Next Click", "S", RockTool::Split),
+                                 tool("S&plit a Rock", "S", RockTool::Split),
                                  tool("&Join along a Line", "J", RockTool::Join),
                                  tool("C&ut along a Line", "X", RockTool::Cut),
                                  command("&Not a Rock, or a Rock Again", "N", [&rocks] { rocks.toggleChosen(); }),

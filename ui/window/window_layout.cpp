@@ -61,6 +61,7 @@ QSize usualWindow(const QRect& screen) {
 /// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged, as
 /// far as the cloud keeps its share. Folding order: the panels, the second image, the first image.
 void MainWindow::arrange() {
+    if (cab_->on()) docks_->cover(*splitter_);
     if (!isVisible() || cab_->on()) return;
     const int wide = width();
     const int besideCloud = static_cast<int>(wide * (1.0 - kCloudShare)) - splitter_->handleWidth();

@@ -58,7 +58,7 @@ QString Catalogue::translate(const char*, const char* source, const char*, int) 
 
 QString Catalogue::forTouch(QString text) const {
     // A cab has no keyboard and no wheel: "Undo (Ctrl+Z)" names its button only.
-    static const QRegularExpression key(" ?\\((?:(?:(?:Ctrl|Shift|Alt|Strg|Mayús|Maj)\\+)+|wheel|rueda|molette|roda)[^)]+\\)");
+    static const QRegularExpression key(" ?\\((?:[A-Z]|(?:(?:(?:Ctrl|Shift|Alt|Strg|Mayús|Maj)\\+)+|wheel|rueda|molette|roda)[^)]+)\\)");
     text.remove(key).replace("Ctrl+Z", texts_.value("Undo", "Undo"));
     const QString pairs = QString::fromUtf8(kTouchWords);
     for (const QString& pair : texts_.value(pairs, pairs).split(" | ")) {

@@ -7,6 +7,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QScreen>
 #include <QTimer>
 
 namespace edgescan::ui {
@@ -34,8 +35,11 @@ void endScrolling(QMenu& menu, const QPoint& at) {
 
 } // namespace
 
-GloveMenus::GloveMenus(QObject* parent) : QObject(parent), close_(new QAction(QStringLiteral("✕ ") + tr("Close"), this)) {
+GloveMenus::GloveMenus(QObject* parent)
+    : QObject(parent), close_(new QAction(QStringLiteral("✕ ") + tr("Close"), this)), end_(new QAction(tr("End of the menu"), this)) {
     close_->setObjectName("close-menu");
+    end_->setObjectName("end-of-menu");
+    end_->setEnabled(false);
 }
 
 GloveMenus::~GloveMenus() { setOn(false); }
@@ -65,15 +69,19 @@ bool GloveMenus::eventFilter(QObject* watched, QEvent* event) {
     return false;
 }
 
-/// The entry is there only while the menu is open: menus are filled and compared without it.
+/// The entries are there only while the menu is open: menus are filled and compared without it.
 void GloveMenus::take(QMenu& menu) {
     if (menu.property(kTaken).toBool()) return;
     menu.setProperty(kTaken, true);
     connect(&menu, &QMenu::aboutToShow, this, [this, &menu] {
         menu.setAttribute(Qt::WA_NoMouseReplay, on_); // each time: Qt forgets it
         if (on_ && !menu.isEmpty()) menu.insertAction(menu.actions().front(), close_);
+        // Where the lower arrow was: a tap too many chooses nothing.
+        if (on_ && menu.sizeHint().height() > menu.screen()->availableGeometry().height()) menu.addAction(end_);
     });
-    connect(&menu, &QMenu::aboutToHide, this, [this, &menu] { menu.removeAction(close_); });
+    connect(&menu, &QMenu::aboutToHide, this, [this, &menu] {
+        for (QAction* each : {close_, end_}) menu.removeAction(each);
+    });
 }
 
 } // namespace edgescan::ui

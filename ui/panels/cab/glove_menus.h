@@ -22,7 +22,7 @@ public:
 private:
     void take(QMenu& menu);
 
-    QAction* close_;
+    QAction *close_, *end_;
     bool on_ = false;
 };
 

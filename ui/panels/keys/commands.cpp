@@ -57,6 +57,11 @@ Command submenu(const char* text, std::vector<Command> commands) {
     return {.text = QObject::tr(text), .submenu = std::move(commands), .source = text};
 }
 
+Command ofDesk(Command command) {
+    command.ofDesk = true;
+    return command;
+}
+
 Command changing(Command command) {
     return linked(std::move(command), [](QAction& action) { action.setProperty(kChanges, true); });
 }
@@ -78,6 +83,7 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
     for (const Command& command : commands) {
         if (!command.submenu.empty() || command.fill) {
             QMenu* submenu = menu.addMenu(command.text);
+            submenu->menuAction()->setProperty(kOfDesk, command.ofDesk);
             addCommands(*submenu, command.submenu, window, preferences, path.isEmpty() ? command.source : path + "/" + command.source);
             if (command.fill) QObject::connect(submenu, &QMenu::aboutToShow, submenu, [submenu, fill = command.fill] { fill(*submenu); });
             continue;
@@ -87,6 +93,7 @@ void addCommands(QMenu& menu, const std::vector<Command>& commands, QWidget& win
             continue;
         }
         QAction* action = command.made != nullptr ? command.made : new QAction(command.text, &menu);
+        if (command.ofDesk) action->setProperty(kOfDesk, true);
         if (!command.keys.isEmpty()) action->setShortcuts(QKeySequence::listFromString(command.keys));
         if (command.run) QObject::connect(action, &QAction::triggered, action, command.run);
         if (command.set) makeSwitch(*action, command, preferences);

@@ -24,6 +24,9 @@ inline constexpr const char* kInSessions = "kept-in-sessions";
 /// Property of an action: it changes a setting or a result. Remembered switches have it.
 inline constexpr const char* kChanges = "changes";
 
+/// Property of an action: it is for a keyboard, a mouse or the layout of the desk; hidden in cab mode.
+inline constexpr const char* kOfDesk = "of-desk";
+
 /// One entry of a menu. The functions below make it.
 struct Command {
     QString text{};
@@ -36,6 +39,7 @@ struct Command {
     std::vector<Command> submenu{};              ///< entries of a submenu
     std::function<void(QMenu& menu)> fill{};     ///< of a menu that is filled each time it is opened
     QString source{};                            ///< the text before translation: shortcuts are stored under it
+    bool ofDesk = false;                         ///< hidden in cab mode
     QAction* made = nullptr;                     ///< an existing action
     std::function<void(QAction& action)> link{}; ///< connects the action to the state that enables, checks or renames it
 };
@@ -47,6 +51,8 @@ struct Command {
 [[nodiscard]] Command submenu(const char* text, std::vector<Command> commands);
 /// A command that changes a setting or a result.
 [[nodiscard]] Command changing(Command command);
+/// A command or submenu for a keyboard, a mouse or the layout of the desk.
+[[nodiscard]] Command ofDesk(Command command);
 /// `command` with a link.
 [[nodiscard]] Command linked(Command command, std::function<void(QAction&)> link);
 /// One of the switches of a group, of which one is on. `name`: of its action.

@@ -26,13 +26,14 @@ namespace {
 constexpr int kRowHeight = 24;
 constexpr int kWide = 560;     // px: from here on the size curve is at the side of the table
 constexpr int kHigh = 460;     // px: from here on it has room below the table
+constexpr int kLeastRows = 8;  // of height: a lower one shows no more than the rows
 constexpr int kSizeColumn = 2; // column of the visible width b, the size of a rock: the initial order
 
 } // namespace
 
 RockTable::RockTable(QWidget* parent)
     : QWidget(parent), model_(new RockTableModel(this)), shown_(new ShownRocks(this)), table_(new QTableView), curve_(new SizeCurveView),
-      sides_(new QSplitter), bar_(new QBoxLayout(QBoxLayout::LeftToRight)), smallest_(new QDoubleSpinBox),
+      sides_(new QSplitter), tools_(new QWidget), bar_(new QBoxLayout(QBoxLayout::LeftToRight)), smallest_(new QDoubleSpinBox),
       sureOnly_(new QCheckBox(tr("hide uncertain"))), export_(new QPushButton(tr("Export…"))), count_(new QLabel) {
     setObjectName("rock-table");
     shown_->setSourceModel(model_);
@@ -47,7 +48,6 @@ RockTable::RockTable(QWidget* parent)
     table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
     QHeaderView* heads = table_->horizontalHeader();
     heads->setDefaultAlignment(Qt::AlignCenter);
-    heads->setMinimumHeight(2 * heads->fontMetrics().height() + 6);
     heads->setMinimumSectionSize(40);
     table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     table_->viewport()->installEventFilter(this);
@@ -63,14 +63,14 @@ RockTable::RockTable(QWidget* parent)
 
     count_->setWordWrap(true);
     count_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    auto* tools = new FlowLayout;
+    auto* tools = new FlowLayout(tools_);
     tools->setContentsMargins(8, 2, 8, 2);
     tools->setSpacing(8);
     for (QWidget* each : std::initializer_list<QWidget*>{least, smallest_, sureOnly_, export_}) tools->addWidget(each);
     bar_->setContentsMargins(8, 2, 0, 0);
     bar_->setSpacing(0);
     bar_->addWidget(count_, 1);
-    bar_->addLayout(tools, 1);
+    bar_->addWidget(tools_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -111,6 +111,10 @@ void RockTable::fitColumns() {
     if (heads->count() > kSizeColumn)
         heads->moveSection(heads->visualIndex(kSizeColumn), 1); // next to the number, in sight in a narrow panel
     const QAbstractItemView& content = *table_;
+    const int row = std::max(kRowHeight, content.sizeHintForRow(0)); // higher for gloves
+    table_->verticalHeader()->setDefaultSectionSize(row);
+    const int twoLines = width() >= kWide ? 2 * heads->fontMetrics().height() + 6 : 0;
+    heads->setMinimumHeight(std::max(row > kRowHeight ? row : 0, twoLines)); // also what the style leaves for the arrow
     std::vector<int> widths;
     for (int n = 0; n < heads->count(); ++n) widths.push_back(std::max(heads->sectionSizeHint(n), content.sizeHintForColumn(n)));
     int left = table_->viewport()->width();
@@ -125,12 +129,12 @@ void RockTable::resizeEvent(QResizeEvent* event) {
     const bool wide = width() >= kWide;
     if (model_->setNarrow(!wide)) {
         QHeaderView& heads = *table_->horizontalHeader();
-        heads.setMinimumHeight(wide ? 2 * heads.fontMetrics().height() + 6 : 0); // also what the style leaves for the arrow
         fitColumns();
     }
     bar_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     sides_->setOrientation(wide ? Qt::Horizontal : Qt::Vertical);
     curve_->setVisible(wide || height() >= kHigh);
+    tools_->setVisible(wide || height() >= kLeastRows * table_->verticalHeader()->defaultSectionSize());
 }
 
 std::uint32_t RockTable::labelOf(const QModelIndex& index) const {

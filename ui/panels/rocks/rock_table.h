@@ -69,6 +69,7 @@ private:
     QTableView* table_;
     SizeCurveView* curve_;
     QSplitter* sides_;
+    QWidget* tools_;
     QBoxLayout* bar_;
     QDoubleSpinBox* smallest_;
     QCheckBox* sureOnly_;
