@@ -264,6 +264,8 @@
 <message><source>out of window</source><translation>fuera de la ventana</translation></message>
 <message><source>masked</source><translation>enmascaradas</translation></message>
 <message><source>lost</source><translation>perdidas</translation></message>
+<message><source>▲ step assumed</source><translation>▲ paso supuesto</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>1 target</source><translation>1 objetivo</translation></message>
 <message><source>%1 targets</source><translation>%1 objetivos</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
@@ -477,7 +479,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el montaje en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
-<message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra el barrido %2, que crece ahora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>El barrido %1 es parcial: %2 de %3 líneas.</translation></message>
@@ -2017,7 +2018,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borde: %1; ningún valor de “%2” la hace borde.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>No es borde: %1; ningún valor de “%2” la hace borde.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Borde: %1; sigue siendo borde con cada %2, hasta el mayor valor: %3.</translation></message>
-<message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Borde: %1; sigue siendo un borde mientras %2 sea %3 o menos.</translation></message>
+<message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Borde: %1; desaparece si usted pone %2 por encima de %3.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>No es borde: %1; pasa a ser un borde cuando %2 es %3 o menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distancia %2 m</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>

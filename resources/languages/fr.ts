@@ -264,6 +264,8 @@
 <message><source>out of window</source><translation>hors de la fenêtre</translation></message>
 <message><source>masked</source><translation>masquées</translation></message>
 <message><source>lost</source><translation>perdues</translation></message>
+<message><source>▲ step assumed</source><translation>▲ pas supposé</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>1 target</source><translation>1 cible</translation></message>
 <message><source>%1 targets</source><translation>%1 cibles</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
@@ -477,7 +479,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le pas dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le montage dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
-<message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre le balayage %2, qui croît maintenant.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>Le balayage %1 est partiel : %2 lignes sur %3.</translation></message>
@@ -2017,7 +2018,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Pas d'arête : %1 ; aucune valeur de « %2 » n'en fait une.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Arête : %1 ; elle reste une arête pour chaque %2, jusqu'à la plus grande valeur : %3.</translation></message>
-<message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Arête : %1 ; cela reste une arête tant que %2 vaut %3 ou moins.</translation></message>
+<message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Arête : %1 ; elle disparaît si vous mettez %2 au-dessus de %3.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Pas d'arête : %1 ; cela devient une arête quand %2 vaut %3 ou moins.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1 : distance %2 m</translation></message>
 <message><source>, gray %1</source><translation>, gris %1</translation></message>

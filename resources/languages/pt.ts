@@ -264,6 +264,8 @@
 <message><source>out of window</source><translation>fora da janela</translation></message>
 <message><source>masked</source><translation>mascaradas</translation></message>
 <message><source>lost</source><translation>perdidas</translation></message>
+<message><source>▲ step assumed</source><translation>▲ passo suposto</translation></message>
+<message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>1 target</source><translation>1 alvo</translation></message>
 <message><source>%1 targets</source><translation>%1 alvos</translation></message>
 <message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
@@ -477,7 +479,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique o passo em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique a montagem em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
-<message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>A varredura %1 está retida na tela. Seguir mostra a varredura %2, que cresce agora.</translation></message>
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>A varredura %1 é parcial: %2 de %3 linhas.</translation></message>
@@ -2017,7 +2018,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edge: %1; no value of %2 makes it one.</source><translation>Borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
 <message><source>No edge: %1; no value of %2 makes it one.</source><translation>Não é borda: %1; nenhum valor de “%2” a torna borda.</translation></message>
 <message><source>Edge: %1; this remains an edge at each %2, up to the largest: %3.</source><translation>Borda: %1; continua sendo borda com cada %2, até o maior valor: %3.</translation></message>
-<message><source>Edge: %1; this remains an edge while %2 is %3 or less.</source><translation>Borda: %1; continua a ser uma borda enquanto %2 for %3 ou menos.</translation></message>
+<message><source>Edge: %1; it disappears if you set %2 above %3.</source><translation>Borda: %1; desaparece se você puser %2 acima de %3.</translation></message>
 <message><source>No edge: %1; this becomes an edge when %2 is %3 or less.</source><translation>Não é borda: %1; passa a ser uma borda quando %2 é %3 ou menos.</translation></message>
 <message><source>%1: range %2 m</source><translation>%1: distância %2 m</translation></message>
 <message><source>, gray %1</source><translation>, cinza %1</translation></message>

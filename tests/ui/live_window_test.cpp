@@ -263,7 +263,7 @@ private slots:
         QVERIFY(views.gray().pictureFrame().colour.isValid() && views.gray().pictureFrame().words.isEmpty());
         QCOMPARE(views.edges().pictureFrame(), views.gray().pictureFrame());
         QCOMPARE(views.cloud().pictureFrame(), views.gray().pictureFrame());
-        QVERIFY(window.viewer().live.panel().strip().findChild<QLabel*>("live-sentence")->text().startsWith("Sweep 1 is held"));
+        QVERIFY(window.viewer().live.panel().strip().findChild<QWidget*>("live-badge")->toolTip().startsWith("Sweep 1 is held"));
         press(window, "live-follow");
         QVERIFY(eventually([&] { return window.viewer().engine.picture()->source.growth.growing; }));
         QVERIFY(!views.gray().pictureFrame().colour.isValid());

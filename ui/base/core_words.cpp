@@ -2,6 +2,7 @@
 #include "ui/base/core_words.h"
 
 #include "core/scan/georef/place_form.h"
+#include "core/scan/grid/assumed_mounting.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>
@@ -407,5 +408,17 @@ QString coreSentence(const QString& text) {
 }
 
 QString coreSentence(const std::string& text) { return coreSentence(shownText(text)); }
+
+QString assumedText(const Scan& scan) {
+    switch (assumedIn(scan)) {
+    case Assumed::Nothing:
+        break;
+    case Assumed::Step:
+        return QObject::tr("▲ step assumed");
+    case Assumed::Mounting:
+        return QObject::tr("▲ mounting assumed");
+    }
+    return {};
+}
 
 } // namespace edgescan::ui

@@ -27,4 +27,7 @@ namespace edgescan::ui {
 [[nodiscard]] QString coreSentence(const QString& text);
 [[nodiscard]] QString coreSentence(const std::string& text);
 
+/// "▲ mounting assumed", "▲ step assumed"; empty: neither is.
+[[nodiscard]] QString assumedText(const Scan& scan);
+
 } // namespace edgescan::ui

@@ -4,7 +4,6 @@
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
 #include "core/scan/grid/acquisition.h"
-#include "core/scan/grid/assumed_mounting.h"
 #include "core/scanner/cola/host_port.h"
 #include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
@@ -270,7 +269,7 @@ QString Live::shapeNote() const {
                : !sweep.axisAssumed ? tr("▲ The shape is assumed: give the step in Scan > Sweep…")
                : !sweep.stepAssumed ? tr("▲ The shape is assumed: give the mounting in Scan > Sweep…")
                                     : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
-    return mountingAssumed(*shown->detection->scan) ? tr("▲ mounting assumed") : QString();
+    return assumedText(*shown->detection->scan);
 }
 
 /// What is on the screen, and what the button does.

@@ -85,9 +85,8 @@ void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
 
 /// "MOUNTING ASSUMED", or "STEP ASSUMED 0.18°" if only the step was not given.
 std::string assumedWords(const std::string& sentence) {
-    const std::size_t step = sentence.find(kStepAssumed);
-    if (step == sentence.npos || sentence.find(kAxisAssumed) != sentence.npos) return "MOUNTING ASSUMED";
-    const std::size_t number = step + std::string_view(kStepAssumed).size();
+    if (assumedIn(sentence) != Assumed::Step) return "MOUNTING ASSUMED";
+    const std::size_t number = sentence.find(kStepAssumed) + std::string_view(kStepAssumed).size();
     return "STEP ASSUMED " + sentence.substr(number, sentence.find(' ', number) - number) + "°";
 }
 

@@ -1,7 +1,7 @@
 // Shows rocks in all views.
 #include "ui/controllers/rocks/rocks.h"
 
-#include "core/scan/grid/assumed_mounting.h"
+#include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/panels/rocks/rock_card.h"
@@ -189,7 +189,7 @@ QString Rocks::remark() const {
     }
     if (on_ && engine_.picture() && !picture_) words << tr("being computed …");
     if (on_ && !engine_.picture()) words << tr("open a scan first");
-    if (picture_ && mountingAssumed(*picture_->detection->scan)) words << tr("▲ mounting assumed");
+    if (const QString assumed = picture_ ? assumedText(*picture_->detection->scan) : QString(); !assumed.isEmpty()) words << assumed;
     return words.join(" · ");
 }
 

@@ -156,7 +156,7 @@ MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
     if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
         all << tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
     if (now != nullptr) all << (words.offEdge = offEdgeText(*known_.picture->detection->mask, measure));
-    if (now != nullptr && mountingAssumed(*known_.picture->detection->scan)) all << tr("▲ mounting assumed");
+    if (now != nullptr) all << assumedText(*known_.picture->detection->scan);
     for (const QString& remark : all) {
         if (!remark.isEmpty()) (remark.startsWith("▲") ? words.warnings : words.remarks) << remark;
     }

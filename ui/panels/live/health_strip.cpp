@@ -106,8 +106,10 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     const QString ofScanner = present ? QString() : coreSentence(health.sentence);
     const QString sentence = ofScanner.isEmpty() ? note : ofScanner;
     if (sentence_->text() != sentence) sentence_->setText(sentence);
-    const bool inViews = brief_ && ofScanner.isEmpty() && picture == Picture::Held; // as the badge
-    sentence_->setVisible(!sentence.isEmpty() && !inViews);
+    const bool ofBadge =
+        ofScanner.isEmpty() && picture == Picture::Held && (brief_ || present); // a row that comes with Hold would move the pictures
+    if (ofBadge) badge_->setToolTip(note);
+    sentence_->setVisible(!sentence.isEmpty() && !ofBadge);
     sentence_->setToolTip(sentence);
     keepHeight();
 }

@@ -167,6 +167,7 @@ TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
          {std::pair(axis, "MOUNTING ASSUMED"), std::pair(axis + ", " + step, "MOUNTING ASSUMED"), std::pair(step, "STEP ASSUMED 0.18°")}) {
         status.sweep.assumed = kMountingAssumed + what + ". Give it where that is wrong.";
         EXPECT_EQ(healthOf(status).remark, badge);
+        EXPECT_EQ(assumedIn(status.sweep.assumed), what == step ? Assumed::Step : Assumed::Mounting);
     }
     status.sweep.assumed.clear();
     EXPECT_NE(healthOf(status).remarks.at(0).find("(line 7)"), std::string::npos) << healthOf(status).remarks.at(0);
