@@ -278,6 +278,8 @@ std::string WhyWords::verdict() const {
     const std::string limit = formatValue(parameter, *why_.appearsAt);
     if (edge && *why_.appearsAt >= parameter.maximum)
         return say("Edge: %1; this remains an edge at each %2, up to the largest: %3.", {reason(), name, limit});
+    if (edge && why_.chainCells > 1 && *why_.appearsAt > why_.strength)
+        return say("Edge: %1; as part of its chain it disappears only if you set %2 above %3.", {reason(), name, limit});
     return edge ? say("Edge: %1; it disappears if you set %2 above %3.", {reason(), name, limit})
                 : say("No edge: %1; this becomes an edge when %2 is %3 or less.", {reason(), name, limit});
 }

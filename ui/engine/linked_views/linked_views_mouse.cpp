@@ -12,30 +12,54 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace edgescan::ui {
 
 void LinkedViews::linkImages() {
     for (ImageView* view : images_) {
         connect(view, &ImageView::hovered, this, [this, view](int line, int beam) {
-            if (const auto cell = cellAt(line, beam)) hover(cell, view);
+            if (const auto cell = seenAt(*view, line, beam)) hover(cell, view);
         });
         connect(view, &ImageView::hoverLeft, this, [this, view] { hover(std::nullopt, view); });
         connect(view, &ImageView::clicked, this, [this, view](int line, int beam) {
             if (refusesClicks(*view)) return;
-            if (const auto cell = cellAt(line, beam)) clickAt(*cell);
+            if (const auto cell = seenAt(*view, line, beam)) clickAt(*cell);
         });
         connect(view, &ImageView::markClicked, this, [this, view](const MarkName& mark, int line, int beam) {
-            if (!refusesClicks(*view)) clickMark(mark, line < 0 ? std::nullopt : cellAt(line, beam));
+            if (!refusesClicks(*view)) clickMark(mark, line < 0 ? std::nullopt : seenAt(*view, line, beam));
         });
         connect(view, &ImageView::outlined, this, [this, view](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
             if (!refusesClicks(*view)) emit imageOutlined(corners, modifiers);
         });
         connect(view, &ImageView::menuRequested, this,
-                [this](int line, int beam, const QPoint& position) { openMenuAt(position, cellAt(line, beam)); });
+                [this, view](int line, int beam, const QPoint& position) { openMenuAt(position, seenAt(*view, line, beam)); });
         connect(view, &ImageView::boxSelected, this, &LinkedViews::lookAtBox);
         connect(view, &ImageView::windowLevelDragged, this, &LinkedViews::changeRangeWindow);
     }
+}
+
+/// A pixel of a small edge map shows several cells: the nearest edge among them is what is seen there.
+std::optional<std::size_t> LinkedViews::seenAt(const ImageView& view, int line, int beam) const {
+    const auto cell = cellAt(line, beam);
+    const QSizeF pixels = view.viewPort()->cellSize(view.size());
+    const bool drawsEdges = &view == &edges() || scene_.overGray != nullptr;
+    if (!cell || !drawsEdges || std::min(pixels.width(), pixels.height()) >= 1.0) return cell;
+    const auto& mask = *shown()->detection->mask;
+    const int lines = static_cast<int>(1.0 / pixels.height()), beams = static_cast<int>(1.0 / pixels.width());
+    std::optional<std::size_t> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = line - lines; i <= line + lines; ++i) {
+        for (int j = beam - beams; j <= beam + beams; ++j) {
+            if (!mask.contains(i, j) || mask.at(i, j) == 0) continue;
+            const double away = std::hypot((i - line) * pixels.height(), (j - beam) * pixels.width());
+            if (away >= least) continue;
+            nearest = mask.index(i, j);
+            least = away;
+        }
+    }
+    return nearest ? nearest : cell;
 }
 
 void LinkedViews::linkCloud() {

@@ -15,6 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kPickPx = 8.0;
+constexpr double kNextToEdgePx = 2.0; // the dark outline of a drawn edge, and a pixel more
 constexpr double kSameCursorPx = 3.0;
 constexpr int kShowCentreMs = 600;
 constexpr double kZoomPerNotch = 1.2;
@@ -45,11 +46,11 @@ Vector3d CloudView::anchorAt(QPointF pixel) const {
     return underCursor(pose_, x, y, depth > 0.0 ? depth : pose_.distance(), aspect());
 }
 
-/// Of an edge that is drawn over the pixel: several points may be nearer to it.
+/// Of an edge that is drawn over the pixel, or whose dark outline is next to it: several points may be nearer, far behind the edge.
 std::optional<std::uint32_t> CloudView::edgeAt(QPointF pixel) const {
     if (!edgesDrawn() || edges_.all == nullptr) return std::nullopt;
     const double dpr = devicePixelRatioF();
-    return pickDrawnOver(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, pixelsOfEdge() / 2.0, *edges_.all);
+    return pickDrawnOver(*cloud_, screenView(), pixel.x() * dpr, pixel.y() * dpr, pixelsOfEdge() / 2.0 + kNextToEdgePx * dpr, *edges_.all);
 }
 
 std::optional<std::uint32_t> CloudView::cellAt(QPointF pixel) const {
