@@ -617,7 +617,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>region of interest</source><translation>región de interés</translation></message>
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
-<message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer: haga clic o dibuje en otra parte de la roca.</translation></message>
+<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer. Haga clic en otra parte de la roca, o dibuje a través de toda ella, más allá de su contorno.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
@@ -638,7 +638,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Las rocas aún se están calculando: divida de nuevo cuando estén aquí.</translation></message>
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
-<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes.</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes. Cortar a lo largo de una línea la divide donde usted dibuje.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
@@ -1437,6 +1437,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Pinned:</source><translation>Fijado:</translation></message>
 <message><source>OUT OF SPEC</source><translation>FUERA DE TOLERANCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origen E %1 N %2 RL %3</translation></message>
+<message><source>A click opens the pose, to change or remove it.</source><translation>Un clic abre la pose, para cambiarla o quitarla.</translation></message>
 <message><source>first line %1</source><translation>primera línea %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sin retorno</translation></message>
 <message><source>%1 points</source><translation>%1 puntos</translation></message>

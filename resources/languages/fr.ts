@@ -617,7 +617,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>region of interest</source><translation>région d'intérêt</translation></message>
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
-<message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler : cliquez ou dessinez sur une autre partie du bloc.</translation></message>
+<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler. Cliquez sur une autre partie du bloc, ou dessinez à travers tout le bloc, au-delà de son contour.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
@@ -638,7 +638,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Les blocs sont encore en cours de calcul : scindez à nouveau quand ils seront là.</translation></message>
 <message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
-<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties.</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties. Couper le long d'une ligne le scinde là où vous dessinez.</translation></message>
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
@@ -1437,6 +1437,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Pinned:</source><translation>Épinglée :</translation></message>
 <message><source>OUT OF SPEC</source><translation>HORS TOLÉRANCE</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origine E %1 N %2 RL %3</translation></message>
+<message><source>A click opens the pose, to change or remove it.</source><translation>Un clic ouvre la pose, pour la changer ou la retirer.</translation></message>
 <message><source>first line %1</source><translation>première ligne %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sans retour</translation></message>
 <message><source>%1 points</source><translation>%1 points</translation></message>
@@ -1653,7 +1654,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
 <message><source>Next Sm&amp;aller Rock by Width b</source><translation>Bloc suivant, &amp;largeur b plus petite</translation></message>
 <message><source>&amp;Merge Selected Rocks</source><translation>F&amp;usionner les blocs sélectionnés</translation></message>
-<message><source>S&amp;plit a Rock</source><translation>&amp;Scinder une roche</translation></message>
+<message><source>S&amp;plit a Rock</source><translation>&amp;Scinder un bloc</translation></message>
 <message><source>&amp;Join along a Line</source><translation>&amp;Joindre le long d'une ligne</translation></message>
 <message><source>C&amp;ut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>

@@ -617,7 +617,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>region of interest</source><translation>região de interesse</translation></message>
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
-<message><source>No rock changed, so nothing is to be undone: click or draw on another part of the rock.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer: clique ou desenhe em outra parte da rocha.</translation></message>
+<message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer. Clique em outra parte da rocha, ou desenhe através de toda ela, além do seu contorno.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
@@ -638,7 +638,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>As rochas ainda estão sendo calculadas: divida de novo quando estiverem aqui.</translation></message>
 <message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
-<message><source>Nothing was split: this rock is one piece without a line that separates parts.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes.</translation></message>
+<message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes. Cortar ao longo de uma linha divide-a onde você desenhar.</translation></message>
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
@@ -1437,6 +1437,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Pinned:</source><translation>Fixado:</translation></message>
 <message><source>OUT OF SPEC</source><translation>FORA DE TOLERÂNCIA</translation></message>
 <message><source> · origin E %1 N %2 RL %3</source><translation> · origem E %1 N %2 RL %3</translation></message>
+<message><source>A click opens the pose, to change or remove it.</source><translation>Um clique abre a pose, para mudá-la ou removê-la.</translation></message>
 <message><source>first line %1</source><translation>primeira linha %1</translation></message>
 <message><source>%1 no return</source><translation>%1 sem retorno</translation></message>
 <message><source>%1 points</source><translation>%1 pontos</translation></message>

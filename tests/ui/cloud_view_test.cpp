@@ -214,8 +214,15 @@ private slots:
             }
             return all == 0 ? 0.0 : static_cast<double>(front) / all;
         };
+        // The operator asked for the walls from outside: Fit shows all of it again.
         view_->viewRight();
         QVERIFY2(fronts() < 0.5, qPrintable(QString::number(fronts())));
+        const CameraPose right = view_->camera();
+        view_->setCamera(zoomed(right, right.focus, 2.5));
+        view_->zoomToFit();
+        QVERIFY(view_->camera().position.isApprox(right.position, 1e-6) && view_->camera().forward().isApprox(right.forward()));
+        // Turned there by the mouse, it is only a direction.
+        view_->setCamera(turned(right, right.focus, right.up, 0.05, 0.0));
         const Eigen::Vector3d forward = view_->camera().forward();
         view_->zoomToFit();
         QVERIFY2(fronts() > 0.6, qPrintable(QString::number(fronts())));

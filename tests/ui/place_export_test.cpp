@@ -71,8 +71,15 @@ private slots:
         emit window.viewer().views.gray().clicked(30, 40);
         QVERIFY2(window.viewer().statusLine.probeShown().startsWith("Pinned: x "), qPrintable(window.viewer().statusLine.probeShown()));
         QTest::mouseClick(tool(window, "no-pose"), Qt::LeftButton);
-        const auto* form = window.findChild<PlaceDialog*>();
+        auto* form = window.findChild<PlaceDialog*>();
         QVERIFY(form != nullptr && form->isVisible());
+        form->reject();
+        // The place of a scan that has a pose opens it, too.
+        QVERIFY(on.open(placed_));
+        auto* place = window.viewer().statusLine.findChild<QLabel*>("place");
+        QTRY_VERIFY(place->isVisible());
+        QTest::mouseClick(place, Qt::LeftButton);
+        QVERIFY(form->isVisible());
     }
 
     // A drawing has its own command, and the tool bar has all exports; without a scan they are off.

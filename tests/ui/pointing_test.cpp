@@ -209,6 +209,29 @@ private slots:
 
     // The button of the tool bar leaves no cell under the pointer: the next click says which one, and pins nothing until the card is
     // closed.
+    // A pixel of a small edge map shows several cells: what is light there is an edge for the status bar and for a click.
+    void aPixelOfASmallEdgeMapIsItsEdge() {
+        ImageView& edges = window_->viewer().views.edges();
+        const auto& mask = *on_->picture().detection->mask;
+        window_->viewer().views.clearPin();
+        edges.viewPort()->fit();
+        edges.viewPort()->zoomAt(edges.viewPort()->centre(), 0.3 / edges.viewPort()->cellSize(edges.size()).height());
+        QVERIFY(edges.viewPort()->cellSize(edges.size()).height() < 0.5);
+        int tried = 0;
+        for (std::size_t n = 0; n < on_->picture().detection->edges->size(); n += 11) {
+            const std::uint32_t k = (*on_->picture().detection->edges)[n];
+            const auto [line, beam] = std::pair(static_cast<int>(k) / 160, static_cast<int>(k) % 160);
+            const QPoint at = pixelOf(edges, line, beam);
+            move(edges, at + QPoint(9, 9)); // leaves the cell before
+            move(edges, at);
+            const auto hovered = window_->viewer().views.hovered();
+            QVERIFY(hovered && mask[*hovered] != 0);
+            ++tried;
+        }
+        QVERIFY(tried > 10);
+        edges.viewPort()->fit();
+    }
+
     void whyWaitsForAClickThatPinsNothing() {
         ImageView& gray = window_->viewer().views.gray();
         const auto targets = [&] { return window_->viewer().targets.notebook().targets.size(); };

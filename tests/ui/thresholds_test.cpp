@@ -274,6 +274,24 @@ private slots:
     }
 
     // What a preset is for is in sight, not only under the pointer.
+    // The card is open while the slider moves: it is of the picture on the screen.
+    void whyFollowsTheSettings() {
+        edges::Settings settings;
+        use(settings);
+        const edges::Detection& detection = *window_->viewer().engine.picture()->detection;
+        askWhy(edgeWithNeighbours(detection));
+        if (QTest::currentTestFailed()) return;
+        const WhyCard& card = *window_->viewer().explanation.card();
+        QTRY_VERIFY(card.verdict().startsWith("Edge: "));
+        settings.sensitivity = edges::findParameter("sensitivity")->maximum;
+        use(settings);
+        QTRY_VERIFY2(!card.verdict().contains("1.00"), qPrintable(card.verdict()));
+        QVERIFY(card.isVisible());
+        use(edges::Settings{});
+        QTRY_VERIFY2(card.verdict().startsWith("Edge: ") && card.verdict().contains("1.00"), qPrintable(card.verdict()));
+        window_->viewer().explanation.closeCard();
+    }
+
     void aPresetSaysWhatItIsFor() {
         const auto* purpose = window_->viewer().panel.findChild<QLabel*>("preset-purpose");
         QSet<QString> purposes;

@@ -114,8 +114,11 @@ Explanation::Explanation(LinkedViews& views, NoticeBar& notice)
     connect(&views, &LinkedViews::clicked, this, [this](const inspect::MeantCell& click) {
         if (views_.tool() == Tool::Why || (card_ != nullptr && card_->isVisible())) explain(click, Subject::Click);
     });
+    connect(&views, &LinkedViews::newScanShown, this, [this] {
+        if (card_ != nullptr) card_->reject(); // its cell is of the scan before
+    });
     connect(&views, &LinkedViews::toolChanged, this, [this] {
-        if (views_.tool() != Tool::Why && std::exchange(asks_, false)) emit asked(QString());
+        if (views_.tool() != Tool::Why && std::exchange(waits_, false)) emit asked(QString());
     });
     connect(&views, &LinkedViews::cellMenuOpens, this, [this](QMenu& menu, const inspect::MeantCell& click) {
         menu.addAction(tr("&Why is this cell an edge or not?"), this, [this, click] { explain(click, Subject::Click); });
@@ -140,6 +143,7 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     const auto apart = edge ? views_.pixelsBetween(click.cell, *edge) : std::nullopt;
     if (apart && *apart <= kDrawnPx) return explain(inspect::exactly(*edge), Subject::NearestEdge);
     const Question question{picture, click, subject};
+    asked_ = question;
     card_->offerNearestEdge(0);
     card_->showCell(subjectText(question), views_.onScreen(click.cell));
     views_.setExplained(views_.pinned() == click.cell ? std::nullopt : std::optional(click.cell), tr("Why")); // a target has its mark
@@ -182,7 +186,7 @@ bool Explanation::closeCard() {
 
 void Explanation::waitForClicks() {
     views_.setTool(Tool::Why);
-    asks_ = true;
+    waits_ = true;
     emit asked(tr("Why: click a cell"));
 }
 
@@ -223,6 +227,17 @@ void Explanation::showTrail(const edges::Why& why) {
 }
 
 void Explanation::forgetTrail() { views_.setTrail({}); }
+
+/// The lines that a sweep adds change nothing here; a setting does.
+void Explanation::followPicture() {
+    forgetTrail();
+    const std::shared_ptr<const Picture> picture = views_.shown();
+    if (card_ == nullptr || !card_->isVisible() || !asked_ || !picture || views_.flipped()) return;
+    const bool added = picture->source.growth.growing && picture->detection->settings == asked_->picture->detection->settings;
+    if (added || asked_->click.cell >= picture->detection->scan->cells()) return;
+    asked_->picture = picture;
+    why_.ask(*asked_);
+}
 
 void Explanation::explainMarked() {
     const auto cell = views_.marked();

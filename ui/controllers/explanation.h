@@ -28,7 +28,8 @@ public:
     /// Explains the cell in the status bar: under the pointer, else the pin. Where there is none, the next click says the cell. Until the
     /// card is closed, a click explains and pins nothing.
     void explainMarked();
-    void forgetTrail();
+    /// After a new picture: the card is of its settings.
+    void followPicture();
     /// Also ends the wait for a click. False: there was no card and no wait.
     bool closeCard();
     /// Null before the first question.
@@ -45,6 +46,7 @@ private:
         Subject subject = Subject::Click;
     };
     [[nodiscard]] QString subjectText(const Question& question) const;
+    void forgetTrail();
     void show(const Question& question, bool still, const edges::Why& why);
     void showTrail(const edges::Why& why);
     void waitForClicks();
@@ -53,7 +55,8 @@ private:
     LinkedViews& views_;
     NoticeBar& notice_;
     WhyCard* card_ = nullptr;                // child of the window
-    bool asks_ = false;                      // the prompt is shown
+    bool waits_ = false;                     // the prompt is shown
+    std::optional<Question> asked_;          // of the card
     std::optional<std::size_t> nearestEdge_; // the edge nearest to the cell on the card, if that cell is not an edge
     Derived<Question, edges::Why> why_;
 };

@@ -151,6 +151,9 @@ void Live::connectScanner() {
     connect(&scanner_, &ScannerLink::followingChanged, this, [this](bool on) {
         if (on) notice_.withdraw({endNote_}); // it is of the sweep that was held
     });
+    connect(&scanner_, &ScannerLink::connectedChanged, this, [this](bool on) {
+        if (!on) notice_.withdraw({endNote_}); // it speaks of Follow
+    });
     connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
     connect(&scanner_, &ScannerLink::otherChanged, this, &Live::offerOther);
     connect(&scanner_, &ScannerLink::failed, this, [this](const QString& why) { notice_.showNotice(NoticeBar::Kind::Error, why); });

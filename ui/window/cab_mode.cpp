@@ -154,6 +154,7 @@ void CabMode::follow() {
         showCorner();
     });
     connect(&window_, &MainWindow::originShown, this, &CabMode::showScan);
+    connect(&window_.viewer().views, &LinkedViews::picturesChanged, this, &CabMode::showCorner);
     connect(&window_.viewer().engine, &Engine::settingsChanged, this, &CabMode::showSettings);
     connect(&window_.viewer().targets, &Targets::cardChanged, this, [this] {
         showNumbers();

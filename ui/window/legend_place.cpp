@@ -3,6 +3,7 @@
 
 #include "ui/base/view_plate.h"
 #include "ui/controllers/comparing.h"
+#include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -11,6 +12,7 @@
 #include <QLayout>
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 namespace edgescan::ui {
@@ -69,7 +71,7 @@ std::vector<QRect> ringsIn(const CloudView& cloud) {
 
 } // namespace
 
-void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& comparing) {
+void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& comparing, const Targets& targets) {
     const auto look = [&cloud, &views, &comparing] {
         const auto fitLegends = [&](int height) {
             QLayout& over = *cloud.layout();
@@ -94,11 +96,15 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& c
         const auto neitherIsFree = [&] { return !label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true); };
         if (neitherIsFree()) fitLegends(cloud.height() - label.bottom());
         if (neitherIsFree()) fitLegends(0);
-        // They stay at their side until they cover the chosen place, and the other side does not. While the cloud turns, and under the
-        // pointer, they never move.
-        const QRect wanted = label.isEmpty() ? changeIn(cloud, comparing) : label;
-        const bool inTheWay = !wanted.isEmpty() && isCovered(cloud, wanted, wasRight) && !isCovered(cloud, wanted, !wasRight);
-        const bool right = inTheWay && cloud.atRest() && !hasPointer(cloud) ? !wasRight : wasRight;
+        // They stay at their side until they cover more than at the other: the chosen place, then the change, then other targets. While
+        // the cloud turns, and under the pointer, they never move.
+        const QRect change = changeIn(cloud, comparing);
+        const std::vector<QRect> rings = ringsIn(cloud);
+        const auto covered = [&](bool side) {
+            const auto is = [&](const QRect& place) { return !place.isEmpty() && isCovered(cloud, place, side); };
+            return std::tuple(is(label), is(change), std::ranges::count_if(rings, is));
+        };
+        const bool right = covered(!wasRight) < covered(wasRight) && cloud.atRest() && !hasPointer(cloud) ? !wasRight : wasRight;
         QLayout* over = cloud.layout();
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
         for (int n = 0; n < over->count(); ++n) {
@@ -107,9 +113,10 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& c
         }
         if (right != wasRight) fitLegends(roomAt(right));
         over->activate(); // the scale avoids the legends where they are now
-        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label, ringsIn(cloud));
+        if (auto* scale = cloud.findChild<ScalePlate*>()) scale->keepOff(label, rings);
     };
     QObject::connect(&views, &LinkedViews::pinChanged, &cloud, look);
+    QObject::connect(&targets, &Targets::cardChanged, &cloud, look);
     QObject::connect(&cloud, &CloudView::frameDrawn, &cloud, look);
 }
 

@@ -126,7 +126,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
     layOutLegend();
     addChangeLegend(*this);
     addConfidenceLegend(*this);
-    keepLegendsOffPins(viewer_.cloud, viewer_.views, viewer_.comparing);
+    keepLegendsOffPins(viewer_.cloud, viewer_.views, viewer_.comparing, viewer_.targets);
     viewer_.scalePlate.raise();
     layOutTools();
     addToolBar(Qt::RightToolBarArea, rail_);

@@ -57,7 +57,7 @@ void Viewer::followPictures() {
     const auto count = [this] { tuning.count(live.grows()); };
     next(tuning, count);
     QObject::connect(&live, &Live::growthChanged, &tuning, count);
-    next(explanation, &Explanation::forgetTrail);
+    next(explanation, &Explanation::followPicture);
     next(rocks, &Rocks::followPicture);
     next(targets, &Targets::followPicture);
     next(selection, &Selection::followPicture);

@@ -38,7 +38,6 @@ void MainWindow::escape() {
         viewer_.views.clearPin();
         viewer_.targets.chooseMeasure(std::nullopt);
         viewer_.rocks.select({});
-        viewer_.explanation.forgetTrail();
     }
 }
 

@@ -105,7 +105,9 @@ void Rocks::judgeEdit() {
         newestEdit_->undo();            // the stack calls undo() of no obsolete step,
         newestEdit_->setObsolete(true); // which it only removes
         undo_.undo();
-        return notice_.showHint(tr("No rock changed, so nothing is to be undone: click or draw on another part of the rock."));
+        return notice_.showHint(
+            tr("No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its "
+               "outline."));
     }
     const bool isNew = edits_.size() > before->study.edits.size();
     const rocks::EditKind kind = isNew ? edits_.back().kind : rocks::EditKind::Part; // a split that took joins back

@@ -105,7 +105,8 @@ void Rocks::splitAt(std::size_t cell) {
         return pushEdits(stepName("split of a rock"), *unjoined);
     }
     if (edit.cells.empty()) {
-        notice_.showHint(tr("Nothing was split: this rock is one piece without a line that separates parts."));
+        notice_.showHint(tr(
+            "Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw."));
         return;
     }
     select({cell});

@@ -127,6 +127,9 @@ StatusLine::StatusLine(QWidget* parent)
     noPose_->hide();
     connect(noPose_, &QToolButton::clicked, this, &StatusLine::poseRequested);
     addPinned(noPose_);
+    QLabel* place = factLabel(Fact::Place).label;
+    place->setCursor(Qt::PointingHandCursor);
+    place->installEventFilter(this);
     QLabel* incomplete = factLabel(Fact::Incomplete).label;
     followColours(*incomplete, [incomplete](const Theme& theme) {
         incomplete->setStyleSheet(QString("color: %1; font-weight: bold;").arg(theme.bad.name()));
@@ -228,6 +231,10 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
         changed_->popup(settings->mapToGlobal(QPoint(0, -changed_->sizeHint().height())));
         return true;
     }
+    if (watched == factLabel(Fact::Place).label && event->type() == QEvent::MouseButtonRelease) {
+        emit poseRequested();
+        return true;
+    }
     if (event->type() == QEvent::Show || event->type() == QEvent::Hide || event->type() == QEvent::Resize)
         QMetaObject::invokeMethod(this, &StatusLine::fit, Qt::QueuedConnection);
     return QStatusBar::eventFilter(watched, event);
@@ -261,7 +268,7 @@ void StatusLine::showPlace(const Scan& scan, bool growing) {
     const QString text = grid + tr(" · origin E %1 N %2 RL %3")
                                     .arg(number(place.originEnhM.x(), 0), number(place.originEnhM.y(), 0), number(place.originEnhM.z(), 0));
     showFact(Fact::Place, spec.isEmpty() ? text : text + " · " + spec, spec.isEmpty() ? grid : "▲ " + spec, true);
-    QStringList about{tr("Placed by %1").arg(shownText(place.source)), text};
+    QStringList about{tr("A click opens the pose, to change or remove it."), tr("Placed by %1").arg(shownText(place.source)), text};
     for (const std::string& warning : place.warnings) about << coreSentence(warning);
     label.setToolTip(about.join("\n"));
 }

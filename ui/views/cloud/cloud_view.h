@@ -167,7 +167,7 @@ public slots:
     void viewBottom();
     void viewIsometric();
     void resetView(); ///< the scanner's view, without clipping
-    void zoomToFit(); ///< keeps the direction, if anything but the backs of walls is seen in it
+    void zoomToFit(); ///< keeps the direction: one of the views by name always, another if anything but the backs of walls is seen in it
     /// CloudScene::keepReady().
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// Looks from the scanner's side at these cells and some of their surroundings. A few cells at the rim may be outside the view.
@@ -309,6 +309,7 @@ private:
 
     CameraPose pose_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(); // centre of rotation
+    Eigen::Vector3d asked_ = Eigen::Vector3d::Zero();  // direction of the last view by name
     CloudClip clip_;
     bool turntable_ = true, edgesVisible_ = true, cloudDimmed_ = true, shaded_ = true, byClass_ = false, wheelReversed_ = false;
     double pointSize_ = 2.0;

@@ -44,6 +44,7 @@ void CloudView::look(const Vector3d& forward, const Vector3d& up) {
     const Box3f all = extent().mainBounds;
     if (!cloud_ || all.isEmpty()) return;
     pose_ = lookingAt(all, forward, up, pose_, aspect());
+    asked_ = forward;
     centre_ = pose_.focus;
     applyCamera();
 }
@@ -106,7 +107,8 @@ void CloudView::viewIsometric() {
 void CloudView::zoomToFit() {
     const Box3f all = extent().mainBounds;
     if (!cloud_ || all.isEmpty()) return;
-    pose_ = fitted(*cloud_, all, pose_, aspect());
+    const bool asked = pose_.forward().isApprox(asked_, 1e-6);
+    pose_ = asked ? lookingAt(all, pose_.forward(), pose_.up, pose_, aspect()) : fitted(*cloud_, all, pose_, aspect());
     centre_ = pose_.focus;
     applyCamera();
 }

@@ -56,8 +56,9 @@ void ScalePlate::place() {
     const auto covers = [this](const std::vector<QRect>& places) {
         return std::ranges::any_of(places, [this](const QRect& each) { return each.intersects(geometry()); });
     };
+    const bool away = geometry().bottom() < cloud_->height() - kFromRim - 1 && keptFree_.isEmpty() && rings_.empty(); // of no target
     const bool stays =
-        some && isVisible() && size() == sizeHint() && std::exchange(view_, cloud_->size()) == cloud_->size() && !covers(taken());
+        some && !away && isVisible() && size() == sizeHint() && std::exchange(view_, cloud_->size()) == cloud_->size() && !covers(taken());
     resize(sizeHint());
     auto at = !some ? std::nullopt : stays ? std::optional(pos()) : freePlace(rings_);
     if (some && !at) at = freePlace({});
