@@ -24,6 +24,7 @@
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QLayout>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -484,12 +485,21 @@ private slots:
         const QString words = legend.regionText();
         const auto outline = on.viewer.views.gray().outline();
         QVERIFY(!words.isEmpty() && !outline.empty());
+        // At the right, too, the choice stays under the pointer.
+        QLayout& over = *on.viewer.cloud.layout();
+        for (int n = 0; n < over.count(); ++n) {
+            if (over.itemAt(n)->widget() != nullptr) over.setAlignment(over.itemAt(n)->widget(), Qt::AlignRight | Qt::AlignBottom);
+        }
+        QTRY_VERIFY(legend.geometry().right() > on.viewer.cloud.width() - 20);
+        const auto* ofA = legend.findChild<QToolButton*>("change-shown-0");
+        const QPoint choice = ofA->mapTo(&on.window, QPoint());
         for (const int shown : {0, 2, 0, 1, 2, 1}) { // A, B, the difference
             QTest::mouseClick(legend.findChild<QToolButton*>(QString("change-shown-%1").arg(shown)), Qt::LeftButton);
             const QByteArray which = QByteArray::number(shown);
             QVERIFY2(legend.regionText() == words, which.constData());
             QVERIFY2(on.viewer.views.gray().outline() == outline && on.viewer.views.cloud().outline(), which.constData());
             QVERIFY2(legend.next()->isVisible(), which.constData());
+            QTRY_COMPARE(ofA->mapTo(&on.window, QPoint()), choice);
             // A is shown in the frame of B.
             QCOMPARE(on.viewer.cloud.frameOf(), on.picture().detection->scan);
         }

@@ -277,7 +277,11 @@ void ChangeLegend::fit() {
     // The text of a region does not make the plate wider: its buttons stay under the pointer.
     const int wide = std::max(region_->parentWidget()->sizeHint().width(), std::min(buttons, line));
     for (QLabel* label : {region_, sum_}) label->setText(broken(words_.at(label), label->fontMetrics(), wide));
+    // A and B alone have less to say: the switch between them stays under the pointer.
+    const bool difference = rowsShown_ && !flipped_;
+    setMinimumWidth(difference || brief_ ? 0 : std::min(ofDifference_, line));
     fitContent();
+    if (difference) ofDifference_ = sizeHint().width();
 }
 
 bool ChangeLegend::event(QEvent* event) {

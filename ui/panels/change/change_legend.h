@@ -90,6 +90,7 @@ private:
     QString before_, now_, howWords_;
     bool hasDistances_ = false, overRocksOn_ = false;
     bool flipped_ = false;
+    int ofDifference_ = 0; // px of the width while it is shown
     bool rowsShown_ = true;
     bool brief_ = false;
     bool begun_ = false;                                          // since the legend came, a comparison was shown
