@@ -14,6 +14,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPixmap>
+#include <QRegularExpression>
 #include <QStyle>
 #include <QToolButton>
 
@@ -51,10 +52,11 @@ QString nameOf(ChangeRow row) {
 
 /// Breaks lines that are wider, at blanks.
 QString broken(const QString& text, const QFontMetrics& letters, int width) {
+    static const QRegularExpression space("(?<!±) (?!(?:mm?|cm|m²)(?:\\W|$))"); // no line begins with a unit
     QString result;
     for (const QString& line : text.split('\n')) {
         QString begun;
-        for (const QString& word : line.split(' ')) {
+        for (const QString& word : line.split(space)) {
             const QString longer = begun.isEmpty() ? word : begun + ' ' + word;
             if (begun.isEmpty() || letters.horizontalAdvance(longer) <= width) {
                 begun = longer;
