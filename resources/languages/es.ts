@@ -777,7 +777,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>new measurement</source><translation>nueva medición</translation></message>
 <message><source>removal of measurement M%1</source><translation>supresión de la medición M%1</translation></message>
 <message><source>end %1 not on an edge</source><translation>extremo %1 fuera de un borde</translation></message>
-<message><source>ends %1 not on an edge</source><translation>extremos %1 fuera de un borde</translation></message>
+<message><source>%1 ends not on an edge</source><translation>%1 extremos fuera de un borde</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>

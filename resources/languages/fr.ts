@@ -777,7 +777,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>new measurement</source><translation>nouvelle mesure</translation></message>
 <message><source>removal of measurement M%1</source><translation>suppression de la mesure M%1</translation></message>
 <message><source>end %1 not on an edge</source><translation>extrémité %1 hors d'une arête</translation></message>
-<message><source>ends %1 not on an edge</source><translation>extrémités %1 hors d'une arête</translation></message>
+<message><source>%1 ends not on an edge</source><translation>%1 extrémités hors d'une arête</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>

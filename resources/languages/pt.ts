@@ -777,7 +777,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>new measurement</source><translation>nova medição</translation></message>
 <message><source>removal of measurement M%1</source><translation>remoção da medição M%1</translation></message>
 <message><source>end %1 not on an edge</source><translation>extremo %1 fora de uma borda</translation></message>
-<message><source>ends %1 not on an edge</source><translation>extremos %1 fora de uma borda</translation></message>
+<message><source>%1 ends not on an edge</source><translation>%1 extremos fora de uma borda</translation></message>
 <message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
 <message><source>rock %1</source><translation>rocha %1</translation></message>

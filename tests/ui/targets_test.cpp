@@ -714,7 +714,7 @@ private slots:
         const auto isOff = [&](std::uint32_t end) { return (*detection.mask)[end] == 0; }; // as in the status bar
         const bool first = isOff(ends[0]), second = isOff(ends[1]);
         QVERIFY(first || second);
-        const QString off = first && second ? "ends 1, 2 not on an edge" : QString("end %1 not on an edge").arg(first ? 1 : 2);
+        const QString off = first && second ? "2 ends not on an edge" : QString("end %1 not on an edge").arg(first ? 1 : 2);
         QVERIFY2(remarks->text().contains(off), qPrintable(remarks->text()));
         // The lines and the label are on the screen, in the cloud too.
         const auto blue = [](QRgb p) {

@@ -50,17 +50,18 @@ std::optional<std::size_t> edgeNextTo(const edges::Detection& detection, std::si
     return isNear ? edge : std::nullopt;
 }
 
+/// With the digits of the verdict.
+QString number(double value) { return QString::number(value, 'f', std::abs(value) < 10.0 ? 2 : 1); }
+
 /// Which number is the cell's, and which the threshold's.
 QString strengths(const edges::Why& why) {
     if (!why.depth) return {}; // in another unit, which the verdict names
-    return ' ' +
-           Explanation::tr("This cell has the strength %1; the threshold is %2.").arg(why.strength, 0, 'f', 2).arg(why.lower, 0, 'f', 2);
+    return ' ' + Explanation::tr("This cell has the strength %1; the threshold is %2.").arg(number(why.strength), number(why.lower));
 }
 
 /// Why a strength is enough: above the threshold, or less where the edge goes on to a strong place.
 QString enough(const edges::Why& why) {
     if (!why.depth) return {};
-    const auto number = [](double value) { return QString::number(value, 'f', 2); };
     if (why.level == edges::StrengthLevel::Above || why.chain.empty())
         return ' ' + Explanation::tr("Its strength %1 is above the Edge strength %2.").arg(number(why.strength), number(why.upper));
     const edges::CellStrength& strong = why.chain.back();

@@ -40,7 +40,8 @@ bool isDoubtful(const Scan& scan, const inspect::StoredMeasure& measure) {
     return false;
 }
 
-/// "end 1 not on an edge", by the rule of the status bar; empty: all ends are on one, or the method finds the ends itself.
+/// "end 1 not on an edge" or "2 ends not on an edge", by the rule of the status bar; empty: all ends are on one, or the method finds the
+/// ends itself.
 QString offEdgeText(const Grid<std::uint8_t>& mask, const inspect::StoredMeasure& measure) {
     using Kind = inspect::MeasureKind;
     if (measure.kind == Kind::Throat || measure.kind == Kind::Section) return {};
@@ -49,8 +50,7 @@ QString offEdgeText(const Grid<std::uint8_t>& mask, const inspect::StoredMeasure
         if (measure.cells[n] < mask.size() && mask[measure.cells[n]] == 0) off << QString::number(n + 1);
     }
     if (off.isEmpty()) return {};
-    return off.size() == 1 ? Targets::tr("end %1 not on an edge").arg(off.front())
-                           : Targets::tr("ends %1 not on an edge").arg(off.join(", "));
+    return off.size() == 1 ? Targets::tr("end %1 not on an edge").arg(off.front()) : Targets::tr("%1 ends not on an edge").arg(off.size());
 }
 
 QString movedText(const inspect::StoredMeasure& measure) {
