@@ -44,7 +44,7 @@ void LinkedViews::linkImages() {
 std::optional<std::size_t> LinkedViews::seenAt(const ImageView& view, int line, int beam) const {
     const auto cell = cellAt(line, beam);
     const QSizeF pixels = view.viewPort()->cellSize(view.size());
-    const bool drawsEdges = &view == &edges() || scene_.overGray != nullptr;
+    const bool drawsEdges = &view == images_[1] || scene_.overGray != nullptr;
     if (!cell || !drawsEdges || std::min(pixels.width(), pixels.height()) >= 1.0) return cell;
     const auto& mask = *shown()->detection->mask;
     const int lines = static_cast<int>(1.0 / pixels.height()), beams = static_cast<int>(1.0 / pixels.width());
