@@ -35,8 +35,10 @@
 #include <QSet>
 #include <QSpinBox>
 #include <QStyle>
+#include <QStyleOption>
 #include <QTimer>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -45,6 +47,8 @@ class CabHandsTest : public QObject {
     Q_OBJECT
     test::TemporaryFolder folder_;
     std::string scan_;
+
+    static constexpr int kGuardedMs = 800; // longer than a second tap is ignored
 
     static QMenu* opened(QToolButton* button) {
         QTest::mouseClick(button, Qt::LeftButton);
@@ -145,7 +149,7 @@ private slots:
         tap(pad, "↵");
         tap(pad, "a");
         QCOMPARE(remark->toPlainText(), QString("Rock B\na"));
-        // Enter in a field of one line ends the typing, and does not press the button of the dialog.
+        // Enter in a field of one line goes to the next one, and does not press the button of the dialog.
         QTest::mouseClick(site, Qt::LeftButton);
         site->setFocus();
         QTRY_COMPARE(pad.field(), static_cast<QWidget*>(site));
@@ -153,15 +157,64 @@ private slots:
         tap(pad, "7");
         tap(pad, "↵");
         QCOMPARE(site->text(), QString("7"));
-        QVERIFY(form.isVisible() && !pad.isVisible());
-        QTest::mouseClick(site, Qt::LeftButton); // the field still has the focus
-        QTRY_VERIFY(pad.isVisible());
+        QVERIFY(form.isVisible() && pad.isVisible() && pad.field() != site && pad.field()->hasFocus());
+        QTest::mouseClick(site, Qt::LeftButton);
+        site->setFocus();
+        QTRY_COMPARE(pad.field(), static_cast<QWidget*>(site));
         tap(pad, "▼");
         QVERIFY(!pad.isVisible() && form.isVisible());
-        QTest::mouseClick(site, Qt::LeftButton);
+        QTest::qWait(kGuardedMs);
+        QTest::mouseClick(site, Qt::LeftButton); // the field still has the focus
         QTRY_VERIFY(pad.isVisible());
         form.reject();
         QTRY_VERIFY2(!pad.isVisible(), "the keys close with the dialog");
+        on.window.cab().set(false);
+    }
+
+    // Enter goes from field to field and closes the keys in the last one; a second tap there presses nothing of the dialog, which has the
+    // room of the keys then.
+    void enterGoesFromFieldToField() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        Keypad& pad = on.window.cab().keypad();
+        QDialog dialog(&on.window);
+        auto* column = new QVBoxLayout(&dialog);
+        std::vector<QLineEdit*> fields;
+        for (const char* words : {"1", "", "3"}) {
+            fields.push_back(new QLineEdit(words));
+            column->addWidget(fields.back());
+        }
+        auto* number = new QSpinBox;
+        column->insertWidget(2, number);
+        QWidget::setTabOrder(fields[1], number);
+        QWidget::setTabOrder(number, fields[2]);
+        fields[1]->setReadOnly(true); // takes no letters
+        auto* cancel = new QPushButton("Cancel");
+        cancel->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding); // below the keys
+        connect(cancel, &QPushButton::clicked, &dialog, &QDialog::reject);
+        column->addWidget(cancel);
+        dialog.resize(on.window.screen()->availableGeometry().size() - QSize(20, 20));
+        dialog.show();
+        dialog.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+        fields[0]->setFocus();
+        QTRY_COMPARE(pad.field(), static_cast<QWidget*>(fields[0]));
+        const QList<QWidget*> inOrder{fields[0], number->findChild<QLineEdit*>(), fields[2]};
+        for (QWidget* each : inOrder) {
+            QTRY_COMPARE(pad.field(), each);
+            const QPoint key = onScreen(*pad.key("↵")).center();
+            tap(pad, "↵");
+            if (each != inOrder.back()) continue;
+            QVERIFY(!pad.isVisible());
+            QTRY_VERIFY(onScreen(*cancel).contains(key));
+            const auto tapThere = [&] { QTest::mouseClick(cancel, Qt::LeftButton, Qt::NoModifier, cancel->mapFromGlobal(key)); };
+            tapThere();
+            QVERIFY2(dialog.isVisible(), "the second tap pressed what came under the finger");
+            QTest::qWait(kGuardedMs);
+            tapThere();
+            QVERIFY(!dialog.isVisible());
+        }
         on.window.cab().set(false);
     }
 
@@ -262,6 +315,102 @@ private slots:
         QCOMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         QCOMPARE(on.viewer.targets.notebook().measures.size(), std::size_t(1));
         QVERIFY(on.viewer.targets.chosenMeasure() == std::size_t(0) && on.viewer.targets.active() == nullptr);
+    }
+
+    // The title has the menu of its target; a locked one is not removed.
+    void aTargetIsLockedFromItsTitle() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        on.viewer.views.pin(100 * 240 + 120);
+        QTRY_VERIFY(on.viewer.targets.settled());
+        auto* title = on.window.findChild<QLabel*>("cab-target");
+        const auto chooseOfTitle = [&](const QString& words) {
+            QTest::mouseClick(title, Qt::LeftButton);
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            if (menu == nullptr) return false;
+            QStringList all;
+            for (int n = 0; n < menu->actions().size(); ++n) {
+                all << menu->actions()[n]->text().remove('&');
+                if (all.back() != words) continue;
+                choose(menu, n);
+                return true;
+            }
+            qWarning("%s", qPrintable(all.join(", ")));
+            return false;
+        };
+        QVERIFY(title->text().contains("▾"));
+        QVERIFY(chooseOfTitle("Lock Target 1"));
+        QTRY_VERIFY(on.viewer.targets.active()->locked && title->text().endsWith("1 of 1 · locked"));
+        QMenu* menu = opened(tool(on.window, "cab-remove"));
+        QVERIFY(menu != nullptr && menu->actions()[1]->text().startsWith("Locked: Target 1") && !menu->actions()[1]->isEnabled());
+        menu->close();
+        QVERIFY(chooseOfTitle("Unlock Target 1"));
+        QTRY_VERIFY(!on.viewer.targets.active()->locked && title->text().endsWith("1 of 1"));
+    }
+
+    // A tap on the warning, which is underlined, or just next to it.
+    void aTapOnNoPoseAsksForOne() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        on.viewer.views.pin(100 * 240 + 120);
+        auto* pose = on.window.findChild<QLabel*>("cab-pose");
+        QTRY_VERIFY(pose->isVisible() && pose->font().underline());
+        QTest::mouseClick(pose, Qt::LeftButton, Qt::NoModifier, QPoint(20, pose->height() / 2));
+        const auto* dialog = on.window.findChild<QDialog*>("place-dialog");
+        QTRY_VERIFY(dialog != nullptr && dialog->isVisible());
+        on.window.cab().set(false);
+    }
+
+    void aSectionIsAtTheEndOfMeasure() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QMenu* menu = opened(tool(on.window, "cab-measure"));
+        QVERIFY(menu != nullptr);
+        QStringList all;
+        for (const QAction* each : menu->actions()) all << each->text().remove('&');
+        QCOMPARE(all.mid(all.size() - 2), QStringList({"Section through the Last Measurement", "Section through the Rock"}));
+        choose(menu, static_cast<int>(all.size()) - 2);
+        QTRY_VERIFY2(on.viewer.notice.text().contains("measure a distance"), qPrintable(on.viewer.notice.text()));
+    }
+
+    void rocksEndMeasuring() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        QVERIFY(tool(on.window, "cab-measure")->isChecked());
+        QTest::mouseClick(tool(on.window, "cab-rocks"), Qt::LeftButton);
+        QTRY_VERIFY(on.viewer.rocks.shown());
+        QVERIFY(!on.viewer.measures.kind() && !tool(on.window, "cab-measure")->isChecked());
+    }
+
+    // Arrows of number fields are too small for gloves: the number has the whole field.
+    void aNumberFieldHasNoSmallArrows() {
+        QSpinBox box;
+        const auto arrow = [&box] {
+            QStyleOptionSpinBox option;
+            option.initFrom(&box);
+            option.buttonSymbols = box.buttonSymbols();
+            option.frame = true;
+            return box.style()->subControlRect(QStyle::CC_SpinBox, &option, QStyle::SC_SpinBoxUp, &box);
+        };
+        box.resize(120, 48);
+        QVERIFY(!arrow().isEmpty());
+        useTheme(*qApp, true);
+        QVERIFY(arrow().isEmpty());
+    }
+
+    // A cab may have no window manager: the dialog draws its border.
+    void aDialogHasABorder() {
+        useTheme(*qApp, true);
+        QDialog dialog;
+        dialog.resize(200, 100);
+        const QImage shown = dialog.grab().toImage();
+        for (const QPoint at : {QPoint(0, 50), QPoint(199, 50), QPoint(100, 0), QPoint(100, 99)})
+            QVERIFY(shown.pixelColor(at) != shown.pixelColor(100, 50));
     }
 
     void whatNeedsAScanWaitsForIt() {

@@ -9,7 +9,7 @@
 
 namespace edgescan::ui {
 
-/// Text that does not fit ends in "…", or has it in its last line; the tool tip shows the whole text.
+/// Text that does not fit ends in "…" after a whole word.
 class ElidedLabel : public QLabel {
 public:
     /// `most`: lines, if one line is too short for the text.
@@ -24,11 +24,6 @@ public:
         most_ = most;
         highAsLines_ = most > 1;
         updateGeometry();
-    }
-    /// Where the last line is shortened.
-    void setElided(Qt::TextElideMode where) {
-        where_ = where;
-        update();
     }
     [[nodiscard]] bool hasHeightForWidth() const override { return highAsLines_; }
     [[nodiscard]] int heightForWidth(int wide) const override {
@@ -66,11 +61,17 @@ private:
             all << rest.left(line.textLength());
             rest.remove(0, line.textLength());
         }
-        return all << fontMetrics().elidedText(rest, where_, wide);
+        return all << shortened(rest, wide);
+    }
+    [[nodiscard]] QString shortened(const QString& rest, int wide) const {
+        const QString cut = fontMetrics().elidedText(rest, Qt::ElideRight, wide);
+        const auto word = cut.lastIndexOf(' ');
+        if (cut == rest || word <= 0) return cut;
+        const bool whole = rest.startsWith(cut.chopped(1) + ' '); // cut between two words
+        return whole ? cut : cut.left(word) + QStringLiteral("…");
     }
 
     int most_;
-    Qt::TextElideMode where_ = Qt::ElideRight;
     bool highAsLines_ = false;
 };
 

@@ -28,13 +28,9 @@ namespace {
 
 constexpr std::size_t kMostEarlier = 9;
 constexpr int kLeastText = 200;      // px
+constexpr int kNameEnd = 16;         // letters at each end of a long name
 constexpr double kWholeFrom = 100.0; // kB, of a file's size
 constexpr int kUndoneMs = 8000;
-
-/// In a cab, which has no button Copy, the end stays: a name or a number is often there. The line of a saved file begins with its name.
-Qt::TextElideMode elidedIn(const QWidget& copy, const QString& brief) {
-    return copy.isHidden() && brief.isEmpty() ? Qt::ElideMiddle : Qt::ElideRight;
-}
 
 } // namespace
 
@@ -158,7 +154,6 @@ void NoticeBar::put(const Note& note) {
     paintKind();
     text_->setText(note.text);
     brief_ = note.brief;
-    line_->setElided(elidedIn(*copy_, brief_));
     unfold(false);
     action_->setText(note.label);
     action_->setHidden(note.label.isEmpty());
@@ -274,12 +269,19 @@ void NoticeBar::unfold(bool on) {
     offerMore();
 }
 
-/// Where the line is too short for a path, its folders are left out: the name of the file is read.
+/// Where the line is too short for a path, its folders are left out, and the middle of a long name: its ends are read.
 void NoticeBar::fitLine(int room) {
     static const QRegularExpression kFolders(R"((?<![:/\w])(?:…?/[^/\s]+)+/(?=[^/\s]))");
     const QString shown = (brief_.isEmpty() ? text_->text() : brief_).simplified();
     line_->setText(shown);
-    if (!line_->fits(room)) line_->setText(QString(shown).replace(kFolders, QString("…/")));
+    if (line_->fits(room)) return;
+    QStringList words = QString(shown).replace(kFolders, QString("…/")).split(' ');
+    line_->setText(words.join(' '));
+    if (line_->fits(room)) return;
+    for (QString& each : words) {
+        if (each.size() > 2 * kNameEnd) each = each.left(kNameEnd) + "…" + each.right(kNameEnd);
+    }
+    line_->setText(words.join(' '));
 }
 
 /// The button is visible only if the line, or in a cab two of them, is not enough.
@@ -308,7 +310,6 @@ bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 void NoticeBar::setBrief(bool on) {
     copy_->setVisible(!on);
     line_->setLines(on ? 2 : 1);
-    line_->setElided(elidedIn(*copy_, brief_));
     offerMore();
 }
 

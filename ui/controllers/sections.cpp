@@ -21,6 +21,7 @@
 #include <QMenu>
 #include <QPushButton>
 
+#include <algorithm>
 #include <optional>
 
 namespace edgescan::ui {
@@ -138,10 +139,12 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
         card_->plot().setEnds(question.endsM[0], question.endsM[1]);
         card_->plot().setLength(question.length);
     }
-    QString words =
-        tr("Vertical plane, true scale. Green points are edges%1.").arg(question.rocks ? tr("; rocks have their colours") : QString());
-    if (section->plane.upAssumed) words += " " + tr("▲ no pose: up is the scanner's z");
-    card_->setWords(words);
+    const auto hasEdge = [](const inspect::SectionLine& line) { return std::ranges::any_of(line, &inspect::SectionVertex::edge); };
+    QStringList words{tr("Vertical plane, true scale.")};
+    if (std::ranges::any_of(section->lines, hasEdge)) words << tr("Green points are edges.");
+    if (question.rocks) words << tr("Rocks have their colours.");
+    if (section->plane.upAssumed) words << tr("▲ no pose: up is the scanner's z");
+    card_->setWords(words.join(' '));
     card_->show();
     card_->raise();
 }

@@ -73,6 +73,7 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
         if (large_ != Large::Cloud) imageView().setTaken(reach); // no prompt is below it
     });
     for (CornerPicture* each : {corner_, back_}) connect(each, &QAbstractButton::clicked, this, &CabMode::swap);
+    connect(keypad_, &Keypad::closedByKey, this, &CabMode::noteChangeUnder);
     follow();
     nameUndone();
 }
@@ -137,8 +138,9 @@ void CabMode::connectSide() {
             [this](const QString& key, int steps) { window_.viewer().panel.step(key.toUtf8().constData(), steps); });
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
     connect(&side, &NumbersSide::entryStepRequested, this, &CabMode::step);
-    connect(&side, &NumbersSide::nameRequested, this, [this] {
-        if (numbers().named) window_.viewer().targets.askNameOf(window_.viewer().targets.active()->number);
+    connect(&side, &NumbersSide::titleTapped, this, &CabMode::openTitleMenu);
+    connect(&side, &NumbersSide::poseRequested, this, [this] {
+        if (QAction* pose = command("Scan/Pose and Mounting")) pose->trigger();
     });
 }
 

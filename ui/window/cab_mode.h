@@ -11,6 +11,7 @@
 #include <vector>
 
 class QAbstractButton;
+class QAction;
 class QMenu;
 class QToolButton;
 
@@ -63,8 +64,11 @@ private:
     void fillMenu();
     void addTools();
     void addSideButtons();
-    void addMeasures(QMenu& menu);
     void fillRemoval(QMenu& menu, bool all);
+    void fillMeasures(QMenu& menu);
+    void openTitleMenu();
+    /// Of the menu bar, by its path in English.
+    [[nodiscard]] QAction* command(const QString& id) const;
     void fillViews(QMenu& menu);
     [[nodiscard]] QToolButton* undoButton();
     [[nodiscard]] QToolButton* redoButton();
@@ -78,6 +82,7 @@ private:
     void showSettings();
     void showCorner();
     void swap();
+    void noteChangeUnder(const QRect& place);
     void showLarge(Large which);
     [[nodiscard]] ImageView& imageView() const;
     void fit();
@@ -105,9 +110,9 @@ private:
     QTimer cancelSoon_;
     Large large_ = Large::Cloud, image_ = Large::Range; // image_: in the corner, or the one that was large last
     bool small_ = true;                                 // there is a picture in the corner
-    QElapsedTimer sinceSwap_;
-    QRect swapPlace_;        // of the button that exchanged the views, on the screen
-    bool secondTap_ = false; // at that place
+    QElapsedTimer sinceChange_;                         // under the finger
+    QRect changedPlace_;                                // of the button that exchanged the views, or of the keys that closed, on the screen
+    bool secondTap_ = false;                            // at that place
     bool on_ = false;
 };
 

@@ -32,9 +32,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kNearHigh = 48;            // px
-constexpr std::size_t kMostRemovals = 4; // newest measurements in the menu
-constexpr std::size_t kMostPins = 4;     // newest targets in it
+constexpr int kNearHigh = 48; // px
 
 void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapToGlobal(QPoint(button.width() + 8, 0))); }
 
@@ -54,7 +52,7 @@ void addPlace(TargetNumbers& values, const edges::Probe& at) {
     int n = 0;
     for (const char* name : at.mineM ? std::array{"E", "N", "RL"} : std::array{"X", "Y", "Z"})
         values.coordinates.emplace_back(name, metres(place[n++], 3));
-    if (!at.mineM) values.warned = CabMode::tr("▲ no pose: no E N RL");
+    values.unposed = !at.mineM;
 }
 
 // A menu of the menu bar, in every language: the entries are those of the menu, not a second list.
@@ -81,7 +79,6 @@ void CabMode::addTools() {
     QToolButton* measure = column.add("cab-measure", "measure", tr("Measure"));
     measure->setCheckable(true);
     auto* kinds = new QMenu(measure);
-    addMeasures(*kinds);
     const auto followTool = [this, pin, measure] {
         const LinkedViews& shown = window_.viewer().views;
         pin->setChecked(shown.tool() == Tool::Pin && !shown.choosesOnly() && window_.viewer().rocks.tool() == RockTool::None);
@@ -89,6 +86,7 @@ void CabMode::addTools() {
     };
     connect(measure, &QToolButton::clicked, this, [this, kinds, measure, followTool] {
         followTool(); // the chosen tool determines which button is on
+        fillMeasures(*kinds);
         openNextTo(*kinds, *measure);
     });
     connect(&views, &LinkedViews::toolChanged, this, followTool);
@@ -106,6 +104,7 @@ void CabMode::addTools() {
     const auto followRocks = [this, rocks, rock](bool on) {
         rocks->setChecked(on);
         rock->setEnabled(on);
+        if (on_ && on) window_.viewer().measures.stop();  // a tap would set a point
         window_.viewer().views.setChoosesOnly(on_ && on); // a tap means a rock, until Pin is chosen
     };
     connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, followRocks);
@@ -213,45 +212,6 @@ void CabMode::addSideButtons() {
         ofScan_.push_back(each);
 }
 
-/// A menu, not one tap: a glove must not remove what it did not mean. What is chosen is alone in it, until the operator asks for others.
-void CabMode::fillRemoval(QMenu& menu, bool all) {
-    menu.clear();
-    Targets& targets = window_.viewer().targets;
-    const auto& pins = targets.notebook().targets;
-    const std::vector<QString> measures = targets.measuresInWords();
-    const auto addTarget = [&](const inspect::PinnedTarget& target) {
-        menu.addAction(tr("Remove: %1").arg(tr("Target %1").arg(targets.inWords(target))).replace('&', "&&"), &targets,
-                       [&targets, number = target.number] { targets.remove(number); });
-    };
-    const auto addMeasure = [&](std::size_t n) {
-        menu.addAction(tr("Remove: %1").arg(measures[n].simplified()), &targets, [&targets, n] { targets.removeMeasure(n); });
-    };
-    const inspect::PinnedTarget* target = targets.active();
-    const auto measure = targets.chosenMeasure();
-    if (!all && (measure || target != nullptr)) {
-        measure ? addMeasure(*measure) : addTarget(*target);
-        if (pins.size() + measures.size() == 1) return;
-        const auto showOthers = [this, &menu] {
-            fillRemoval(menu, true);
-            openNextTo(menu, *remove_);
-        };
-        menu.addAction(tr("Others…"), this, [this, showOthers] { QMetaObject::invokeMethod(this, showOthers, Qt::QueuedConnection); });
-        return;
-    }
-    std::for_each(pins.rbegin(), pins.rbegin() + static_cast<std::ptrdiff_t>(std::min(pins.size(), kMostPins)), addTarget);
-    for (std::size_t n = measures.size(); n-- > measures.size() - std::min(measures.size(), kMostRemovals);) addMeasure(n);
-}
-
-void CabMode::addMeasures(QMenu& menu) {
-    for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
-        if (each.inViews)
-            menu.addAction(QObject::tr(each.label), this, [this, kind = each.kind] { window_.viewer().measures.start(kind); });
-    }
-    Measures& measures = window_.viewer().measures;
-    QAction* end = menu.addAction(tr("End measuring"), &measures, &Measures::stop);
-    connect(&menu, &QMenu::aboutToShow, end, [end, &measures] { end->setVisible(measures.kind().has_value()); });
-}
-
 void CabMode::showSettings() {
     if (!on_) return;
     const edges::Settings& settings = window_.viewer().engine.settings();
@@ -335,9 +295,9 @@ TargetNumbers CabMode::numbers() const {
     values.measuring = window_.viewer().measures.kind().has_value();
     if (chosen || rock != nullptr || target == nullptr) return values;
     values.title = (target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20)) +
-                   QString::fromUtf8("\u00a0✎"); // a tap on it asks for the name
-    values.named = true;
-    values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
+                   QString::fromUtf8("\u00a0✎"); // a tap on it opens its menu
+    values.opens = true;
+    values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size()) + (target->locked ? " · " + tr("locked") : QString());
     const auto known = targets.known().targets.find(target->cell);
     if (known == targets.known().targets.end()) return values;
     const inspect::CellTarget& cell = known->second;
@@ -355,8 +315,7 @@ TargetNumbers CabMode::numbers() const {
     }
     if (cell.probe.state != CellState::Valid) return values;
     addPlace(values, cell.probe);
-    if (const QString clicked = targets.clickOf(*target); clicked.contains("▲"))
-        values.warned += (values.warned.isEmpty() ? "" : "\n") + clicked.mid(clicked.indexOf("▲"));
+    if (const QString clicked = targets.clickOf(*target); clicked.contains("▲")) values.warned = clicked.mid(clicked.indexOf("▲"));
     for (const TargetRow& row : targetRows(cell, around)) {
         if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) values.rows.emplace_back(row.name, row.value);
     }

@@ -16,7 +16,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr qint64 kSecondTapMs = 400;
+constexpr qint64 kSecondTapMs = 700;
 
 }
 
@@ -32,7 +32,9 @@ PictureMark CabMode::chosenPlace() const {
         return mark;
     }
     const rocks::Rock* const rock = chosenRock();
-    if (const auto cell = rock != nullptr ? std::optional<std::size_t>(rock->cell) : views.marked()) mark.cells << views.placeOf(*cell);
+    // A tap on the label of a target leaves the pointer over the cell behind it.
+    const auto pinned = views.pinned() ? views.pinned() : views.marked();
+    if (const auto cell = rock != nullptr ? std::optional<std::size_t>(rock->cell) : pinned) mark.cells << views.placeOf(*cell);
     return mark;
 }
 
@@ -50,13 +52,18 @@ ImageView& CabMode::imageView() const {
     return image_ == Large::Edges ? views.edges() : views.gray();
 }
 
-/// Exchanges the large view and the corner: image and cloud. A second tap at the place of the button is meant for the button that was
-/// there.
+/// A second tap at this place is meant for the button that was there.
+void CabMode::noteChangeUnder(const QRect& place) {
+    changedPlace_ = place;
+    sinceChange_.start();
+}
+
+/// Exchanges the large view and the corner: image and cloud.
 void CabMode::swap() {
     const CornerPicture& used = large_ == Large::Cloud ? *corner_ : *back_;
-    if (used.isVisible()) swapPlace_ = QRect(used.mapToGlobal(QPoint()), used.size());
+    const QRect place = used.isVisible() ? QRect(used.mapToGlobal(QPoint()), used.size()) : QRect();
     showLarge(large_ == Large::Cloud ? image_ : Large::Cloud);
-    sinceSwap_.start();
+    noteChangeUnder(place);
 }
 
 void CabMode::showLarge(Large which) {
@@ -138,10 +145,10 @@ void CabMode::zoom(double factor) {
 bool CabMode::eventFilter(QObject* watched, QEvent* event) {
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
-    const bool soon = sinceSwap_.isValid() && sinceSwap_.elapsed() < kSecondTapMs;
+    const bool soon = sinceChange_.isValid() && sinceChange_.elapsed() < kSecondTapMs;
     if (press) {
         const QPoint at = static_cast<QMouseEvent*>(event)->globalPos();
-        secondTap_ = soon && swapPlace_.contains(at);
+        secondTap_ = soon && changedPlace_.contains(at) && !keypad_->place().contains(at);
     }
     if (event->type() == QEvent::TouchBegin && soon) {
         event->ignore(); // Qt sends the mouse event instead

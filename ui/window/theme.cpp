@@ -3,7 +3,9 @@
 
 #include "ui/base/themes.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QDialog>
 #include <QFont>
 #include <QPainter>
 #include <QPalette>
@@ -48,6 +50,8 @@ public:
         if (element == PE_FrameFocusRect) return drawFrame(*painter, option->rect, {option->palette.color(QPalette::Link), 2.0}, 2.0);
         if (element == PE_IndicatorHeaderArrow) return drawSortArrow(option, painter, widget);
         QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element == PE_Widget && forGloves_ && qobject_cast<const QDialog*>(widget) != nullptr)
+            return drawFrame(*painter, widget->rect(), {option->palette.color(QPalette::Mid), 2.0}, 0.0);
         const bool box = element == PE_IndicatorCheckBox;
         const bool round = element == PE_IndicatorRadioButton;
         if (box || round || element == PE_FrameLineEdit || element == PE_PanelButtonCommand)
@@ -55,11 +59,28 @@ public:
     }
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override {
+        QStyleOptionSpinBox bare;
+        option = withoutArrows(option, bare);
         QProxyStyle::drawComplexControl(control, option, painter, widget);
         if (control == CC_SpinBox || control == CC_ComboBox) drawFrame(*painter, option->rect, penFor(*option), 2.0);
         if (control == CC_Slider)
             drawFrame(*painter, proxy()->subControlRect(CC_Slider, option, SC_SliderHandle, widget), penFor(*option), 2.0);
     }
+    QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part, const QWidget* widget) const override {
+        QStyleOptionSpinBox bare;
+        return QProxyStyle::subControlRect(control, withoutArrows(option, bare), part, widget);
+    }
+    /// A cab may have no window manager that gives a dialog its border.
+    void polish(QWidget* widget) override {
+        QProxyStyle::polish(widget);
+        if (forGloves_ && qobject_cast<QDialog*>(widget) != nullptr) widget->setAttribute(Qt::WA_StyledBackground);
+    }
+    void unpolish(QWidget* widget) override {
+        QProxyStyle::unpolish(widget);
+        if (forGloves_ && qobject_cast<QDialog*>(widget) != nullptr) widget->setAttribute(Qt::WA_StyledBackground, false);
+    }
+    using QProxyStyle::polish;
+    using QProxyStyle::unpolish;
     int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
         const int usual = metric == PM_TabBarTabHSpace ? kAroundTab : QProxyStyle::pixelMetric(metric, option, widget);
         if (!forGloves_) return usual;
@@ -109,6 +130,14 @@ public:
     }
 
 private:
+    /// The arrows of a number field are too small for gloves: the keys on the screen set the number. `bare`: holds the copy.
+    const QStyleOptionComplex* withoutArrows(const QStyleOptionComplex* option, QStyleOptionSpinBox& bare) const {
+        const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+        if (box == nullptr || !forGloves_) return option;
+        bare = *box;
+        bare.buttonSymbols = QAbstractSpinBox::NoButtons;
+        return &bare;
+    }
     /// Up for the smallest first, down for the largest first, as in spreadsheets. Fusion draws the opposite.
     void drawSortArrow(const QStyleOption* option, QPainter* painter, const QWidget* widget) const {
         const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option);

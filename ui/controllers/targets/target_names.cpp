@@ -54,12 +54,18 @@ void Targets::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
         rock->addAction(tr("Na&me…"), this, [this, click] { askName(click); });
         rock->addAction(tr("Meas&ure from Here"), this, [this, click] { emit measureRequested(click.cell); });
     }
-    const inspect::PinnedTarget* target = at(click);
-    if (target == nullptr) return;
-    const int number = target->number;
+    if (const inspect::PinnedTarget* target = at(click)) addEntriesOf(menu, target->number);
+}
+
+void Targets::addEntriesOf(QMenu& menu, int number) {
+    const auto target = std::ranges::find(notebook_.targets, number, &inspect::PinnedTarget::number);
+    if (target == notebook_.targets.end()) return;
+    const bool locked = target->locked;
     menu.addAction(tr("Na&me of Target %1…").arg(number), this, [this, number] { askNameOf(number); });
     menu.addAction(tr("No&te on Target %1…").arg(number), this, [this, number] { askNote(number); });
-    menu.addAction(tr("Remo&ve Target %1").arg(number), this, [this, number] { remove(number); })->setEnabled(!target->locked);
+    menu.addAction((locked ? tr("Unloc&k Target %1") : tr("Loc&k Target %1")).arg(number), this,
+                   [this, number, locked] { lock(number, !locked); });
+    menu.addAction(tr("Remo&ve Target %1").arg(number), this, [this, number] { remove(number); })->setEnabled(!locked);
 }
 
 // In a dialog of its own: the card may be behind the rock table or folded.

@@ -203,7 +203,7 @@ void Targets::pin(std::size_t cell) {
 void Targets::remove(int number) {
     const inspect::PinnedTarget* target = numbered(notebook_, number);
     if (target == nullptr) return;
-    if (target->locked) return notice_.showHint(tr("Target %1 is locked and stays: unlock it on its card to remove it.").arg(number));
+    if (target->locked) return notice_.showHint(tr("Target %1 is locked and stays: unlock it to remove it.").arg(number));
     const QString words = inWords(*target);
     inspect::Notebook after = notebook_;
     std::erase_if(after.targets, [&](const inspect::PinnedTarget& each) { return each.number == number; });

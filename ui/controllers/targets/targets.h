@@ -93,6 +93,8 @@ public:
     void askNameOf(int number);
     void askNote(int number);
     void lock(int number, bool on);
+    /// What can be done with one target.
+    void addEntriesOf(QMenu& menu, int number);
     void keepMeasure(const inspect::StoredMeasure& measure);
     void removeMeasure(std::size_t place);
     /// One thing is chosen: with a measurement no target is active and no rock is selected. Empty: none is chosen.

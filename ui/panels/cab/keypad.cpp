@@ -204,6 +204,15 @@ void Keypad::close() {
     if (keys_ != nullptr) keys_->hide();
 }
 
+void Keypad::closeByKey() {
+    const QRect were = place();
+    QWidget* closed = field_;
+    close();
+    closedFor_ = closed;
+    giveBackRoom();
+    emit closedByKey(were);
+}
+
 /// Only after a key closed them: a dialog must not move under a finger that taps its button.
 void Keypad::giveBackRoom() {
     if (moved_ != nullptr && moved_->isVisible()) moved_->setGeometry(before_);
@@ -230,13 +239,7 @@ void Keypad::setCapitals(bool on) {
 void Keypad::type(const QString& text) {
     if (text == kToLetters || text == kToNumbers) return showPage(text == kToLetters);
     if (text == kShift) return setCapitals(!capitals_);
-    if (text == kHide) {
-        QWidget* closed = field_;
-        close();
-        closedFor_ = closed;
-        giveBackRoom();
-        return;
-    }
+    if (text == kHide) return closeByKey();
     if (field_ == nullptr) return;
     if (text == kBack) return press(Qt::Key_Backspace);
     if (text == kBlank) return press(Qt::Key_Space, " ");
@@ -247,7 +250,19 @@ void Keypad::type(const QString& text) {
     }
     const bool lines = qobject_cast<QPlainTextEdit*>(field_) != nullptr;
     press(Qt::Key_Return, lines ? "\n" : QString());
-    if (!lines) type(kHide);
+    if (lines || field_ == nullptr) return;
+    QWidget* next = nextField();
+    next != nullptr ? next->setFocus(Qt::TabFocusReason) : closeByKey();
+}
+
+/// The one below in its dialog; null: it is the last one.
+QWidget* Keypad::nextField() const {
+    if (qobject_cast<QDialog*>(field_->window()) == nullptr) return nullptr;
+    for (QWidget* at = field_->nextInFocusChain(); at != field_->window() && at != field_; at = at->nextInFocusChain()) {
+        QWidget* field = fieldOf(at);
+        if (field != nullptr && field != field_ && at->isVisible() && (at->focusPolicy() & Qt::TabFocus) != 0) return at;
+    }
+    return nullptr;
 }
 
 /// A number box reads the keys itself.

@@ -11,6 +11,7 @@
 #include <QFontMetrics>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -27,6 +28,7 @@ namespace {
 
 constexpr int kNumberPx = 42, kLowNumberPx = 32, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17, kLeastNotePx = 15;
 constexpr int kLeastScrolled = 90;
+constexpr int kAroundPose = 14;
 constexpr int kSign = 28, kLowSign = 20; // px: of Tune
 constexpr int kLowestPx = 480;           // a lower side has no stepper next to the numbers: Tune has it
 constexpr int kLowPx = 720;              // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
@@ -140,9 +142,10 @@ NumbersSide::NumbersSide(QWidget* parent)
       next_(arrow("cab-next", "next", tr("Next target or measurement"))), title_(label("cab-target", kTextPx, true)),
       hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
       tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
-      sizeRemark_(label("cab-size-remark", kNotePx, false)), warned_(label("cab-warned", kNotePx, false)), coordinates_(new QGridLayout),
-      rows_(new QGridLayout), below_(new QWidget), page_(new QToolButton), main_(new Stepper(QString())), foot_(new QGridLayout) {
-    for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, warned_}) each->setWordWrap(true);
+      sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)),
+      warned_(label("cab-warned", kNotePx, false)), coordinates_(new QGridLayout), rows_(new QGridLayout), below_(new QWidget),
+      page_(new QToolButton), main_(new Stepper(QString())), foot_(new QGridLayout) {
+    for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, pose_, warned_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
     title_->installEventFilter(this);
@@ -198,7 +201,8 @@ QWidget* NumbersSide::makeNumbers() {
     above->addWidget(tolerance_);
     column->addLayout(above);
     column->addWidget(distance_);
-    column->addWidget(warned_);      // on the first page
+    column->addWidget(pose_);        // on the first page
+    column->addWidget(warned_);      // too
     column->addLayout(coordinates_); // above the rock, whose words have as many lines as the language needs: a low screen shows them whole
     column->addSpacing(4);
     for (QLabel* each : std::initializer_list<QLabel*>{rock_, size_, sizeRemark_}) column->addWidget(each);
@@ -208,11 +212,18 @@ QWidget* NumbersSide::makeNumbers() {
     coordinates_->setColumnStretch(1, 1);
     coordinates_->setVerticalSpacing(2); // a low screen has room for all of them
     rows_->setColumnStretch(1, 1);
-    followColours(*warned_, [this](const Theme& theme) {
-        QPalette letters = warned_->palette();
-        letters.setColor(QPalette::WindowText, theme.warn);
-        warned_->setPalette(letters);
-    });
+    pose_->setText(tr("▲ no pose: no E N RL"));
+    QFont tapped = pose_->font();
+    tapped.setUnderline(true);
+    pose_->setFont(tapped);
+    facts_->installEventFilter(this);
+    for (QLabel* each : {pose_, warned_}) {
+        followColours(*each, [each](const Theme& theme) {
+            QPalette letters = each->palette();
+            letters.setColor(QPalette::WindowText, theme.warn);
+            each->setPalette(letters);
+        });
+    }
     return facts_;
 }
 
@@ -249,6 +260,7 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     size_->setVisible(!numbers.size.isEmpty() && numbers.size != QStringLiteral("–")); // the remark says why there is none
     sizeRemark_->setText(numbers.sizeRemark);
     sizeRemark_->setVisible(!numbers.sizeRemark.isEmpty());
+    pose_->setVisible(numbers.unposed);
     warned_->setText(numbers.warned);
     warned_->setVisible(!numbers.warned.isEmpty());
     fillRows(*coordinates_, coordinateLabels_, numbers.coordinates, true);
@@ -259,7 +271,11 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
 }
 
 bool NumbersSide::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == title_ && event->type() == QEvent::MouseButtonRelease) emit nameRequested();
+    if (watched == title_ && event->type() == QEvent::MouseButtonRelease) emit titleTapped();
+    // The line is lower than a finger.
+    if (watched == facts_ && event->type() == QEvent::MouseButtonRelease && pose_->isVisible() &&
+        pose_->geometry().adjusted(0, -kAroundPose, 0, kAroundPose).contains(static_cast<QMouseEvent*>(event)->pos()))
+        emit poseRequested();
     return QWidget::eventFilter(watched, event);
 }
 
@@ -289,9 +305,10 @@ void NumbersSide::fitHeight() {
     // The part of it that is in the window: with the stepper it would not become lower than the stepper needs.
     const int seen = std::min(height(), window()->height() - mapTo(window(), QPoint()).y());
     for (FittedLabel* each : {distance_, size_}) each->setMost(seen >= kLowestPx ? kNumberPx : kLowNumberPx);
-    if (QFont letters = warned_->font(); letters.pixelSize() != (seen >= kLowestPx ? kNotePx : kLeastNotePx)) {
+    for (QLabel* each : {pose_, warned_}) {
+        QFont letters = each->font();
         letters.setPixelSize(seen >= kLowestPx ? kNotePx : kLeastNotePx);
-        warned_->setFont(letters);
+        if (letters != each->font()) each->setFont(letters);
     }
     for (const auto& [name, value] : coordinateLabels_) static_cast<FittedLabel*>(value)->setMost(low ? kTextPx : kCoordinatePx);
     for (const auto& [name, value] : rowLabels_) {

@@ -26,12 +26,13 @@ struct TargetNumbers {
     QString distance, tolerance;                            ///< "4.911 m", "± 0.009"
     QString rock, size, sizeRemark;                         ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "± 0.10 m · candidate …"
     std::vector<std::pair<QString, QString>> coordinates{}; ///< in large type as well
-    QString warned{};                                       ///< lines with ▲, as "▲ no pose"
+    QString warned{};                                       ///< lines with ▲
     std::vector<std::pair<QString, QString>> rows{};
     int targets = 0;        ///< of the scan
     int measures = 0;       ///< of the scan: the arrows go over targets and measurements
     bool only = false;      ///< the arrows lead to nothing else
-    bool named = false;     ///< a tap on the title asks for a name
+    bool opens = false;     ///< a tap on the title opens a menu
+    bool unposed = false;   ///< the coordinates count from the scanner; a tap on the warning asks for a pose
     bool measuring = false; ///< a tap is an end of a measurement
     QString distanceName{}; ///< "Throat Width"; empty: "Distance"
 };
@@ -71,8 +72,8 @@ public:
 signals:
     /// The operator wants the next (1) or previous (-1) target or measurement.
     void entryStepRequested(int by);
-    /// A tap on the title.
-    void nameRequested();
+    void titleTapped();
+    void poseRequested();
     void stepped(const QString& key, int steps);
     void stepEnded();
 
@@ -108,7 +109,7 @@ private:
     QLabel* rock_;
     FittedLabel* size_;
     QLabel* sizeRemark_;
-    QLabel* warned_;
+    QLabel *pose_, *warned_;
     QGridLayout* coordinates_;
     QGridLayout* rows_;
     std::vector<std::pair<QLabel*, QLabel*>> coordinateLabels_, rowLabels_;

@@ -35,6 +35,12 @@ double stepM(double perM) {
     return step;
 }
 
+std::vector<double> stepsIn(double from, double to, double step) {
+    std::vector<double> all;
+    for (double at = std::ceil(from / step) * step; at < to; at += step) all.push_back(at);
+    return all;
+}
+
 /// `faces`: by label, as in the images and the cloud.
 QColor colourOf(std::uint32_t rock, const std::vector<std::uint8_t>& faces) {
     if (rock == 0 || rock >= faces.size()) return kSurface;
@@ -60,14 +66,14 @@ void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Ei
     marked_ = nullptr;
     ends_.clear();
     length_.clear();
-    moved_ = false;
+    all_ = moved_ = false;
     fit();
     update();
 }
 
 void SectionPlot::fit() {
     if (!section_ || moved_) return;
-    Eigen::AlignedBox2d box = aboutM_;
+    Eigen::AlignedBox2d box = all_ ? Eigen::AlignedBox2d() : aboutM_;
     if (!box.isEmpty()) { // a wall far behind must not shrink what the section is about
         const Eigen::Vector2d more = Eigen::Vector2d::Constant(std::max(kLeastAroundM, kAround * box.sizes().maxCoeff()));
         box = Eigen::AlignedBox2d(box.min() - more, box.max() + more);
@@ -84,6 +90,10 @@ void SectionPlot::fit() {
     const Eigen::Vector2d middle = box.center();
     origin_ = QPointF(width() / 2.0 - middle.x() * perM_, kMargin + high / 2.0 + middle.y() * perM_);
 }
+
+/// On the scale of heights.
+double SectionPlot::lowestM() const { return (origin_.y() - height()) / perM_ + heights_.ofOriginM; }
+double SectionPlot::highestM() const { return origin_.y() / perM_ + heights_.ofOriginM; }
 
 QPointF SectionPlot::placeOf(const Eigen::Vector2d& atM) const { return origin_ + QPointF(atM.x() * perM_, -atM.y() * perM_); }
 
@@ -153,37 +163,50 @@ void SectionPlot::paintEvent(QPaintEvent*) {
     drawGrid(painter);
     drawChosen(painter);
     drawLines(painter);
+    drawScales(painter);
     drawMarks(painter);
-    drawOutside(painter);
 }
 
 void SectionPlot::drawGrid(QPainter& painter) const {
     const double step = stepM(perM_);
+    painter.setPen(kGrid);
+    for (const double x : stepsIn(-origin_.x() / perM_, (width() - origin_.x()) / perM_, step)) {
+        const double at = placeOf({x, 0.0}).x();
+        painter.drawLine(QPointF(at, 0), QPointF(at, height()));
+    }
+    for (const double y : stepsIn(lowestM(), highestM(), step)) {
+        const double at = placeOf({0.0, y - heights_.ofOriginM}).y();
+        painter.drawLine(QPointF(0, at), QPointF(width(), at));
+    }
+}
+
+/// Over the lines, on a plate: a surface runs through them.
+void SectionPlot::drawScales(QPainter& painter) const {
+    const double step = stepM(perM_);
     const QFontMetrics letters = painter.fontMetrics();
     const int decimals = step < 0.1 ? 2 : step < 1 ? 1 : 0;
-    painter.setPen(kGrid);
-    for (double x = std::ceil(-origin_.x() / perM_ / step) * step; x * perM_ + origin_.x() < width(); x += step) {
-        const double at = x * perM_ + origin_.x();
-        painter.setPen(kGrid);
-        painter.drawLine(QPointF(at, 0), QPointF(at, height()));
+    const auto drawNumber = [&](const QPointF& at, double value) {
+        const QString words = QString::number(value + 0.0, 'f', decimals) + " m";
+        const QRectF plate(at.x() - 2, at.y() - letters.ascent(), letters.horizontalAdvance(words) + 4, letters.height());
+        if (plate.right() > width()) return;
+        painter.fillRect(plate, kGround);
         painter.setPen(kWords);
-        const QString words = QString::number(x + 0.0, 'f', decimals) + " m";
-        if (at + 3 + letters.horizontalAdvance(words) <= width()) painter.drawText(QPointF(at + 3, height() - 4), words);
+        painter.drawText(at, words);
+    };
+    for (const double x : stepsIn(-origin_.x() / perM_, (width() - origin_.x()) / perM_, step))
+        drawNumber({placeOf({x, 0.0}).x() + 3, height() - 4.0}, x);
+    for (const double y : stepsIn(lowestM(), highestM(), step)) {
+        const double at = placeOf({0.0, y - heights_.ofOriginM}).y();
+        const double above = at - 3 - letters.ascent() >= 0 ? at - 3 : at + letters.ascent() + 1; // the topmost has its words below
+        if (above < height() - letters.height()) drawNumber({4.0, above}, y);
     }
-    const double lowest = (origin_.y() - height()) / perM_ + heights_.ofOriginM;
     const QString along = tr("along the section [m]");
     const int right = width() - letters.horizontalAdvance(along) - 4;
-    for (double y = std::ceil(lowest / step) * step; origin_.y() - (y - heights_.ofOriginM) * perM_ > 0; y += step) {
-        const double at = origin_.y() - (y - heights_.ofOriginM) * perM_;
-        painter.setPen(kGrid);
-        painter.drawLine(QPointF(0, at), QPointF(width(), at));
-        painter.setPen(kWords);
-        const double above = at - 3 - letters.ascent() >= 0 ? at - 3 : at + letters.ascent() + 1; // the topmost has its words below
-        if (above < height() - letters.height()) painter.drawText(QPointF(4, above), QString::number(y + 0.0, 'f', decimals) + " m");
-    }
     drawLabel(painter, QRect(right - 8, height() - 2 * letters.height() - 10, width() - right, letters.height() + 6),
               Qt::AlignRight | Qt::AlignBottom, along);
-    drawLabel(painter, rect().adjusted(kNamesLeft, 10, -8, 0), Qt::AlignLeft | Qt::AlignTop, heights_.name);
+    const QRect name = drawLabel(painter, rect().adjusted(kNamesLeft, 10, -8, 0), Qt::AlignLeft | Qt::AlignTop, heights_.name);
+    if (const std::size_t count = outside(); count > 0)
+        drawTipAt(painter, rect(), {width(), name.bottom()}, tr("%1 points are outside: Fit shows them").arg(countText(count)));
 }
 
 /// The outline of the chosen rock, below its line, and its number above its highest point.
@@ -231,11 +254,6 @@ std::size_t SectionPlot::outside() const {
     return count;
 }
 
-void SectionPlot::drawOutside(QPainter& painter) const {
-    const std::size_t count = outside();
-    if (count > 0) drawTipAt(painter, rect(), rect().topRight(), tr("%1 points are outside: zoom out").arg(countText(count)));
-}
-
 void SectionPlot::drawMarks(QPainter& painter) const {
     const QColor measured(120, 190, 255);
     if (ends_.size() == 2) {
@@ -269,6 +287,7 @@ void SectionPlot::zoom(double factor, QPointF about) {
 }
 
 void SectionPlot::zoomToFit() {
+    all_ = true;
     moved_ = false;
     fit();
     update();

@@ -35,7 +35,7 @@ class SectionPlot : public QWidget {
 public:
     explicit SectionPlot(QWidget* parent = nullptr);
 
-    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. The wheel shows the rest.
+    /// Null: no section. Shows `aboutM`, across and up, with a margin; all of it if that box is empty. Wheel and Fit show the rest.
     void show(std::shared_ptr<const inspect::Section> section, const Eigen::AlignedBox2d& aboutM = {}, const SectionHeights& heights = {},
               SectionRocks rocks = {});
     [[nodiscard]] const SectionHeights& heights() const { return heights_; }
@@ -52,7 +52,7 @@ public:
     void setLength(const QString& words);
     /// About this place, pixels.
     void zoom(double factor, QPointF about);
-    /// As it was shown first.
+    /// Shows all of it.
     void zoomToFit();
     [[nodiscard]] const QString& lengthShown() const { return length_; }
     [[nodiscard]] QPointF placeOf(const Eigen::Vector2d& atM) const;
@@ -74,12 +74,14 @@ protected:
 
 private:
     void fit();
+    [[nodiscard]] double lowestM() const;
+    [[nodiscard]] double highestM() const;
     [[nodiscard]] const inspect::SectionVertex* nearest(QPointF place) const;
     void drawGrid(QPainter& painter) const;
+    void drawScales(QPainter& painter) const;
     void drawLines(QPainter& painter) const;
     void drawChosen(QPainter& painter) const;
     void drawMarks(QPainter& painter) const;
-    void drawOutside(QPainter& painter) const;
 
     std::shared_ptr<const inspect::Section> section_;
     Eigen::AlignedBox2d aboutM_;
@@ -87,6 +89,7 @@ private:
     SectionRocks rocks_;
     double perM_ = 50.0; // pixels
     QPointF origin_;     // of (0, 0), pixels
+    bool all_ = false;   // is shown, not only aboutM_
     bool moved_ = false; // by the operator: a new size does not fit it again
     std::optional<QPointF> press_;
     bool travelled_ = false;
