@@ -271,6 +271,18 @@ private slots:
         QVERIFY(overCloud > 4);
         QVERIFY(tapEntry(on.window, "cab-images", EdgesEntry));
         QCOMPARE(rows(), overCloud);
+        // Its last row has the directions of the cloud, which becomes large.
+        press(on.window, "cab-images");
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QMenu* directions = menu->actions().back()->menu();
+        QVERIFY(directions != nullptr);
+        menu->close();
+        const auto entries = directions->actions();
+        const auto top = std::ranges::find_if(entries, [](const QAction* each) { return each->text().remove('&') == "Top"; });
+        QVERIFY(top != entries.end() && !on.viewer.cloud.isVisible());
+        (*top)->trigger();
+        QTRY_VERIFY(on.viewer.cloud.isVisible());
+        QVERIFY(on.viewer.cloud.camera().forward().isApprox(-on.viewer.cloud.axes().up));
         QVERIFY(qApp->style()->styleHint(QStyle::SH_UnderlineShortcut) == 0);
         on.window.cab().set(false);
         QVERIFY(qApp->style()->styleHint(QStyle::SH_UnderlineShortcut) != 0);

@@ -83,6 +83,7 @@ private:
     void showCorner();
     void swap();
     void noteChangeUnder(const QRect& place);
+    void showCloud();
     void showLarge(Large which);
     [[nodiscard]] ImageView& imageView() const;
     void fit();

@@ -129,7 +129,7 @@ void CabMode::addTools() {
     });
     QToolButton* fit = column.add("cab-fit", "fit", tr("Fit"));
     connect(fit, &QToolButton::clicked, this, &CabMode::fit);
-    QToolButton* images = column.add("cab-images", "images", tr("Images"));
+    QToolButton* images = column.add("cab-images", "images", tr("Views"));
     auto* choices = new QMenu(images);
     connect(images, &QToolButton::clicked, this, [this, choices, images] {
         fillViews(*choices);

@@ -86,6 +86,11 @@ void CabMode::showLarge(Large which) {
     emit viewsChanged();
 }
 
+/// A direction is one of the cloud.
+void CabMode::showCloud() {
+    if (on_) showLarge(Large::Cloud);
+}
+
 /// Each does what it says, whatever is large.
 void CabMode::fillViews(QMenu& menu) {
     menu.clear();
@@ -107,6 +112,12 @@ void CabMode::fillViews(QMenu& menu) {
     small->setCheckable(true);
     small->setChecked(small_);
     small->setEnabled(large_ == Large::Cloud); // an image has no picture in its corner
+    const QAction* top = command("View/Look from/Top");
+    auto* directions = top == nullptr ? nullptr : qobject_cast<QMenu*>(top->parent());
+    if (directions == nullptr) return;
+    menu.addSeparator();
+    menu.addMenu(directions);
+    connect(directions, &QMenu::triggered, this, &CabMode::showCloud, Qt::UniqueConnection);
 }
 
 std::string CabMode::viewsKept() const {
