@@ -508,8 +508,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de la última medición: mida primero una distancia entre dos celdas.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
-<message><source>Vertical plane, true scale. Green points are edges%1.</source><translation>Plano vertical, escala real. Los puntos verdes son bordes%1.</translation></message>
-<message><source>; rocks have their colours</source><translation>; las rocas tienen sus colores</translation></message>
+<message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
+<message><source>Green points are edges.</source><translation>Los puntos verdes son bordes.</translation></message>
+<message><source>Rocks have their colours.</source><translation>Las rocas tienen sus colores.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sin pose: arriba es el z del escáner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Las rocas aún se están calculando: exporte de nuevo la sección en un momento.</translation></message>
 <message><source>Export Section</source><translation>Exportar la sección</translation></message>
@@ -746,6 +747,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Meas&amp;ure from Here</source><translation>Medir desde aq&amp;uí</translation></message>
 <message><source>Na&amp;me of Target %1…</source><translation>No&amp;mbre del objetivo %1…</translation></message>
 <message><source>No&amp;te on Target %1…</source><translation>No&amp;ta sobre el objetivo %1…</translation></message>
+<message><source>Unloc&amp;k Target %1</source><translation>&amp;Desbloquear el objetivo %1</translation></message>
+<message><source>Loc&amp;k Target %1</source><translation>&amp;Bloquear el objetivo %1</translation></message>
 <message><source>Remo&amp;ve Target %1</source><translation>&amp;Quitar el objetivo %1</translation></message>
 <message><source>Name of a rock</source><translation>Nombre de una roca</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nombre del objetivo %1, que está en esta roca:</translation></message>
@@ -765,7 +768,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>new target %1</source><translation>nuevo objetivo %1</translation></message>
-<message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>El objetivo %1 está bloqueado y se queda: desbloquéelo en su ficha para quitarlo.</translation></message>
+<message><source>Target %1 is locked and stays: unlock it to remove it.</source><translation>El objetivo %1 está bloqueado y se queda: desbloquéelo para quitarlo.</translation></message>
 <message><source>removal of target %1</source><translation>supresión del objetivo %1</translation></message>
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>
 <message><source>removal of all targets</source><translation>supresión de todos los objetivos</translation></message>
@@ -836,6 +839,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Space</source><translation>Espacio</translation></message>
 <message><source>Previous target or measurement</source><translation>Objetivo o medición anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Objetivo o medición siguiente</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque los extremos de la medida: su longitud se muestra aquí.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque un objetivo o una flecha de arriba: aquí aparecen su distancia y su tamaño.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque una roca en la nube: aquí aparecen su distancia y su tamaño.</translation></message>
@@ -1243,7 +1247,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 puntos quedan fuera: aleje la vista</translation></message>
+<message><source>%1 points are outside: Fit shows them</source><translation>%1 puntos quedan fuera: Encuadrar los muestra</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
@@ -1476,6 +1480,10 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sin pose, Arriba es la parte superior de la imagen de distancias</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Ajustar muestra todo</translation></message>
+<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
+<message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
+<message><source>Others…</source><translation>Otros…</translation></message>
+<message><source>End measuring</source><translation>Terminar la medición</translation></message>
 <message><source>Cloud</source><translation>Nube de puntos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Manténgalo un segundo para salir.</translation></message>
 <message><source>More edges</source><translation>Más bordes</translation></message>
@@ -1484,7 +1492,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sin pose: sin E N RL</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
@@ -1495,9 +1502,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
 <message><source>Redo: %1</source><translation>Rehacer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
-<message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
-<message><source>Others…</source><translation>Otros…</translation></message>
-<message><source>End measuring</source><translation>Terminar la medición</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>

@@ -508,8 +508,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités de la dernière mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
-<message><source>Vertical plane, true scale. Green points are edges%1.</source><translation>Plan vertical, échelle vraie. Les points verts sont des arêtes%1.</translation></message>
-<message><source>; rocks have their colours</source><translation> ; les blocs ont leurs couleurs</translation></message>
+<message><source>Vertical plane, true scale.</source><translation>Plan vertical, échelle vraie.</translation></message>
+<message><source>Green points are edges.</source><translation>Les points verts sont des arêtes.</translation></message>
+<message><source>Rocks have their colours.</source><translation>Les blocs ont leurs couleurs.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ pas de pose : le haut est le z du scanner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Les blocs sont encore en cours de calcul : exportez de nouveau la coupe dans un instant.</translation></message>
 <message><source>Export Section</source><translation>Exporter la coupe</translation></message>
@@ -746,6 +747,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Meas&amp;ure from Here</source><translation>Mes&amp;urer depuis ici</translation></message>
 <message><source>Na&amp;me of Target %1…</source><translation>No&amp;m de la cible %1…</translation></message>
 <message><source>No&amp;te on Target %1…</source><translation>Rema&amp;rque sur la cible %1…</translation></message>
+<message><source>Unloc&amp;k Target %1</source><translation>&amp;Déverrouiller la cible %1</translation></message>
+<message><source>Loc&amp;k Target %1</source><translation>&amp;Verrouiller la cible %1</translation></message>
 <message><source>Remo&amp;ve Target %1</source><translation>&amp;Supprimer la cible %1</translation></message>
 <message><source>Name of a rock</source><translation>Nom d'un bloc</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nom de la cible %1, qui est sur ce bloc :</translation></message>
@@ -765,7 +768,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>new target %1</source><translation>nouvelle cible %1</translation></message>
-<message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>La cible %1 est verrouillée et reste : déverrouillez-la sur sa fiche pour la retirer.</translation></message>
+<message><source>Target %1 is locked and stays: unlock it to remove it.</source><translation>La cible %1 est verrouillée et reste : déverrouillez-la pour la retirer.</translation></message>
 <message><source>removal of target %1</source><translation>suppression de la cible %1</translation></message>
 <message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>removal of all targets</source><translation>suppression de toutes les cibles</translation></message>
@@ -836,6 +839,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Space</source><translation>Espace</translation></message>
 <message><source>Previous target or measurement</source><translation>Cible ou mesure précédente</translation></message>
 <message><source>Next target or measurement</source><translation>Cible ou mesure suivante</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Touchez les extrémités de la mesure : sa longueur s'affiche ici.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Touchez une cible, ou une flèche ci-dessus : sa distance et sa taille s'affichent ici.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Touchez un bloc dans le nuage : sa distance et sa taille s'affichent ici.</translation></message>
@@ -1243,7 +1247,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 points sont en dehors : dézoomez</translation></message>
+<message><source>%1 points are outside: Fit shows them</source><translation>%1 points sont en dehors : Ajuster les montre</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
@@ -1476,6 +1480,10 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sans pose, Haut est le haut de l'image de distances</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Agrandi %1 × · Ajuster montre tout</translation></message>
+<message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
+<message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
+<message><source>Others…</source><translation>Autres…</translation></message>
+<message><source>End measuring</source><translation>Terminer la mesure</translation></message>
 <message><source>Cloud</source><translation>Nuage de points</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Tenez une seconde pour quitter.</translation></message>
 <message><source>More edges</source><translation>Plus d'arêtes</translation></message>
@@ -1484,7 +1492,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sans pose : pas de E N RL</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
@@ -1495,9 +1502,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
 <message><source>Redo: %1</source><translation>Rétablir : %1</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
-<message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
-<message><source>Others…</source><translation>Autres…</translation></message>
-<message><source>End measuring</source><translation>Terminer la mesure</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>

@@ -508,8 +508,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades da última medição: meça primeiro uma distância entre duas células.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
-<message><source>Vertical plane, true scale. Green points are edges%1.</source><translation>Plano vertical, escala real. Os pontos verdes são bordas%1.</translation></message>
-<message><source>; rocks have their colours</source><translation>; as rochas têm suas cores</translation></message>
+<message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
+<message><source>Green points are edges.</source><translation>Os pontos verdes são bordas.</translation></message>
+<message><source>Rocks have their colours.</source><translation>As rochas têm suas cores.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sem pose: para cima é o z do scanner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>As rochas ainda estão sendo calculadas: exporte de novo a seção em um momento.</translation></message>
 <message><source>Export Section</source><translation>Exportar a secção</translation></message>
@@ -746,6 +747,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Meas&amp;ure from Here</source><translation>Medir daq&amp;ui</translation></message>
 <message><source>Na&amp;me of Target %1…</source><translation>No&amp;me do alvo %1…</translation></message>
 <message><source>No&amp;te on Target %1…</source><translation>No&amp;ta sobre o alvo %1…</translation></message>
+<message><source>Unloc&amp;k Target %1</source><translation>&amp;Desbloquear o alvo %1</translation></message>
+<message><source>Loc&amp;k Target %1</source><translation>&amp;Bloquear o alvo %1</translation></message>
 <message><source>Remo&amp;ve Target %1</source><translation>Remo&amp;ver o alvo %1</translation></message>
 <message><source>Name of a rock</source><translation>Nome de uma rocha</translation></message>
 <message><source>Name of target %1, which is on this rock:</source><translation>Nome do alvo %1, que está nesta rocha:</translation></message>
@@ -765,7 +768,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>new target %1</source><translation>novo alvo %1</translation></message>
-<message><source>Target %1 is locked and stays: unlock it on its card to remove it.</source><translation>O alvo %1 está bloqueado e fica: desbloqueie-o na sua ficha para removê-lo.</translation></message>
+<message><source>Target %1 is locked and stays: unlock it to remove it.</source><translation>O alvo %1 está bloqueado e fica: desbloqueie-o para removê-lo.</translation></message>
 <message><source>removal of target %1</source><translation>remoção do alvo %1</translation></message>
 <message><source>Target %1</source><translation>Alvo %1</translation></message>
 <message><source>removal of all targets</source><translation>remoção de todos os alvos</translation></message>
@@ -836,6 +839,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Space</source><translation>Espaço</translation></message>
 <message><source>Previous target or measurement</source><translation>Alvo ou medição anterior</translation></message>
 <message><source>Next target or measurement</source><translation>Alvo ou medição seguinte</translation></message>
+<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Tap the ends of the measurement: its length is shown here.</source><translation>Toque nas extremidades da medida: o comprimento aparece aqui.</translation></message>
 <message><source>Tap a target, or an arrow above: its distance and its size are shown here.</source><translation>Toque um alvo ou uma seta acima: a distância e o tamanho dele aparecem aqui.</translation></message>
 <message><source>Tap a rock in the cloud: its distance and its size are shown here.</source><translation>Toque uma rocha na nuvem: a distância e o tamanho dela aparecem aqui.</translation></message>
@@ -1243,7 +1247,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
-<message><source>%1 points are outside: zoom out</source><translation>%1 pontos estão fora: afaste o zoom</translation></message>
+<message><source>%1 points are outside: Fit shows them</source><translation>%1 pontos estão fora: Enquadrar os mostra</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
@@ -1476,6 +1480,10 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sem pose, Topo é a parte superior da imagem de distâncias</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Ajustar mostra tudo</translation></message>
+<message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
+<message><source>Remove: %1</source><translation>Remover: %1</translation></message>
+<message><source>Others…</source><translation>Outros…</translation></message>
+<message><source>End measuring</source><translation>Terminar a medição</translation></message>
 <message><source>Cloud</source><translation>Nuvem de pontos</translation></message>
 <message><source>Hold it for one second to leave.</source><translation>Segure um segundo para sair.</translation></message>
 <message><source>More edges</source><translation>Mais bordas</translation></message>
@@ -1484,7 +1492,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
-<message><source>▲ no pose: no E N RL</source><translation>▲ sem pose: sem E N RL</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
@@ -1495,9 +1502,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
 <message><source>Redo: %1</source><translation>Refazer: %1</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
-<message><source>Remove: %1</source><translation>Remover: %1</translation></message>
-<message><source>Others…</source><translation>Outros…</translation></message>
-<message><source>End measuring</source><translation>Terminar a medição</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>

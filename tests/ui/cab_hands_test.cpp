@@ -539,6 +539,35 @@ private slots:
         on.window.cab().set(false);
     }
 
+    // Of a menu whose entry opened another one.
+    void aTapOnTheArrowOfTheFirstMenuScrollsIt() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QMenu menu;
+        auto* inner = menu.addMenu("inner");
+        inner->addAction("one");
+        for (int n = 0; n < 60; ++n) menu.addAction(QString("entry %1").arg(n));
+        menu.popup({40, 0});
+        QTRY_VERIFY(menu.isVisible());
+        QTest::qWait(300); // as a finger
+        QTest::mouseClick(menu.windowHandle(), Qt::LeftButton, Qt::NoModifier, menu.actionGeometry(inner->menuAction()).center());
+        QVERIFY(QTest::qWaitFor([&] { return inner->isVisible(); }, 4000));
+        QTest::qWait(300);
+        const QPoint arrow(menu.width() / 2, menu.height() - 10);
+        const int first = menu.actionGeometry(menu.actions().front()).top();
+        QTest::mouseClick(menu.windowHandle(), Qt::LeftButton, Qt::NoModifier, arrow);
+        QVERIFY2(QTest::qWaitFor([&] { return menu.actionGeometry(menu.actions().front()).top() < first; }, 4000),
+                 qPrintable(QString("%1 %2 %3").arg(menu.isVisible()).arg(inner->isVisible()).arg(first)));
+        QTest::qWait(600);
+        QVERIFY(menu.isVisible() && !inner->isVisible());
+        const int then = menu.actionGeometry(menu.actions().front()).top();
+        QTest::qWait(300);
+        QCOMPARE(menu.actionGeometry(menu.actions().front()).top(), then); // one tap scrolls a part
+        menu.close();
+        on.window.cab().set(false);
+    }
+
     // A long menu has one column, which scrolls by its arrows: columns would leave a low screen at its right.
     void aMenuHasOneColumn() {
         WindowFixture on;
@@ -603,6 +632,18 @@ private slots:
             for (const QLabel* each : card.findChildren<QLabel*>())
                 QVERIFY2(!each->isVisible() || each->height() >= each->heightForWidth(each->width()), qPrintable(each->text().left(40)));
             const bool whole = area->widget()->height() <= area->viewport()->height();
+            // The text ends with a whole line, and has the room down to the buttons.
+            const auto* numbers = card.findChild<QLabel*>("why-numbers");
+            const int line = numbers->fontMetrics().lineSpacing(), shown = area->viewport()->height() - numbers->y();
+            const auto rest = [&] { return (area->viewport()->height() - numbers->y()) % line; };
+            if (!whole && shown > 0) QTRY_COMPARE(rest(), 0);
+            const auto* close = card.findChild<QDialogButtonBox*>();
+            const auto below = [&] { return close->y() - area->geometry().bottom(); };
+            if (!whole) QTRY_VERIFY2(below() > 0 && below() < 2 * line, qPrintable(QString::number(below())));
+            card.offerNearestEdge(4);
+            QTRY_VERIFY(card.findChild<QPushButton*>("why-beside")->isVisible() &&
+                        area->geometry().bottom() < card.findChild<QPushButton*>("why-beside")->y());
+            QVERIFY(card.screen()->availableGeometry().contains(card.geometry()));
             QVERIFY2(whole || area->verticalScrollBar()->isVisible(), qPrintable(QString::number(lines)));
             if (lines < 30) QVERIFY(whole);
         }

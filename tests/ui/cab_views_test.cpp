@@ -397,6 +397,37 @@ private slots:
         QVERIFY(!tool(on.window, "cab-why")->isChecked());
     }
 
+    // In a narrow cloud a note has the place of the small picture.
+    void aNoteHidesTheSmallPictureOfALowScreen() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        resizeTo(on.window, {853, 480});
+        const CornerPicture& small = on.window.cab().corner();
+        QTRY_VERIFY(small.isVisible());
+        on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "Numbers follow each other in the wrong order.");
+        QTRY_VERIFY(!small.isVisible());
+        const CloudView& cloud = on.viewer.views.cloud();
+        QTRY_VERIFY2(on.viewer.notice.height() < cloud.height() / 2, qPrintable(QString::number(on.viewer.notice.height())));
+        on.viewer.notice.closeShown();
+        QTRY_VERIFY(small.isVisible());
+        resizeTo(on.window, {1280, 700});
+        on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "Numbers follow each other in the wrong order.");
+        QTRY_VERIFY(small.isVisible() && !placeOf(small).intersects(placeOf(on.viewer.notice)));
+    }
+
+    // A tap on a label leaves the pointer over what is behind it.
+    void theSmallPictureMarksTheTargetNotWhatIsUnderThePointer() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        on.viewer.views.pin(100 * 240 + 120);
+        emit on.viewer.views.gray().hovered(20, 30);
+        on.viewer.views.pin(100 * 240 + 120);
+        emit on.viewer.targets.cardChanged();
+        QCOMPARE(on.window.cab().corner().marked().cells.value(0), on.viewer.views.placeOf(100 * 240 + 120));
+    }
+
     // On a low screen the numbers have pages of whole rows and a button for the next page, and Tune has the strength.
     void theNumbersOfALowScreenHavePages() {
         WindowFixture on;

@@ -28,7 +28,8 @@ namespace {
 
 constexpr std::size_t kMostEarlier = 9;
 constexpr int kLeastText = 200;      // px
-constexpr int kNameEnd = 16;         // letters at each end of a long name
+constexpr int kLongName = 28;        // letters of it
+constexpr int kNameEnd = 10;         // letters at each end of a long name
 constexpr double kWholeFrom = 100.0; // kB, of a file's size
 constexpr int kUndoneMs = 8000;
 
@@ -279,7 +280,7 @@ void NoticeBar::fitLine(int room) {
     line_->setText(words.join(' '));
     if (line_->fits(room)) return;
     for (QString& each : words) {
-        if (each.size() > 2 * kNameEnd) each = each.left(kNameEnd) + "…" + each.right(kNameEnd);
+        if (each.size() > kLongName) each = each.left(kNameEnd) + "…" + each.right(kNameEnd);
     }
     line_->setText(words.join(' '));
 }

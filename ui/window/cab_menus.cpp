@@ -20,7 +20,7 @@ constexpr std::size_t kMostPins = 4;     // newest targets in it
 
 } // namespace
 
-QAction* CabMode::command(const QString& id) const {
+QAction* CabMode::actionOf(const QString& id) const {
     const QList<KeyedCommand> all = keyedCommands(window_.actions());
     const auto found = std::ranges::find(all, id, &KeyedCommand::id);
     return found == all.end() ? nullptr : found->action;
@@ -66,7 +66,7 @@ void CabMode::fillMeasures(QMenu& menu) {
     if (measures.kind()) menu.addAction(tr("End measuring"), &measures, &Measures::stop);
     menu.addSeparator();
     for (const char* section : {"Section through the Last Measurement", "Section through the Rock"}) {
-        if (QAction* action = command(QString("Measure/") + section)) menu.addAction(action);
+        if (QAction* action = actionOf(QString("Measure/") + section)) menu.addAction(action);
     }
 }
 

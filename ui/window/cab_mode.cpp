@@ -140,7 +140,7 @@ void CabMode::connectSide() {
     connect(&side, &NumbersSide::entryStepRequested, this, &CabMode::step);
     connect(&side, &NumbersSide::titleTapped, this, &CabMode::openTitleMenu);
     connect(&side, &NumbersSide::poseRequested, this, [this] {
-        if (QAction* pose = command("Scan/Pose and Mounting")) pose->trigger();
+        if (QAction* pose = actionOf("Scan/Pose and Mounting")) pose->trigger();
     });
 }
 

@@ -68,7 +68,7 @@ private:
     void fillMeasures(QMenu& menu);
     void openTitleMenu();
     /// Of the menu bar, by its path in English.
-    [[nodiscard]] QAction* command(const QString& id) const;
+    [[nodiscard]] QAction* actionOf(const QString& id) const;
     void fillViews(QMenu& menu);
     [[nodiscard]] QToolButton* undoButton();
     [[nodiscard]] QToolButton* redoButton();

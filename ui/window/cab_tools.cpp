@@ -295,7 +295,7 @@ TargetNumbers CabMode::numbers() const {
     values.measuring = window_.viewer().measures.kind().has_value();
     if (chosen || rock != nullptr || target == nullptr) return values;
     values.title = (target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20)) +
-                   QString::fromUtf8("\u00a0✎"); // a tap on it opens its menu
+                   QString::fromUtf8("\u00a0▾"); // a tap on it opens its menu
     values.opens = true;
     values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size()) + (target->locked ? " · " + tr("locked") : QString());
     const auto known = targets.known().targets.find(target->cell);

@@ -1,4 +1,5 @@
 // The views of cab mode: which one is large, the picture in the corner, and zoom.
+#include "ui/base/notice_bar.h"
 #include "ui/panels/cab/corner_picture.h"
 #include "ui/panels/cab/zoom_buttons.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -17,8 +18,9 @@ namespace edgescan::ui {
 namespace {
 
 constexpr qint64 kSecondTapMs = 700;
+constexpr int kNarrow = 480; // px of a cloud that has no room for a note and a picture
 
-}
+} // namespace
 
 /// Where the image has what is chosen: the ends of a measurement, a rock or a target.
 PictureMark CabMode::chosenPlace() const {
@@ -39,7 +41,8 @@ PictureMark CabMode::chosenPlace() const {
 }
 
 void CabMode::showCorner() {
-    const bool some = on_ && window_.viewer().engine.picture() != nullptr && small_;
+    const bool covered = !window_.viewer().notice.isHidden() && window_.viewer().views.cloud().width() < kNarrow;
+    const bool some = on_ && window_.viewer().engine.picture() != nullptr && small_ && !covered;
     corner_->setVisible(some);
     window_.viewer().views.cloud().setCaptionMargin(some ? corner_->reach() : 0); // the text about all rocks must stay readable
     if (!some) return;
@@ -154,6 +157,9 @@ void CabMode::zoom(double factor) {
 }
 
 bool CabMode::eventFilter(QObject* watched, QEvent* event) {
+    const bool appears = event->type() == QEvent::Show || event->type() == QEvent::Hide;
+    if (watched == &window_.viewer().notice ? appears : watched == &window_.viewer().views.cloud() && event->type() == QEvent::Resize)
+        showCorner();
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
     const bool soon = sinceChange_.isValid() && sinceChange_.elapsed() < kSecondTapMs;

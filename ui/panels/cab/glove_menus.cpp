@@ -4,33 +4,44 @@
 #include <QAction>
 #include <QApplication>
 #include <QEvent>
-#include <QGuiApplication>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QScreen>
-#include <QTimer>
+#include <QStyle>
+#include <QWheelEvent>
 
 namespace edgescan::ui {
 namespace {
 
 constexpr const char* kTaken = "of-gloves";
-constexpr int kScrolledMs = 280; // by a tap on an arrow: about five entries
+constexpr int kScrolledEntries = 5; // by a tap on an arrow
 
-/// Qt scrolls a menu from a press on its arrow until the pointer leaves the arrow, which a finger does not.
-void endScrolling(QMenu& menu, const QPoint& at) {
+/// The direction of the menu's arrow at this place, if more entries are there: 1 for the upper arrow, -1 for the lower one; else 0.
+int arrowAt(const QMenu& menu, const QPoint& at) {
     const QList<QAction*> all = menu.actions();
-    if (all.isEmpty()) return;
-    QAction* active = menu.activeAction();
-    const bool whole = menu.actionGeometry(all.front()).top() >= 0 && menu.actionGeometry(all.back()).bottom() <= menu.height();
-    if (whole || (active != nullptr && menu.actionGeometry(active).contains(at))) return;
-    QTimer::singleShot(kScrolledMs, &menu, [&menu] {
-        const QAction* now = menu.activeAction();
-        const bool opened = now != nullptr && now->menu() != nullptr && now->menu()->isVisible();
-        if (!menu.isVisible() || opened || QGuiApplication::mouseButtons() != Qt::NoButton) return;
-        const QPointF away(-10000.0, -10000.0);
-        QMouseEvent leave(QEvent::MouseMove, away, away, away, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
-        QApplication::sendEvent(&menu, &leave);
-    });
+    if (all.isEmpty() || !menu.isVisible() || !menu.geometry().contains(at)) return 0;
+    const int high = menu.style()->pixelMetric(QStyle::PM_MenuScrollerHeight, nullptr, &menu), y = menu.mapFromGlobal(at).y();
+    if (y < high && menu.actionGeometry(all.front()).top() < 0) return 1;
+    return y >= menu.height() - high && menu.actionGeometry(all.back()).bottom() > menu.height() ? -1 : 0;
+}
+
+/// Qt scrolls from a press on an arrow until the pointer leaves it, which a finger does not; and not after an entry opened another menu,
+/// which gets the events then.
+bool scrollByTap(const QMenu& opened, const QPoint& at) {
+    for (QWidget* each : QApplication::topLevelWidgets()) {
+        auto* menu = qobject_cast<QMenu*>(each);
+        const int way = menu != nullptr && (menu == &opened || !opened.geometry().contains(at)) ? arrowAt(*menu, at) : 0;
+        if (way == 0) continue;
+        while (QApplication::activePopupWidget() != menu && QApplication::activePopupWidget() != nullptr)
+            QApplication::activePopupWidget()->close();
+        for (int n = 0; n < kScrolledEntries; ++n) {
+            QWheelEvent step(menu->mapFromGlobal(at), at, {}, {0, way * QWheelEvent::DefaultDeltasPerStep}, Qt::NoButton, Qt::NoModifier,
+                             Qt::NoScrollPhase, false);
+            QApplication::sendEvent(menu, &step);
+        }
+        return true;
+    }
+    return false;
 }
 
 } // namespace
@@ -63,8 +74,11 @@ bool GloveMenus::eventFilter(QObject* watched, QEvent* event) {
             take(*menu);
         }
     }
-    if (event->type() == QEvent::MouseButtonRelease) {
-        if (auto* menu = qobject_cast<QMenu*>(watched)) endScrolling(*menu, static_cast<QMouseEvent*>(event)->pos());
+    const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if (press || event->type() == QEvent::MouseButtonRelease) {
+        const auto* menu = qobject_cast<const QMenu*>(watched);
+        if (press && menu != nullptr) scrolling_ = scrollByTap(*menu, static_cast<QMouseEvent*>(event)->globalPos());
+        return scrolling_ && menu != nullptr; // the release too
     }
     return false;
 }

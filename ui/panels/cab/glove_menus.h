@@ -24,6 +24,7 @@ private:
 
     QAction *close_, *end_;
     bool on_ = false;
+    bool scrolling_ = false; // by the tap that is pressed
 };
 
 } // namespace edgescan::ui

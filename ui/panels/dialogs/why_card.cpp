@@ -24,7 +24,6 @@ constexpr int kAround = 12, kTitleBar = 30;    // px, from the views' border
 constexpr int kWidest = 420, kNarrowest = 260; // px, of the texts
 constexpr int kFrame = 48;                     // px: left and right of the texts, at most
 constexpr double kShare = 0.42;                // of narrow views: a cell is free at one of the sides
-constexpr int kRoomForBeside = 600;            // px of the screen
 constexpr int kRing = 16;                      // px around a cell
 constexpr int kRim = 12;                       // px
 constexpr double kLargerTitle = 1.15;
@@ -122,6 +121,7 @@ WhyCard::WhyCard(QWidget* parent)
     cell_->setObjectName("why-cell");
     verdict_->setObjectName("why-verdict");
     plain_->setObjectName("why-plain");
+    numbers_->setObjectName("why-numbers");
     QFont bold = plain_->font();
     bold.setBold(true);
     for (QLabel* each : {plain_, title_}) each->setFont(bold);
@@ -147,6 +147,7 @@ WhyCard::WhyCard(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(question);
     layout->addWidget(content_, 1);
+    layout->addStretch(0);
     layout->addWidget(beside_); // above Close: next to it, the card would be wider than its text
     layout->addWidget(buttons);
 }
@@ -157,17 +158,40 @@ void WhyCard::fit() {
     const int wide = views.isEmpty() ? kWidest : static_cast<int>(kShare * views.width()) - kFrame;
     const int clamped = std::clamp(wide, kNarrowest, kWidest);
     for (QLabel* each : {plain_, cell_, verdict_, numbers_}) each->setMinimumWidth(clamped);
-    QSizePolicy place = beside_->sizePolicy();
-    place.setRetainSizeWhenHidden(screen()->availableGeometry().height() >= kRoomForBeside); // a low screen gives its place to the text
-    beside_->setSizePolicy(place);
     content_->widget()->ensurePolished();
     content_->setFixedWidth(clamped + content_->verticalScrollBar()->sizeHint().width());
-    content_->setFixedHeight(0);
+    content_->setMaximumHeight(0);
     const int room =
         std::min(views.isEmpty() ? screen()->availableGeometry().height() : views.height(), screen()->availableGeometry().height());
     const int others = layout()->minimumSize().height() + kTitleBar + 2 * kAround;
-    content_->setFixedHeight(std::min(kLines * fontMetrics().lineSpacing() + picture_->height(), room - others));
-    adjustSize();
+    const int high = std::min(kLines * fontMetrics().lineSpacing() + picture_->height(), room - others);
+    resize(layout()->minimumSize() + QSize(0, high));
+    endWithWholeLine();
+}
+
+/// The texts have the room that the buttons leave, less what would be a part of a line.
+void WhyCard::endWithWholeLine() {
+    content_->setMaximumHeight(QWIDGETSIZE_MAX);
+    layout()->activate();
+    const QWidget& texts = *content_->widget();
+    texts.layout()->activate();
+    const int room = content_->viewport()->height();
+    if (texts.height() <= room) return;
+    int end = 0;
+    for (const QWidget* each : texts.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!each->isVisibleTo(&texts)) continue;
+        const int step = qobject_cast<const QLabel*>(each) != nullptr ? each->fontMetrics().lineSpacing() : each->height();
+        for (int at = each->y() + step; at <= std::min(room, each->geometry().bottom() + 1); at += step) end = std::max(end, at);
+    }
+    if (end > 0) content_->setMaximumHeight(end + content_->height() - room);
+    layout()->activate();
+}
+
+void WhyCard::endWithWholeLineSoon() { QMetaObject::invokeMethod(this, &WhyCard::endWithWholeLine, Qt::QueuedConnection); }
+
+void WhyCard::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    endWithWholeLineSoon();
 }
 
 void WhyCard::showPlain(const QString& sentence) {
@@ -209,11 +233,13 @@ void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& 
     if (parentWidget() != nullptr) placeNextToCell();
     show();
     raise();
+    endWithWholeLineSoon();
 }
 
 void WhyCard::offerNearestEdge(int cells) {
     if (cells > 0) beside_->setText(cells == 1 ? tr("Why the edge next to it?") : tr("Why the edge %1 cells away?").arg(cells));
     beside_->setVisible(cells > 0);
+    endWithWholeLineSoon();
 }
 
 QString WhyCard::text() const { return numbers_->text().isEmpty() ? verdict_->text() : numbers_->text() + "\n" + verdict_->text(); }

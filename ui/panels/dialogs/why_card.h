@@ -54,8 +54,13 @@ public:
 signals:
     void nearestEdgeRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void fit();
+    void endWithWholeLine();
+    void endWithWholeLineSoon();
     void placeNextToCell();
 
     QScrollArea* content_ = nullptr;
