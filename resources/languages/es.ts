@@ -1497,7 +1497,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
 <message><source>What can be done with rocks</source><translation>Qué se puede hacer con las rocas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Images</source><translation>Imágenes</translation></message>
+<message><source>Views</source><translation>Vistas</translation></message>
 <message><source>Take the last point back</source><translation>Retirar el último punto</translation></message>
 <message><source>Undo: %1</source><translation>Deshacer: %1</translation></message>
 <message><source>Redo: %1</source><translation>Rehacer: %1</translation></message>

@@ -1497,7 +1497,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
 <message><source>What can be done with rocks</source><translation>Ce qu'on peut faire avec les blocs</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Images</source><translation>Images</translation></message>
+<message><source>Views</source><translation>Vues</translation></message>
 <message><source>Take the last point back</source><translation>Annuler le dernier point</translation></message>
 <message><source>Undo: %1</source><translation>Annuler : %1</translation></message>
 <message><source>Redo: %1</source><translation>Rétablir : %1</translation></message>

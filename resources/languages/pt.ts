@@ -1497,7 +1497,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
 <message><source>What can be done with rocks</source><translation>O que se pode fazer com as rochas</translation></message>
 <message><source>A/B</source><translation>A/B</translation></message>
-<message><source>Images</source><translation>Imagens</translation></message>
+<message><source>Views</source><translation>Vistas</translation></message>
 <message><source>Take the last point back</source><translation>Retirar o último ponto</translation></message>
 <message><source>Undo: %1</source><translation>Desfazer: %1</translation></message>
 <message><source>Redo: %1</source><translation>Refazer: %1</translation></message>
