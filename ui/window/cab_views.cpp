@@ -115,7 +115,7 @@ void CabMode::fillViews(QMenu& menu) {
     small->setCheckable(true);
     small->setChecked(small_);
     small->setEnabled(large_ == Large::Cloud); // an image has no picture in its corner
-    const QAction* top = command(QString("View/Look from/Top"));
+    const QAction* top = actionOf("View/Look from/Top");
     auto* directions = top == nullptr ? nullptr : qobject_cast<QMenu*>(top->parent());
     if (directions == nullptr) return;
     menu.addSeparator();
