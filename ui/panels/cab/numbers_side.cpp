@@ -330,6 +330,7 @@ void NumbersSide::showValueInTune() {
     const bool hidden = stepped_ && !tuning() && !main_->isVisibleTo(this);
     tune_->setText(hidden ? tuneWord_ + '\n' + main_->value() : tuneWord_);
     tune_->setIconSize(hidden ? QSize(kLowSign, kLowSign) : QSize(kSign, kSign));
+    tune_->setMinimumHeight(tune_->sizeHint().height()); // its two lines are whole
 }
 
 /// The facts of what is chosen are seen whole; Tune has the stepper too.
