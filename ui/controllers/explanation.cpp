@@ -134,7 +134,10 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
         card_ = new WhyCard(notice_.window());
         connect(card_, &QDialog::finished, this, &Explanation::forgetTrail);
         connect(card_, &QDialog::finished, this, &Explanation::endWait);
-        connect(card_, &QDialog::finished, this, [this] { views_.setExplained(std::nullopt); });
+        connect(card_, &QDialog::finished, this, [this] {
+            views_.setExplained(std::nullopt);
+            asked_.reset(); // the picture is freed
+        });
         connect(card_, &WhyCard::nearestEdgeRequested, this, [this] {
             if (nearestEdge_) explain(inspect::exactly(*nearestEdge_), Subject::NearestEdge);
         });

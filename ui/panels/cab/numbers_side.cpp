@@ -29,7 +29,7 @@ namespace {
 constexpr int kNumberPx = 42, kLowNumberPx = 32, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17, kLeastNotePx = 15;
 constexpr int kLeastScrolled = 90;
 constexpr int kAroundPose = 14;
-constexpr int kSign = 28, kLowSign = 20; // px: of Tune
+constexpr int kSign = 28, kLowSign = 16; // px: of Tune, the lower one above two lines
 constexpr int kLowestPx = 480;           // a lower side has no stepper next to the numbers: Tune has it
 constexpr int kLowPx = 720;              // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
 
@@ -330,7 +330,6 @@ void NumbersSide::showValueInTune() {
     const bool hidden = stepped_ && !tuning() && !main_->isVisibleTo(this);
     tune_->setText(hidden ? tuneWord_ + '\n' + main_->value() : tuneWord_);
     tune_->setIconSize(hidden ? QSize(kLowSign, kLowSign) : QSize(kSign, kSign));
-    tune_->setMinimumHeight(tune_->sizeHint().height()); // its two lines are whole
 }
 
 /// The facts of what is chosen are seen whole; Tune has the stepper too.
