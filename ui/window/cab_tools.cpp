@@ -164,8 +164,9 @@ QToolButton* CabMode::undoButton() {
                                                            : tr("Undo: %1").arg(step));
         undo->setToolTip(undo->accessibleName());
     };
-    connect(&stack, &QUndoStack::canUndoChanged, undo, follow);
-    connect(&stack, &QUndoStack::undoTextChanged, undo, follow);
+    // Of what ends first: the stack is cleared when the window goes, after the measures.
+    connect(&stack, &QUndoStack::canUndoChanged, &measures, follow);
+    connect(&stack, &QUndoStack::undoTextChanged, &measures, follow);
     connect(&measures, &Measures::asked, undo, follow);
     follow();
     return undo;
