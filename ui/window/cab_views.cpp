@@ -158,7 +158,7 @@ void CabMode::zoom(double factor) {
 
 bool CabMode::eventFilter(QObject* watched, QEvent* event) {
     const bool appears = event->type() == QEvent::Show || event->type() == QEvent::Hide;
-    if (watched == &window_.viewer().notice ? appears : watched == &window_.viewer().views.cloud() && event->type() == QEvent::Resize)
+    if (watched == notice_ ? appears : watched == cloud_ && event->type() == QEvent::Resize)
         QMetaObject::invokeMethod(this, &CabMode::showCorner, Qt::QueuedConnection); // not while the window is destroyed
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
