@@ -57,8 +57,8 @@ void ScalePlate::place() {
         return std::ranges::any_of(places, [this](const QRect& each) { return each.intersects(geometry()); });
     };
     const bool away = geometry().bottom() < cloud_->height() - kFromRim - 1 && keptFree_.isEmpty() && rings_.empty(); // of no target
-    const bool stays =
-        some && !away && isVisible() && size() == sizeHint() && std::exchange(view_, cloud_->size()) == cloud_->size() && !covers(taken());
+    const bool sameView = std::exchange(view_, cloud_->size()) == cloud_->size(); // each time, or a view that grows and shrinks is the same
+    const bool stays = some && sameView && !away && isVisible() && size() == sizeHint() && !covers(taken());
     resize(sizeHint());
     auto at = !some ? std::nullopt : stays ? std::optional(pos()) : freePlace(rings_);
     if (some && !at) at = freePlace({});
