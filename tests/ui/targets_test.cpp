@@ -381,7 +381,7 @@ private slots:
         click(gray, 10, 10); // while it is searched, a click is not the first of the next one
         QTRY_COMPARE(on.viewer.targets.notebook().measures.size(), before + 1);
         QVERIFY(on.viewer.measures.picked().empty());
-        QVERIFY(!on.viewer.notice.isVisible()); // the second try is good
+        QTRY_VERIFY(!on.viewer.notice.isVisible()); // the second try is good
         const auto& throat = on.viewer.targets.notebook().measures.back();
         for (const std::uint32_t k : throat.cells) QCOMPARE(scan.rangeMm[k], 5000.0F);
         const auto measured = inspect::measureCells(scan, {}, throat.kind, throat.cells);
