@@ -641,8 +641,8 @@ private slots:
             const auto below = [&] { return close->y() - area->geometry().bottom(); };
             if (!whole) QTRY_VERIFY2(below() > 0 && below() < 2 * line, qPrintable(QString::number(below())));
             card.offerNearestEdge(4);
-            QTRY_VERIFY(card.findChild<QPushButton*>("why-beside")->isVisible() &&
-                        area->geometry().bottom() < card.findChild<QPushButton*>("why-beside")->y());
+            QTRY_VERIFY(card.findChild<QPushButton*>("why-nearest-edge")->isVisible() &&
+                        area->geometry().bottom() < card.findChild<QPushButton*>("why-nearest-edge")->y());
             QVERIFY(card.screen()->availableGeometry().contains(card.geometry()));
             QVERIFY2(whole || area->verticalScrollBar()->isVisible(), qPrintable(QString::number(lines)));
             if (lines < 30) QVERIFY(whole);

@@ -429,7 +429,7 @@ private slots:
         askWhy(static_cast<std::uint32_t>(next));
         if (QTest::currentTestFailed()) return;
         const WhyCard& card = *window_->viewer().explanation.card();
-        auto* button = card.findChild<QPushButton*>("why-beside");
+        auto* button = card.findChild<QPushButton*>("why-nearest-edge");
         QTRY_VERIFY(button->isVisible() && card.verdict().startsWith("No edge: "));
         QTest::mouseClick(button, Qt::LeftButton);
         QTRY_VERIFY2(card.verdict().startsWith("Edge: "), qPrintable(card.verdict()));

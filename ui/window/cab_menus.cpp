@@ -20,11 +20,7 @@ constexpr std::size_t kMostPins = 4;     // newest targets in it
 
 } // namespace
 
-QAction* CabMode::actionOf(const QString& id) const {
-    const QList<KeyedCommand> all = keyedCommands(window_.actions());
-    const auto found = std::ranges::find(all, id, &KeyedCommand::id);
-    return found == all.end() ? nullptr : found->action;
-}
+QMenu& CabMode::menuWith(const QString& id) const { return *qobject_cast<QMenu*>(actionOf(keyedCommands(window_.actions()), id).parent()); }
 
 /// A menu, not one tap: a glove must not remove what it did not mean. What is chosen is alone in it, until the operator asks for others.
 void CabMode::fillRemoval(QMenu& menu, bool all) {
@@ -65,9 +61,8 @@ void CabMode::fillMeasures(QMenu& menu) {
     }
     if (measures.kind()) menu.addAction(tr("End measuring"), &measures, &Measures::stop);
     menu.addSeparator();
-    for (const char* section : {"Section through the Last Measurement", "Section through the Rock"}) {
-        if (QAction* action = actionOf(QString("Measure/") + section)) menu.addAction(action);
-    }
+    for (const char* section : {"Measure/Section through the Last Measurement", "Measure/Section through the Rock"})
+        menu.addAction(&actionOf(keyedCommands(window_.actions()), section));
 }
 
 /// Of the target in the title: the entries that a click on it has in the views.

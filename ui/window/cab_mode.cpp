@@ -21,6 +21,7 @@
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/edges_panel.h"
+#include "ui/panels/tuning/status_line.h"
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/view_cube.h"
@@ -139,9 +140,7 @@ void CabMode::connectSide() {
     connect(&side, &NumbersSide::stepEnded, &window_.viewer().panel, &EdgesPanel::editEnded);
     connect(&side, &NumbersSide::entryStepRequested, this, &CabMode::step);
     connect(&side, &NumbersSide::titleTapped, this, &CabMode::openTitleMenu);
-    connect(&side, &NumbersSide::poseRequested, this, [this] {
-        if (QAction* pose = actionOf("Scan/Pose and Mounting")) pose->trigger();
-    });
+    connect(&side, &NumbersSide::poseRequested, &window_.viewer().statusLine, &StatusLine::poseRequested);
 }
 
 /// The tool bar, which has the prompts, is hidden here.

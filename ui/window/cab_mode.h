@@ -11,7 +11,6 @@
 #include <vector>
 
 class QAbstractButton;
-class QAction;
 class QMenu;
 class QToolButton;
 
@@ -67,8 +66,8 @@ private:
     void fillRemoval(QMenu& menu, bool all);
     void fillMeasures(QMenu& menu);
     void openTitleMenu();
-    /// Of the menu bar, by its path in English.
-    [[nodiscard]] QAction* actionOf(const QString& id) const;
+    /// The menu with this command of the menu bar: its entries, not a second list. `id`: its path in English.
+    [[nodiscard]] QMenu& menuWith(const QString& id) const;
     void fillViews(QMenu& menu);
     [[nodiscard]] QToolButton* undoButton();
     [[nodiscard]] QToolButton* redoButton();

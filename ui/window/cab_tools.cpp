@@ -55,12 +55,6 @@ void addPlace(TargetNumbers& values, const edges::Probe& at) {
     values.unposed = !at.mineM;
 }
 
-// A menu of the menu bar, in every language: the entries are those of the menu, not a second list.
-QMenu* menuWith(const MainWindow& window, const QString& action) {
-    const QAction* entry = window.findChild<QAction*>(action);
-    return entry == nullptr ? nullptr : qobject_cast<QMenu*>(entry->parent());
-}
-
 } // namespace
 
 void CabMode::addTools() {
@@ -98,9 +92,7 @@ void CabMode::addTools() {
     connect(rocks, &QToolButton::clicked, &window_.viewer().rocks, &Rocks::setShown);
     QToolButton* rock = column.add("cab-rock", "rock", tr("Rock…"));
     rock->setAccessibleName(tr("What can be done with rocks"));
-    connect(rock, &QToolButton::clicked, this, [this, rock] {
-        if (QMenu* menu = menuWith(window_, "rocks-largest")) openNextTo(*menu, *rock);
-    });
+    connect(rock, &QToolButton::clicked, this, [this, rock] { openNextTo(menuWith("Rocks/Largest Rock by Width b"), *rock); });
     const auto followRocks = [this, rocks, rock](bool on) {
         rocks->setChecked(on);
         rock->setEnabled(on);
@@ -110,9 +102,7 @@ void CabMode::addTools() {
     connect(&window_.viewer().rocks, &Rocks::shownChanged, rocks, followRocks);
     followRocks(window_.viewer().rocks.shown());
     QToolButton* compare = column.add("cab-compare", "ab", tr("A/B"));
-    connect(compare, &QToolButton::clicked, this, [this, compare] {
-        if (QMenu* menu = menuWith(window_, "compare-keep")) openNextTo(*menu, *compare);
-    });
+    connect(compare, &QToolButton::clicked, this, [this, compare] { openNextTo(menuWith("Edges/Compare A/B/Keep This as A"), *compare); });
     QToolButton* why = column.add("cab-why", "why", tr("Why"));
     why->setCheckable(true);
     const auto followWhy = [this, why] { why->setChecked(window_.viewer().views.tool() == Tool::Why); }; // it waits for a tap

@@ -115,12 +115,10 @@ void CabMode::fillViews(QMenu& menu) {
     small->setCheckable(true);
     small->setChecked(small_);
     small->setEnabled(large_ == Large::Cloud); // an image has no picture in its corner
-    const QAction* top = actionOf("View/Look from/Top");
-    auto* directions = top == nullptr ? nullptr : qobject_cast<QMenu*>(top->parent());
-    if (directions == nullptr) return;
+    QMenu& directions = menuWith("View/Look from/Top");
     menu.addSeparator();
-    menu.addMenu(directions);
-    connect(directions, &QMenu::triggered, this, &CabMode::showCloud, Qt::UniqueConnection);
+    menu.addMenu(&directions);
+    connect(&directions, &QMenu::triggered, this, &CabMode::showCloud, Qt::UniqueConnection);
 }
 
 std::string CabMode::viewsKept() const {

@@ -22,8 +22,7 @@ Command compareMenu(Comparing& comparing) {
     return submenu(
         "Compare &A/B",
         {
-            linked(command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
-                   [](QAction& action) { action.setObjectName("compare-keep"); }),
+            command("&Keep This as A", "Shift+A", [&comparing] { comparing.keep(); }),
             command("&Compare with Scan…", "", [&comparing] { comparing.askScan(); }),
             command("&Demo before and after a Blast", "", [&comparing] { comparing.openDemoPair(); }),
             kLine,

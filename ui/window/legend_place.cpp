@@ -98,13 +98,12 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& c
         if (neitherIsFree()) fitLegends(0);
         // They stay at their side until they cover more than at the other: the chosen place, then the change, then other targets. While
         // the cloud turns, and under the pointer, they never move.
-        const QRect change = changeIn(cloud, comparing);
         const std::vector<QRect> rings = ringsIn(cloud);
-        const auto covered = [&](bool side) {
+        const auto covered = [&, change = changeIn(cloud, comparing)](bool side) {
             const auto is = [&](const QRect& place) { return !place.isEmpty() && isCovered(cloud, place, side); };
             return std::tuple(is(label), is(change), std::ranges::count_if(rings, is));
         };
-        const bool right = covered(!wasRight) < covered(wasRight) && cloud.atRest() && !hasPointer(cloud) ? !wasRight : wasRight;
+        const bool right = cloud.atRest() && !hasPointer(cloud) && covered(!wasRight) < covered(wasRight) ? !wasRight : wasRight;
         QLayout* over = cloud.layout();
         const Qt::Alignment side = (right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom;
         for (int n = 0; n < over->count(); ++n) {

@@ -150,10 +150,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent) : QMainWindow(
         addCommands(*menuBar()->addMenu(menu.text), menu.submenu, *this, viewer_.preferences, menu.source);
     recallKeys(keyedCommands(actions()), viewer_.preferences);
     addToolButtons(*this);
-    for (const KeyedCommand& command : keyedCommands(actions())) {
-        if (command.id == "Scan/Pose and Mounting")
-            connect(&viewer_.statusLine, &StatusLine::poseRequested, command.action, &QAction::trigger);
-    }
+    connect(&viewer_.statusLine, &StatusLine::poseRequested, &actionOf(keyedCommands(actions()), "Scan/Pose and Mounting"),
+            &QAction::trigger);
     auto* keys = new KeysOfFocus(this);
     QApplication::instance()->installEventFilter(keys);
     connect(keys, &KeysOfFocus::lettersChanged, &viewer_.notice, &NoticeBar::showHint);

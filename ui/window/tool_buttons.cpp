@@ -84,12 +84,6 @@ const MenuRow kExports{"tool-export",
                         "File/Export/Range Image", "File/Screenshot", "", "File/Report"},
                        {}};
 
-QAction& actionOf(const QList<KeyedCommand>& commands, const char* id) {
-    const auto found = std::ranges::find(commands, QString::fromUtf8(id), &KeyedCommand::id);
-    if (found == commands.end()) qFatal("there is no command %s", id);
-    return *found->action;
-}
-
 template <class Rows>
 void addRows(ToolBar& bar, const QList<KeyedCommand>& commands, const Rows& rows) {
     for (const ToolRow& row : rows) {

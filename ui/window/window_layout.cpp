@@ -61,8 +61,8 @@ QSize usualWindow(const QRect& screen) {
 /// Panels and images get a suitable width, the cloud gets the rest. Docks that the operator folded, opened or dragged stay unchanged, as
 /// far as the cloud keeps its share. Folding order: the panels, the second image, the first image.
 void MainWindow::arrange() {
-    if (cab_->on()) docks_->cover(*splitter_);
-    if (!isVisible() || cab_->on()) return;
+    if (cab_->on()) return docks_->cover(*splitter_);
+    if (!isVisible()) return;
     const int wide = width();
     const int besideCloud = static_cast<int>(wide * (1.0 - kCloudShare)) - splitter_->handleWidth();
     const int leastImages = std::max(kLeastImages, pictures_->minimumSizeHint().width());
@@ -202,9 +202,7 @@ void MainWindow::resetLayout() {
     places_->setImagesFirst(false);
     arrangedImages_ = 0;
     images_->setSizes({1000, 1000});
-    for (const KeyedCommand& command : keyedCommands(actions())) {
-        if (command.id == "View/True Angle Aspect") command.action->setChecked(false);
-    }
+    actionOf(keyedCommands(actions()), "View/True Angle Aspect").setChecked(false);
     docks_->reset();
     rememberTimer_.start();
 }

@@ -62,5 +62,8 @@ struct Detection {
 /// The edge cell nearest to a cell, which may be that cell itself, of those up to `reach` lines and beams away; empty: all of them are
 /// without an edge.
 [[nodiscard]] std::optional<std::size_t> nearestEdge(const Grid<std::uint8_t>& mask, std::size_t cell, int reach);
+/// The same within so many lines and beams; `lineByBeam`: the distance from line to line, in distances from beam to beam.
+[[nodiscard]] std::optional<std::size_t> nearestEdge(const Grid<std::uint8_t>& mask, std::size_t cell, int lines, int beams,
+                                                     double lineByBeam);
 
 } // namespace edgescan::edges

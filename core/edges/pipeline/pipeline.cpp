@@ -13,6 +13,7 @@
 #include "core/scan/gap_filling/gap_filling.h"
 #include "core/scan/grid/missing_cells.h"
 
+#include <limits>
 #include <opencv2/core/utility.hpp>
 
 #include <chrono>
@@ -167,12 +168,16 @@ std::array<std::size_t, kDepthEdges> countClasses(const Detection& detection) {
 }
 
 std::optional<std::size_t> nearestEdge(const Grid<std::uint8_t>& mask, std::size_t cell, int reach) {
+    return nearestEdge(mask, cell, reach, reach, 1.0);
+}
+
+std::optional<std::size_t> nearestEdge(const Grid<std::uint8_t>& mask, std::size_t cell, int lines, int beams, double lineByBeam) {
     const int line = static_cast<int>(cell) / mask.beams, beam = static_cast<int>(cell) % mask.beams;
     std::optional<std::size_t> nearest;
-    int least = 2 * reach * reach + 1;
-    for (int i = std::max(0, line - reach); i <= std::min(mask.lines - 1, line + reach); ++i) {
-        for (int j = std::max(0, beam - reach); j <= std::min(mask.beams - 1, beam + reach); ++j) {
-            const int away = (i - line) * (i - line) + (j - beam) * (j - beam);
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = std::max(0, line - lines); i <= std::min(mask.lines - 1, line + lines); ++i) {
+        for (int j = std::max(0, beam - beams); j <= std::min(mask.beams - 1, beam + beams); ++j) {
+            const double down = (i - line) * lineByBeam, along = j - beam, away = down * down + along * along;
             if (away >= least || mask.at(i, j) == 0) continue;
             least = away;
             nearest = mask.index(i, j);

@@ -58,8 +58,8 @@ void Targets::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
 }
 
 void Targets::addEntriesOf(QMenu& menu, int number) {
-    const auto target = std::ranges::find(notebook_.targets, number, &inspect::PinnedTarget::number);
-    if (target == notebook_.targets.end()) return;
+    const inspect::PinnedTarget* target = numbered(notebook_, number);
+    if (target == nullptr) return;
     const bool locked = target->locked;
     menu.addAction(tr("Na&me of Target %1…").arg(number), this, [this, number] { askNameOf(number); });
     menu.addAction(tr("No&te on Target %1…").arg(number), this, [this, number] { askNote(number); });

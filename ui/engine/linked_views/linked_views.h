@@ -60,7 +60,6 @@ public:
     [[nodiscard]] QVector<QPoint> onScreen(std::size_t cell) const;
     [[nodiscard]] std::optional<std::size_t> pinned() const { return pinned_; }
     [[nodiscard]] std::optional<std::size_t> cellAt(int line, int beam) const;
-    [[nodiscard]] std::optional<std::size_t> seenAt(const ImageView& view, int line, int beam) const;
     /// Sets the cell of the crosshair.
     void pin(std::optional<std::size_t> cell);
     /// The cell that a click means: on the near side of an edge, or the nearest measured one.
@@ -161,6 +160,7 @@ signals:
 
 private:
     void showNote();
+    [[nodiscard]] std::optional<std::size_t> seenAt(const ImageView& view, int line, int beam) const;
     void linkImages();
     void linkCloud();
     [[nodiscard]] bool refusesClicks(QWidget& view) const;

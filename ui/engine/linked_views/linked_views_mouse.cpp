@@ -12,8 +12,6 @@
 #include <QToolTip>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace edgescan::ui {
 
@@ -46,20 +44,9 @@ std::optional<std::size_t> LinkedViews::seenAt(const ImageView& view, int line, 
     const QSizeF pixels = view.viewPort()->cellSize(view.size());
     const bool drawsEdges = &view == images_[1] || scene_.overGray != nullptr;
     if (!cell || !drawsEdges || std::min(pixels.width(), pixels.height()) >= 1.0) return cell;
-    const auto& mask = *shown()->detection->mask;
-    const int lines = static_cast<int>(1.0 / pixels.height()), beams = static_cast<int>(1.0 / pixels.width());
-    std::optional<std::size_t> nearest;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = line - lines; i <= line + lines; ++i) {
-        for (int j = beam - beams; j <= beam + beams; ++j) {
-            if (!mask.contains(i, j) || mask.at(i, j) == 0) continue;
-            const double away = std::hypot((i - line) * pixels.height(), (j - beam) * pixels.width());
-            if (away >= least) continue;
-            nearest = mask.index(i, j);
-            least = away;
-        }
-    }
-    return nearest ? nearest : cell;
+    const auto edge = edges::nearestEdge(*shown()->detection->mask, *cell, static_cast<int>(1.0 / pixels.height()),
+                                         static_cast<int>(1.0 / pixels.width()), pixels.height() / pixels.width());
+    return edge ? edge : cell;
 }
 
 void LinkedViews::linkCloud() {

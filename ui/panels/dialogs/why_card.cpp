@@ -133,7 +133,7 @@ WhyCard::WhyCard(QWidget* parent)
     below_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    beside_->setObjectName("why-beside");
+    beside_->setObjectName("why-nearest-edge");
     beside_->setAutoDefault(false);
     beside_->hide();
     connect(beside_, &QPushButton::clicked, this, &WhyCard::nearestEdgeRequested);

@@ -71,6 +71,12 @@ QList<KeyedCommand> keyedCommands(const QList<QAction*>& actions) {
     return commands;
 }
 
+QAction& actionOf(const QList<KeyedCommand>& commands, const QString& id) {
+    const auto found = std::ranges::find(commands, id, &KeyedCommand::id);
+    if (found == commands.end()) qFatal("there is no command %s", qPrintable(id));
+    return *found->action;
+}
+
 QString ownerOf(const QKeySequence& key, const QList<KeyedCommand>& commands, const QAction* but) {
     if (key.isEmpty()) return {};
     for (const KeyedCommand& command : commands) {

@@ -24,6 +24,9 @@ void nameCommand(QAction& action, const QString& menu, const QString& name);
 /// All marked commands, in the given order, without duplicates.
 [[nodiscard]] QList<KeyedCommand> keyedCommands(const QList<QAction*>& actions);
 
+/// The action with this id, which must be one of them.
+[[nodiscard]] QAction& actionOf(const QList<KeyedCommand>& commands, const QString& id);
+
 /// The present owner of a key: a command, or a fixed key of the window (Esc, Tab, the key that flips A and B ...). Empty: the key is free.
 [[nodiscard]] QString ownerOf(const QKeySequence& key, const QList<KeyedCommand>& commands, const QAction* but = nullptr);
 /// Gives the command this key as its only shortcut; an empty key removes the shortcut. The change is remembered. False, without a change,

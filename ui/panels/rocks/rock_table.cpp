@@ -127,10 +127,7 @@ void RockTable::fitColumns() {
 void RockTable::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     const bool wide = width() >= kWide;
-    if (model_->setNarrow(!wide)) {
-        QHeaderView& heads = *table_->horizontalHeader();
-        fitColumns();
-    }
+    if (model_->setNarrow(!wide)) fitColumns();
     bar_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     sides_->setOrientation(wide ? Qt::Horizontal : Qt::Vertical);
     curve_->setVisible(wide || height() >= kHigh);

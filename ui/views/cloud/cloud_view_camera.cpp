@@ -107,8 +107,8 @@ void CloudView::viewIsometric() {
 void CloudView::zoomToFit() {
     const Box3f all = extent().mainBounds;
     if (!cloud_ || all.isEmpty()) return;
-    const bool asked = pose_.forward().isApprox(asked_, 1e-6);
-    pose_ = asked ? lookingAt(all, pose_.forward(), pose_.up, pose_, aspect()) : fitted(*cloud_, all, pose_, aspect());
+    if (pose_.forward().isApprox(asked_, 1e-6)) return look(pose_.forward(), pose_.up);
+    pose_ = fitted(*cloud_, all, pose_, aspect());
     centre_ = pose_.focus;
     applyCamera();
 }
