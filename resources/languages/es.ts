@@ -397,7 +397,7 @@ visible %6 m², a %7 m</translation></message>
 <message><source>by confidence</source><translation>por confianza</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primero un escaneo.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 celdas de borde · %2</translation></message>
-<message><source>This cell has the strength %1; the threshold is %2.</source><translation>Esta celda tiene la fuerza %1; el umbral es %2.</translation></message>
+<message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>Su fuerza es %1. Un borde alcanza la Fuerza del borde %2 en un lugar, y %3 en el resto.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Su fuerza %1 supera la Fuerza del borde %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Su fuerza %1 es menor que la Fuerza del borde %2, pero continúa un borde que llega a %3 en la línea %4, haz %5. A una celda así le basta %6.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Aquí no se midió nada.</translation></message>
@@ -475,6 +475,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
 <message><source>last line %1</source><translation>última línea %1</translation></message>
 <message><source>last line %1 at %2 UTC</source><translation>última línea %1 a las %2 UTC</translation></message>
+<message><source>trying to connect again</source><translation>intentando conectar otra vez</translation></message>
 <message><source>Waiting for the first line</source><translation>Se espera la primera línea</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el montaje en Escaneo &gt; Barrido…</translation></message>
@@ -619,6 +620,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer. Haga clic en otra parte de la roca, o dibuje a través de toda ella, más allá de su contorno.</translation></message>
+<message><source>Fewer than two rocks are selected, so a click or a line joins them now. Ctrl+click selects more rocks.</source><translation>Hay menos de dos rocas seleccionadas: un clic o una línea las une ahora. Ctrl+clic selecciona más rocas.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>
@@ -713,6 +715,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
+<message><source>▲ This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>▲ Este clic pasó por una abertura: su superficie está %1 m detrás de la roca que la rodea.</translation></message>
+<message><source>Click Again</source><translation>Hacer clic otra vez</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>No se vio un paso libre entre estos dos lados, que distan %1 m en profundidad: haga clic en el borde cercano de la garganta en cada lado.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Más allá, esta garganta se estrecha hasta %1 m.</translation></message>
 <message><source>Measure There</source><translation>Medir allí</translation></message>
@@ -800,8 +804,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Volar a este punto</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vista desde el &amp;escáner</translation></message>
-<message><source>F&amp;it the cloud</source><translation>A&amp;justar la nube</translation></message>
-<message><source>Show the &amp;whole images</source><translation>Mostrar las &amp;imágenes enteras</translation></message>
+<message><source>F&amp;it the cloud</source><translation>Enc&amp;uadrar la nube</translation></message>
+<message><source>Fit the &amp;images</source><translation>Encuadrar las &amp;imágenes</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>recuadro de %1 × %2 celdas: %3 puntos, %4 celdas de borde</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distancias de %1 a %2 m</translation></message>
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falló (%2); cierre otros programas o use un escaneo más pequeño.</translation></message>
@@ -1479,7 +1483,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sin pose, Arriba es la parte superior de la imagen de distancias</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
-<message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Ajustar muestra todo</translation></message>
+<message><source>Show the whole images</source><translation>Mostrar las imágenes enteras</translation></message>
+<message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Encuadrar</translation></message>
 <message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
 <message><source>Remove: %1</source><translation>Quitar: %1</translation></message>
 <message><source>Others…</source><translation>Otros…</translation></message>
@@ -1586,7 +1591,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamaño de los puntos según el e&amp;spaciado</translation></message>
 <message><source>&amp;Panels</source><translation>&amp;Paneles</translation></message>
 <message><source>&amp;View</source><translation>&amp;Ver</translation></message>
-<message><source>R&amp;eset View</source><translation>&amp;Restablecer la vista</translation></message>
+<message><source>Fit All Vi&amp;ews</source><translation>&amp;Encuadrar todas las vistas</translation></message>
 <message><source>&amp;Zoom In</source><translation>A&amp;cercar</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>A&amp;lejar</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Volar al punto bajo el cursor</translation></message>
@@ -1669,7 +1674,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
-<message><source>&amp;Pin</source><translation>&amp;Fijar</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distancia</translation></message>
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Á&amp;ngulo</translation></message>

@@ -397,7 +397,7 @@ visible %6 m², à %7 m</translation></message>
 <message><source>by confidence</source><translation>par confiance</translation></message>
 <message><source>Open a scan first.</source><translation>Ouvrez d'abord un scan.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 cellules d'arête · %2</translation></message>
-<message><source>This cell has the strength %1; the threshold is %2.</source><translation>Cette cellule a la force %1 ; le seuil est %2.</translation></message>
+<message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>Sa force est %1. Une arête atteint la Force de l'arête %2 à un endroit, et %3 sur le reste.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>Sa force %1 dépasse la Force de l'arête %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>Sa force %1 est sous la Force de l'arête %2, mais elle continue une arête qui atteint %3 à la ligne %4, faisceau %5. À une telle cellule, %6 suffit.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Rien n'a été mesuré ici.</translation></message>
@@ -475,6 +475,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
 <message><source>last line %1</source><translation>dernière ligne %1</translation></message>
 <message><source>last line %1 at %2 UTC</source><translation>dernière ligne %1 à %2 UTC</translation></message>
+<message><source>trying to connect again</source><translation>nouvel essai de connexion</translation></message>
 <message><source>Waiting for the first line</source><translation>En attente de la première ligne</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le pas dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le montage dans Scan &gt; Balayage…</translation></message>
@@ -619,6 +620,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler. Cliquez sur une autre partie du bloc, ou dessinez à travers tout le bloc, au-delà de son contour.</translation></message>
+<message><source>Fewer than two rocks are selected, so a click or a line joins them now. Ctrl+click selects more rocks.</source><translation>Moins de deux blocs sont sélectionnés : un clic ou une ligne les joint maintenant. Ctrl+clic sélectionne d'autres blocs.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>
@@ -713,6 +715,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the rock at the other side</source><translation>cliquez la roche de l'autre côté</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
+<message><source>▲ This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>▲ Ce clic est passé par une ouverture : sa surface est à %1 m derrière les blocs qui l'entourent.</translation></message>
+<message><source>Click Again</source><translation>Cliquer à nouveau</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Aucun passage libre n'a été vu entre ces deux côtés, éloignés de %1 m en profondeur : cliquez le bord proche du goulot de chaque côté.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Plus loin, ce goulot se resserre à %1 m.</translation></message>
 <message><source>Measure There</source><translation>Mesurer là-bas</translation></message>
@@ -801,7 +805,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>&amp;Fly to this point</source><translation>&amp;Voler vers ce point</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vue depuis le &amp;scanner</translation></message>
 <message><source>F&amp;it the cloud</source><translation>A&amp;juster le nuage</translation></message>
-<message><source>Show the &amp;whole images</source><translation>Montrer les &amp;images entières</translation></message>
+<message><source>Fit the &amp;images</source><translation>Ajuster les &amp;images</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>boîte de %1 × %2 cellules : %3 points, %4 cellules d'arête</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distances de %1 à %2 m</translation></message>
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1 : échec (%2) ; fermez d'autres programmes ou utilisez un scan plus petit.</translation></message>
@@ -1479,7 +1483,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sans pose, Haut est le haut de l'image de distances</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
-<message><source>Zoomed %1 × · Fit shows all</source><translation>Agrandi %1 × · Ajuster montre tout</translation></message>
+<message><source>Show the whole images</source><translation>Montrer les images entières</translation></message>
+<message><source>Zoomed %1 × · Fit</source><translation>Agrandi %1 × · Ajuster</translation></message>
 <message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
 <message><source>Remove: %1</source><translation>Retirer : %1</translation></message>
 <message><source>Others…</source><translation>Autres…</translation></message>
@@ -1586,7 +1591,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Taille des points selon l'espa&amp;cement</translation></message>
 <message><source>&amp;Panels</source><translation>&amp;Panneaux</translation></message>
 <message><source>&amp;View</source><translation>&amp;Affichage</translation></message>
-<message><source>R&amp;eset View</source><translation>R&amp;éinitialiser la vue</translation></message>
+<message><source>Fit All Vi&amp;ews</source><translation>&amp;Ajuster toutes les vues</translation></message>
 <message><source>&amp;Zoom In</source><translation>&amp;Zoom avant</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>Zoom a&amp;rrière</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voler vers le point sous le curseur</translation></message>
@@ -1669,7 +1674,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Mesurer</translation></message>
-<message><source>&amp;Pin</source><translation>É&amp;pingler</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distance</translation></message>
 <message><source>&amp;Vertical</source><translation>&amp;Verticale</translation></message>
 <message><source>&amp;Angle</source><translation>&amp;Angle</translation></message>

@@ -397,7 +397,7 @@ visível %6 m², a %7 m</translation></message>
 <message><source>by confidence</source><translation>por confiança</translation></message>
 <message><source>Open a scan first.</source><translation>Abra primeiro uma varredura.</translation></message>
 <message><source>%1 edge cells · %2</source><translation>%1 células de borda · %2</translation></message>
-<message><source>This cell has the strength %1; the threshold is %2.</source><translation>Esta célula tem a força %1; o limiar é %2.</translation></message>
+<message><source>Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.</source><translation>A força é %1. Uma borda atinge a Força da borda %2 em um lugar, e %3 no resto.</translation></message>
 <message><source>Its strength %1 is above the Edge strength %2.</source><translation>A sua força %1 está acima da Força da borda %2.</translation></message>
 <message><source>Its strength %1 is below the Edge strength %2, but it continues an edge that reaches %3 at line %4, beam %5. Such a cell needs only %6.</source><translation>A sua força %1 está abaixo da Força da borda %2, mas continua uma borda que chega a %3 na linha %4, feixe %5. Para uma célula assim basta %6.</translation></message>
 <message><source>Nothing was measured here.</source><translation>Nada foi medido aqui.</translation></message>
@@ -475,6 +475,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
 <message><source>last line %1</source><translation>última linha %1</translation></message>
 <message><source>last line %1 at %2 UTC</source><translation>última linha %1 às %2 UTC</translation></message>
+<message><source>trying to connect again</source><translation>tentando conectar de novo</translation></message>
 <message><source>Waiting for the first line</source><translation>À espera da primeira linha</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique o passo em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique a montagem em Varredura &gt; Varredura…</translation></message>
@@ -619,6 +620,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer. Clique em outra parte da rocha, ou desenhe através de toda ela, além do seu contorno.</translation></message>
+<message><source>Fewer than two rocks are selected, so a click or a line joins them now. Ctrl+click selects more rocks.</source><translation>Há menos de duas rochas selecionadas: um clique ou uma linha as une agora. Ctrl+clique seleciona mais rochas.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>
@@ -713,6 +715,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the rock at the other side</source><translation>clique na rocha do outro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
+<message><source>▲ This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>▲ Este clique passou por uma abertura: a superfície está %1 m atrás da rocha em volta dela.</translation></message>
+<message><source>Click Again</source><translation>Clicar de novo</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Não se viu passagem livre entre estes dois lados, que distam %1 m em profundidade: clique na borda próxima da garganta em cada lado.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Mais adiante, esta garganta estreita-se até %1 m.</translation></message>
 <message><source>Measure There</source><translation>Medir ali</translation></message>
@@ -800,8 +804,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
 <message><source>&amp;Fly to this point</source><translation>&amp;Voar até este ponto</translation></message>
 <message><source>View from &amp;scanner</source><translation>Vista a partir do s&amp;canner</translation></message>
-<message><source>F&amp;it the cloud</source><translation>A&amp;justar a nuvem</translation></message>
-<message><source>Show the &amp;whole images</source><translation>Mostrar as &amp;imagens inteiras</translation></message>
+<message><source>F&amp;it the cloud</source><translation>E&amp;nquadrar a nuvem</translation></message>
+<message><source>Fit the &amp;images</source><translation>Enquadrar as &amp;imagens</translation></message>
 <message><source>box of %1 × %2 cells: %3 points, %4 edge cells</source><translation>caixa de %1 × %2 células: %3 pontos, %4 células de borda</translation></message>
 <message><source>, ranges %1 to %2 m</source><translation>, distâncias de %1 a %2 m</translation></message>
 <message><source>%1: it failed (%2); close other programs or use a smaller scan.</source><translation>%1: falhou (%2); feche outros programas ou use uma varredura menor.</translation></message>
@@ -1479,7 +1483,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sem pose, Topo é a parte superior da imagem de distâncias</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
-<message><source>Zoomed %1 × · Fit shows all</source><translation>Ampliado %1 × · Ajustar mostra tudo</translation></message>
+<message><source>Show the whole images</source><translation>Mostrar as imagens inteiras</translation></message>
+<message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Enquadrar</translation></message>
 <message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
 <message><source>Remove: %1</source><translation>Remover: %1</translation></message>
 <message><source>Others…</source><translation>Outros…</translation></message>
@@ -1586,7 +1591,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Point Size by &amp;Spacing</source><translation>Tamanho dos pontos pelo e&amp;spaçamento</translation></message>
 <message><source>&amp;Panels</source><translation>&amp;Painéis</translation></message>
 <message><source>&amp;View</source><translation>E&amp;xibir</translation></message>
-<message><source>R&amp;eset View</source><translation>&amp;Restaurar a vista</translation></message>
+<message><source>Fit All Vi&amp;ews</source><translation>&amp;Enquadrar todas as vistas</translation></message>
 <message><source>&amp;Zoom In</source><translation>&amp;Aproximar</translation></message>
 <message><source>Zoom O&amp;ut</source><translation>A&amp;fastar</translation></message>
 <message><source>Fl&amp;y to Point under Cursor</source><translation>&amp;Voar até o ponto sob o cursor</translation></message>
@@ -1669,7 +1674,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
-<message><source>&amp;Pin</source><translation>&amp;Fixar</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distância</translation></message>
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Â&amp;ngulo</translation></message>

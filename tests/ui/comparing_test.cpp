@@ -620,9 +620,22 @@ private slots:
         QVERIFY(!legend.row(ChangeRow::Gained)->isVisible() && legend.next()->isVisible());
         QTest::mouseClick(fold, Qt::LeftButton);
         QTRY_COMPARE(legend.height(), high);
-        // A zoom to a region is not that of the next scan, whose size is the same.
+        // A zoom to a region ends with the comparison, and is not that of the next scan, whose size is the same. The images have a button
+        // that shows them whole.
+        auto* fit = on.viewer.gray.findChild<QToolButton*>("fit-images");
+        QVERIFY(!fit->isVisible());
         on.viewer.comparing.nextRegion();
         QVERIFY(!on.viewer.gray.viewPort()->fitted());
+        QVERIFY2(fit->isVisible() && fit->text().endsWith("Fit"), qPrintable(fit->text()));
+        QTest::mouseClick(legend.findChild<QToolButton*>("change-end"), Qt::LeftButton);
+        QVERIFY(on.viewer.gray.viewPort()->fitted() && !fit->isVisible());
+        on.viewer.undo.undo();
+        QTRY_VERIFY(legend.isVisible() && on.viewer.comparing.comparison());
+        on.viewer.comparing.nextRegion();
+        QVERIFY(fit->isVisible());
+        QTest::mouseClick(fit, Qt::LeftButton);
+        QVERIFY(on.viewer.gray.viewPort()->fitted() && !fit->isVisible());
+        on.viewer.comparing.nextRegion();
         on.viewer.files.openDemo();
         QVERIFY(on.settled());
         QTRY_VERIFY(on.viewer.comparing.pictureA() == nullptr);

@@ -202,6 +202,27 @@ private slots:
         QVERIFY(window.viewer().live.scanner().following());
     }
 
+    // The first lines of the next sweep are at its side, outside of the view of the whole sweep that was held.
+    void theFirstLinesAfterFollowAreInTheView() {
+        const auto emulated = scanner(60);
+        QVERIFY(emulated);
+        WindowFixture on;
+        QVERIFY(showsFirstLines(on, *emulated));
+        const ScannerLink& scanner = on.viewer.live.scanner();
+        QTRY_VERIFY_WITH_TIMEOUT(!scanner.following() && lines(on.window) == kLines, 30000);
+        press(on.window, "live-follow");
+        QTRY_VERIFY(scanner.following() && lines(on.window) < kLines);
+        int looks = 0;
+        while (lines(on.window) < kLines && looks < 10000) {
+            if (!eventually([&] { return on.viewer.engine.picture()->detection->scan == on.viewer.views.cloud().scan(); })) break;
+            const double seen = on.viewer.views.cloud().shareInPicture();
+            QVERIFY2(seen >= 0.2, qPrintable(QString("%1 lines: %2").arg(lines(on.window)).arg(seen)));
+            ++looks;
+            QTest::qWait(20);
+        }
+        QVERIFY(looks > 3);
+    }
+
     // A double tap on Stop does not connect again, which would drop the sweep on the screen.
     void aDoubleTapOnStopIsOneTap() {
         const auto emulated = scanner(100);
@@ -275,6 +296,12 @@ private slots:
         QTRY_COMPARE(lines(window), kLines);
         QTRY_COMPARE(window.viewer().engine.picture()->source.growth.sweep, 1);
         QVERIFY(!scanner.part());
+        // The view of the cloud was fitted to the part: it is fitted to the sweep now.
+        CloudView& cloud = window.viewer().views.cloud();
+        const double seen = cloud.shareInPicture();
+        QVERIFY2(seen > 0.2, qPrintable(QString::number(seen)));
+        cloud.viewFromScanner();
+        QVERIFY2(1.2 * seen >= cloud.shareInPicture(), qPrintable(QString("%1 of %2").arg(seen).arg(cloud.shareInPicture())));
         const auto& badge = *window.viewer().live.panel().findChild<QWidget*>("live-badge");
         QTRY_VERIFY2(badge.toolTip().startsWith("Sweep 2 is held on the screen."), qPrintable(badge.toolTip()));
         QVERIFY2(!sentence.isVisible(), "a row that comes with Hold would move the pictures");

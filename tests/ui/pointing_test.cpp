@@ -326,9 +326,9 @@ private slots:
         escape();
         QVERIFY(!gray.box() && !window_->viewer().views.edges().box() && !boxLabel->isVisible());
         QVERIFY(gray.viewPort()->zoom() > 1.5 * zoom);
-        QVERIFY(chooseInMenu(gray, pixelOf(gray, 60, 80), "Show the whole images"));
+        QVERIFY(chooseInMenu(gray, pixelOf(gray, 60, 80), "Fit the images"));
         QVERIFY(gray.viewPort()->fitted());
-        QVERIFY(!chooseInMenu(gray, pixelOf(gray, 60, 80), "Show the whole images")); // nothing is left to show
+        QVERIFY(!chooseInMenu(gray, pixelOf(gray, 60, 80), "Fit the images")); // nothing is left to show
     }
 
     void edgesOverTheRangeImageHaveTheColoursOfTheirClasses() {

@@ -1015,6 +1015,13 @@ private slots:
         on.viewer.rocks.select({cellA});
         on.viewer.rocks.mergeSelected();
         QVERIFY(on.viewer.rocks.tool() == RockTool::Join);
+        QVERIFY2(on.viewer.notice.text().startsWith("Fewer than two rocks"), qPrintable(on.viewer.notice.text()));
+        const QList<QAction*> actions = on.window.actions();
+        const auto pin = std::ranges::find(actions, QString("&Pin"), &QAction::text);
+        QVERIFY(pin != actions.end() && !(*pin)->isChecked()); // a click does not pin now
+        (*pin)->trigger();
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None && (*pin)->isChecked());
+        on.viewer.rocks.mergeSelected();
         click(on, b);
         QVERIFY(on.viewer.rocks.tool() == RockTool::None);
         QVERIFY(settled(on));

@@ -368,6 +368,10 @@ private slots:
         QVERIFY2(words.last().front().toString().endsWith("the last click is at 18.00 m"), qPrintable(words.last().front().toString()));
         QVERIFY2(words.last().front().toString().contains("click the rock at the other side"), // "rim" is the class void rim
                  qPrintable(words.last().front().toString()));
+        QVERIFY2(on.viewer.notice.text().contains("is 13.00 m behind the rock around it"), qPrintable(on.viewer.notice.text()));
+        QTest::mouseClick(on.viewer.notice.findChild<QAbstractButton*>("notice-action"), Qt::LeftButton); // Click Again
+        QVERIFY(on.viewer.measures.picked().empty() && !on.viewer.notice.isVisible());
+        click(gray, 30, 30);
         const auto* asked = on.window.findChild<QLabel*>("tool-words"); // cut in a narrow window, not gone
         QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280 && asked->isVisible() && asked->width() > 100));
         QVERIFY(on.viewer.measures.removeLastPick());

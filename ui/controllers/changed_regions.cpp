@@ -65,7 +65,8 @@ void Comparing::goToRegion(int by) {
     const auto& kinds = comparison_->change.ranges.cells;
     const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
-    views_.gray().viewPort()->fitTo(QRectF(box.adjusted(-around, -around, around, around)));
+    regionPart_ = QRectF(box.adjusted(-around, -around, around, around));
+    views_.gray().viewPort()->fitTo(regionPart_);
     const std::vector<std::uint32_t> cells = cellsOf(kinds, region);
     views_.cloud().lookAtCells(cells);
     outlineRegion(cells);

@@ -13,6 +13,7 @@
 #include "ui/engine/worker_bridge/stage_words.h"
 #include "ui/panels/change/change_legend.h"
 #include "ui/views/cloud/cloud_view.h"
+#include "ui/views/image/image_view.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -121,7 +122,10 @@ void Comparing::keep() {
 }
 
 void Comparing::forget() {
-    if (pictureA_) push(stepName("Forget A"), nullptr, std::nullopt);
+    if (!pictureA_) return;
+    ViewPort& images = *views_.gray().viewPort();
+    if (region_ && images.part() == regionPart_) images.fit(); // the operator did not move them since
+    push(stepName("Forget A"), nullptr, std::nullopt);
 }
 
 /// The demo as A has nothing to do with a scan of the operator, and the demo before the blast, which the operator did not choose as A,

@@ -133,6 +133,7 @@ private:
     bool pairWanted_ = false;                                    ///< the demo after the blast is being opened
     bool pairShown_ = false;                                     ///< it is on the screen, or was the last one
     std::optional<std::size_t> region_;                          ///< the changed region that the views zoomed to last
+    QRectF regionPart_;                                          ///< the part of the images that it zoomed to
     std::shared_ptr<const std::vector<std::uint32_t>> outlined_; ///< of that region in the cloud; null: no region
     quint32 heldCode_ = 0;                                       ///< of the flip key while it is pressed
     std::unique_ptr<Works::Running> readingWork_, comparingWork_;

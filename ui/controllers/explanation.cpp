@@ -53,10 +53,11 @@ std::optional<std::size_t> edgeNextTo(const edges::Detection& detection, std::si
 /// With the digits of the verdict.
 QString number(double value) { return QString::number(value, 'f', std::abs(value) < 10.0 ? 2 : 1); }
 
-/// Which number is the cell's, and which the threshold's.
+/// Which number is the cell's, and which are those of the setting.
 QString strengths(const edges::Why& why) {
     if (!why.depth) return {}; // in another unit, which the verdict names
-    return ' ' + Explanation::tr("This cell has the strength %1; the threshold is %2.").arg(number(why.strength), number(why.lower));
+    return ' ' + Explanation::tr("Its strength is %1. An edge reaches the Edge strength %2 at one place, and %3 along the rest.")
+                     .arg(number(why.strength), number(why.upper), number(why.lower));
 }
 
 /// Why a strength is enough: above the threshold, or less where the edge goes on to a strong place.

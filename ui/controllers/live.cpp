@@ -246,14 +246,16 @@ void Live::showHealth() {
     views_.setShapeNote(shapeNote());
 }
 
-/// "last line 612 at 10:31:44 UTC"; empty without a picture.
+/// "last line 612 at 10:31:44 UTC"; empty without a picture. LOST adds what EdgeScan does.
 QString Live::lastLine() const {
     const auto& shown = engine_.picture();
     if (!shown) return {};
     const Scan& scan = *shown->detection->scan;
     const QString time = scan.acquisition ? timeWords(scan.acquisition->endUtc) : QString();
-    if (time.isEmpty()) return tr("last line %1").arg(scan.lines());
-    return tr("last line %1 at %2 UTC").arg(scan.lines()).arg(time.mid(11, 8));
+    const QString last =
+        time.isEmpty() ? tr("last line %1").arg(scan.lines()) : tr("last line %1 at %2 UTC").arg(scan.lines()).arg(time.mid(11, 8));
+    const bool retries = scanner_.connected() && scanner_.health().liveness == files::Liveness::Lost;
+    return retries ? last + " · " + tr("trying to connect again") : last;
 }
 
 /// Before the first line: what is wrong with the connection, or that nothing is.

@@ -185,7 +185,7 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     Command menu = submenu("&View", {
                                         directions(v.cloud),
                                         savedViews(v.savedViews),
-                                        command("R&eset View", "R; Home", [&views] { views.resetView(); }),
+                                        command("Fit All Vi&ews", "R; Home", [&views] { views.resetView(); }),
                                         command("&Zoom In", "+; =", [&views] { views.zoomBy(1.25); }),
                                         command("Zoom O&ut", "-", [&views] { views.zoomBy(0.8); }),
                                         ofDesk(command("Fl&y to Point under Cursor", "F", [&views] { views.flyToHovered(); })),

@@ -39,7 +39,7 @@ constexpr std::array kBehind{
     ToolRow{"Edges/Why Is This Cell an Edge or Not?", "why", QT_TRANSLATE_NOOP("QObject", "Why"), ToolBar::Word::Next, kOfScan},
     ToolRow{},
     ToolRow{"View/Look from/From Scanner", "view-from-scanner", QT_TRANSLATE_NOOP("QObject", "Scanner view"), ToolBar::Word::Last, kOfScan},
-    ToolRow{"View/Reset View", "fit", QT_TRANSLATE_NOOP("QObject", "Fit"), ToolBar::Word::Last, kOfScan},
+    ToolRow{"View/Fit All Views", "fit", QT_TRANSLATE_NOOP("QObject", "Fit"), ToolBar::Word::Last, kOfScan},
     ToolRow{},
     ToolRow{"Rocks/Show Rocks", "rocks", QT_TRANSLATE_NOOP("QObject", "Rocks"), ToolBar::Word::Next, kOfScan},
 };

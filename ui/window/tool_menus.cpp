@@ -86,6 +86,13 @@ Command measureMenu(Viewer& v) {
         return tool(
             v, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
     };
+    const auto pin = tool(
+        v, "&Pin", "P",
+        [&v, &views] {
+            v.rocks.useTool(RockTool::None);
+            views.setTool(Tool::Pin);
+        },
+        [&views] { return views.tool() == Tool::Pin && views.pinsOnClick(); });
     const auto measure = [&](const char* text, const char* keys, inspect::MeasureKind kind) {
         return tool(
             v, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
@@ -95,7 +102,7 @@ Command measureMenu(Viewer& v) {
         if (const inspect::PinnedTarget* target = v.targets.active()) v.targets.remove(target->number);
     };
     return submenu("&Measure", {
-                                   usual("&Pin", "P", Tool::Pin),
+                                   pin,
                                    measure("&Distance", "U", inspect::MeasureKind::Distance),
                                    measure("&Vertical", "V", inspect::MeasureKind::Vertical),
                                    measure("&Angle", "A", inspect::MeasureKind::Angle),

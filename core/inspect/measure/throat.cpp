@@ -197,7 +197,35 @@ std::optional<std::array<std::uint32_t, 2>> narrowestOf(const Scan& scan, const 
     return std::nullopt;
 }
 
+/// How much nearer than the cell the first surface in this direction is that hides a part of what is behind it, metres; 0: none is there.
+double rimAlong(const Scan& scan, std::uint32_t k, int lineStep, int beamStep, int cells) {
+    const int line = static_cast<int>(k) / scan.beams(), beam = static_cast<int>(k) % scan.beams();
+    std::vector<double> rangesM;
+    for (int n = -kCellsAtEnds; n <= cells; ++n) {
+        const int i = line + n * lineStep, j = beam + n * beamStep;
+        const bool valid = scan.rangeMm.contains(i, j) && scan.state.at(i, j) == CellState::Valid;
+        rangesM.push_back(valid ? static_cast<double>(scan.rangeMm.at(i, j)) / 1000.0 : 0.0);
+    }
+    const double here = rangesM[kCellsAtEnds];
+    for (const RowJump& jump : jumpsAlong(rangesM, kWidestVoid)) {
+        const double nearer = here - rangesM[static_cast<std::size_t>(jump.to)];
+        if (jump.to > kCellsAtEnds && jump.stepM < 0.0 && nearer > leastJumpM(here)) return nearer;
+    }
+    return 0.0;
+}
+
 } // namespace
+
+double seenThroughM(const Scan& scan, std::uint32_t k) {
+    constexpr int kShareOfScan = 4, kMostWithout = 2;
+    if (scan.state[k] != CellState::Valid) return 0.0;
+    const int cells = std::max(scan.lines(), scan.beams()) / kShareOfScan;
+    std::vector<double> nearerM;
+    for (const auto& [di, dj] : {std::pair{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}})
+        nearerM.push_back(rimAlong(scan, k, di, dj, cells));
+    std::ranges::sort(nearerM);
+    return nearerM[kMostWithout]; // the least of the directions that count
+}
 
 std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
                                                              std::uint32_t b) {

@@ -17,6 +17,10 @@ namespace edgescan::inspect {
 [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
                                                                            std::uint32_t b);
 
+/// How far the surface of a cell, which was seen through an opening, is behind the rock around that opening; metres. 0: not in six or more
+/// of eight directions a jump towards the scanner is within a quarter of the lines or beams, or the cell has no range.
+[[nodiscard]] double seenThroughM(const Scan& scan, std::uint32_t k);
+
 /// How far a second click at the same place ends from the first: cells along or across the lines.
 inline constexpr int kClickSpread = 2;
 

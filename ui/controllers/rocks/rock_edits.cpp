@@ -132,7 +132,10 @@ void Rocks::mergeSelected() {
     for (const std::size_t cell : selected_) {
         if (picture_->regionAt(cell) != nullptr) cells.push_back(static_cast<std::uint32_t>(cell));
     }
-    if (cells.size() < 2) return useTool(RockTool::Join);
+    if (cells.size() < 2) {
+        notice_.showHint(tr("Fewer than two rocks are selected, so a click or a line joins them now. Ctrl+click selects more rocks."));
+        return useTool(RockTool::Join);
+    }
     auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);
     if (!join) return notice_.showHint(tr("Nothing was merged: this is one rock already."));
     select({selected_.back()});

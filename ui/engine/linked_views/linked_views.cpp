@@ -3,7 +3,6 @@
 
 #include "core/edges/gray/gray.h"
 #include "ui/views/cloud/cloud_view.h"
-#include "ui/views/cloud/whole_sweep.h"
 #include "ui/views/image/image_view.h"
 #include "ui/views/image/viewport.h"
 
@@ -12,8 +11,6 @@
 
 namespace edgescan::ui {
 namespace {
-
-constexpr int kLinesToFit = 8; // of a growing sweep: if their places are not known by now, the view stays where it is
 
 QString openSomething() { return LinkedViews::tr("Open a scan: Ctrl+O, or drop a file here"); }
 
@@ -37,18 +34,6 @@ LinkedViews::LinkedViews(const Engine& engine, ImageView& gray, ImageView& edges
 void LinkedViews::setOutline(const std::vector<QLine>& sides, std::vector<std::uint32_t> cells) {
     for (ImageView* view : images_) view->setOutline(sides);
     cloud_.setOutline(cells.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(std::move(cells)));
-}
-
-void LinkedViews::setTool(Tool tool) {
-    tool_ = tool;
-    const DragTool drag = tool == Tool::Box ? DragTool::Box : tool == Tool::Lasso ? DragTool::Lasso : DragTool::Move;
-    for (ImageView* view : images_) view->setDragTool(drag);
-    cloud_.setDragTool(drag);
-    emit toolChanged();
-}
-
-void LinkedViews::setChoosesOnly(bool on) {
-    if (std::exchange(choosesOnly_, on) != on) emit toolChanged();
 }
 
 void LinkedViews::setMarks(CellMarks marks) {
@@ -213,41 +198,9 @@ void LinkedViews::showMoreLines(const Picture& last) {
     const bool untouched = cloud_.camera() == fittedCamera_;
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, CloudView::Camera::Keep);
     nameDirections();
-    if (untouched) fitToSweep();
-}
-
-/// Those of the whole sweep: the mean direction of its lines turns while it grows, and one view would be Top at first and then Front.
-void LinkedViews::nameDirections() {
-    const Growth& growth = shown()->source.growth;
-    if (!growth.growing) return cloud_.setAxes(picture_->cloud->axes); // A is shown in the frame of B
-    if (cloud_.axesSet()) return;
-    if (const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
-}
-
-/// The view moves only where it shows, or would soon show, a small part of them.
-void LinkedViews::frameFirstLines(const CameraPose& before) {
-    const int lines = shown()->detection->scan->lines();
-    cloud_.setCamera(before);
-    if (lines < 2 * framedLines_ && cloud_.isInPicture()) return;
-    framedLines_ = lines;
-    cloud_.viewFromScanner();
-}
-
-/// Once, as soon as the place of its lines is known: the view shows what is to come, and does not move while it comes. A sweep may begin
-/// far at a side, outside of that view: it shows the first lines until enough of what came is in it.
-void LinkedViews::fitToSweep() {
-    const Growth& growth = shown()->source.growth;
-    if (!fitted_ && growth.growing) {
-        const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines);
-        const CameraPose before = cloud_.camera();
-        if (whole) cloud_.frameFromScanner(*whole);
-        fitted_ = whole ? cloud_.isInPicture() : shown()->detection->scan->lines() >= kLinesToFit;
-        if (whole && !fitted_) frameFirstLines(before);
-    } else {
-        if (!fitted_ && framedLines_ > 0) cloud_.viewFromScanner(); // the sweep ended before
-        fitted_ = true;
-    }
-    fittedCamera_ = cloud_.camera();
+    if (!untouched) return;
+    if (last.source.growth.sweep != shown()->source.growth.sweep) fitAgain(last);
+    fitToSweep();
 }
 
 std::optional<std::size_t> LinkedViews::cellAt(int line, int beam) const {

@@ -75,7 +75,7 @@ public:
     /// Clears the pinned cell and the box; its target stays.
     void clearPin();
     /// Off: a click with the tool Pin sets no target.
-    void setPinsOnClick(bool on) { pinsOnClick_ = on; }
+    void setPinsOnClick(bool on);
     [[nodiscard]] bool pinsOnClick() const { return pinsOnClick_; }
     /// On: a click with the tool Pin chooses the rock or the target that is there, and sets no new target.
     void setChoosesOnly(bool on);
@@ -177,6 +177,8 @@ private:
     void showNewScan();
     void showMoreLines(const Picture& last);
     void frameFirstLines(const CameraPose& before);
+    void fitAgain(const Picture& last);
+    void showEndOfSweep();
     void fitToSweep();
     void nameDirections();
     void hover(std::optional<std::size_t> cell, const QObject* from);

@@ -12,8 +12,25 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
+
+void LinkedViews::setTool(Tool tool) {
+    tool_ = tool;
+    const DragTool drag = tool == Tool::Box ? DragTool::Box : tool == Tool::Lasso ? DragTool::Lasso : DragTool::Move;
+    for (ImageView* view : images_) view->setDragTool(drag);
+    cloud_.setDragTool(drag);
+    emit toolChanged();
+}
+
+void LinkedViews::setPinsOnClick(bool on) {
+    if (std::exchange(pinsOnClick_, on) != on) emit toolChanged();
+}
+
+void LinkedViews::setChoosesOnly(bool on) {
+    if (std::exchange(choosesOnly_, on) != on) emit toolChanged();
+}
 
 void LinkedViews::linkImages() {
     for (ImageView* view : images_) {
@@ -99,7 +116,7 @@ void LinkedViews::openMenu(const QPoint& position, const std::optional<inspect::
     }
     menu.addAction(tr("View from &scanner"), &cloud_, &CloudView::viewFromScanner);
     menu.addAction(tr("F&it the cloud"), &cloud_, &CloudView::zoomToFit);
-    if (!gray().viewPort()->fitted()) menu.addAction(tr("Show the &whole images"), this, [this] { gray().viewPort()->fit(); });
+    if (!gray().viewPort()->fitted()) menu.addAction(tr("Fit the &images"), this, [this] { gray().viewPort()->fit(); });
     menu.exec(position);
 }
 

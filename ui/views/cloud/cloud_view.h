@@ -157,8 +157,8 @@ public slots:
     void viewFromScanner();
     /// As if the cloud were this one, of the same scanner.
     void frameFromScanner(const CloudGeometry& cloud);
-    /// A fifth of its points or more are within the picture, whatever hides them: of half a turn, a quarter fits one.
-    [[nodiscard]] bool isInPicture() const;
+    /// Of the points, those within the picture, whatever hides them, 0 .. 1: of half a turn, a quarter fits one.
+    [[nodiscard]] double shareInPicture() const;
     void viewFront();
     void viewBack();
     void viewLeft();

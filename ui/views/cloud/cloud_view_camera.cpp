@@ -60,8 +60,8 @@ void CloudView::frameFromScanner(const CloudGeometry& cloud) {
     applyCamera();
 }
 
-bool CloudView::isInPicture() const {
-    constexpr std::size_t kLooks = 2000, kSeen = 5;
+double CloudView::shareInPicture() const {
+    constexpr std::size_t kLooks = 2000;
     const std::size_t cells = scan_ ? scan_->cells() : 0;
     std::size_t all = 0, seen = 0;
     for (std::size_t k = 0; k < cells; k += std::max<std::size_t>(1, cells / kLooks)) {
@@ -70,7 +70,7 @@ bool CloudView::isInPicture() const {
         const auto at = pixelOf(static_cast<std::uint32_t>(k));
         seen += at && QRectF(rect()).contains(*at) ? 1 : 0;
     }
-    return all > 0 && kSeen * seen >= all;
+    return all > 0 ? static_cast<double>(seen) / static_cast<double>(all) : 0.0;
 }
 
 void CloudView::resetView() {

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QResizeEvent>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace edgescan::ui {
 namespace {
 
 constexpr double kRing = 7.0;     // radius, px
+constexpr int kFromRim = 8;       // px
 constexpr int kRoomForTags = 420; // px of the view: in a smaller view targets show only their numbers
 const QColor kLostDash(242, 181, 74);
 const QColor kToComeHatch(62, 65, 70);
@@ -37,13 +39,20 @@ void drawRing(QPainter& painter, QPointF at) {
 } // namespace
 
 ImageView::ImageView(std::shared_ptr<ViewPort> viewPort, QWidget* parent)
-    : QWidget(parent), viewPort_(viewPort ? std::move(viewPort) : std::make_shared<ViewPort>()) {
+    : QWidget(parent), viewPort_(viewPort ? std::move(viewPort) : std::make_shared<ViewPort>()), fit_(new QToolButton(this)) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setContextMenuPolicy(Qt::PreventContextMenu); // the right button drags window and level
     setCursor(Qt::CrossCursor);
     connect(viewPort_.get(), &ViewPort::changed, this, qOverload<>(&QWidget::update));
+    connect(viewPort_.get(), &ViewPort::changed, this, &ImageView::offerFit);
+    fit_->setObjectName("fit-images");
+    fit_->setFocusPolicy(Qt::NoFocus);
+    fit_->setCursor(Qt::ArrowCursor);
+    fit_->setToolTip(tr("Show the whole images"));
+    fit_->hide();
+    connect(fit_, &QToolButton::clicked, viewPort_.get(), &ViewPort::fit);
 }
 
 ImageView::~ImageView() {
@@ -55,7 +64,19 @@ void ImageView::setImage(std::shared_ptr<const QImage> image, Shrink shrink) {
     if (image == picture_.image() && shrink == picture_.shrink()) return;
     picture_ = Pyramid(std::move(image), shrink);
     if (!picture_.empty()) viewPort_->setImageSize(picture_.image()->size());
+    offerFit();
     update();
+}
+
+/// At the lower left, while a part of the image is shown.
+void ImageView::offerFit() {
+    const bool isPart = !picture_.empty() && !viewPort_->fitted();
+    if (isPart) {
+        fit_->setText(tr("Zoomed %1 × · Fit").arg(viewPort_->magnification(), 0, 'f', 1));
+        fit_->adjustSize();
+        fit_->move(kFromRim, height() - kFromRim - fit_->height());
+    }
+    fit_->setVisible(isPart);
 }
 
 void ImageView::setOverlay(std::shared_ptr<const QImage> image, double opacity, Shrink shrink) {
@@ -165,6 +186,7 @@ void ImageView::setBackground(const QColor& colour) {
 void ImageView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     if (isVisible()) viewPort_->setViewSize(this, size());
+    offerFit();
 }
 
 void ImageView::showEvent(QShowEvent* event) {
@@ -340,9 +362,6 @@ void ImageView::drawTexts(QPainter& painter) const {
     const QRect inner = rect().adjusted(11, 8 + topTaken_, -11, -8);
     if (picture_.empty()) drawLabel(painter, inner, Qt::AlignCenter, note_);
     drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_);
-    if (!picture_.empty() && !viewPort_->fitted())
-        drawLabel(painter, inner, Qt::AlignLeft | Qt::AlignBottom,
-                  tr("Zoomed %1 × · Fit shows all").arg(viewPort_->magnification(), 0, 'f', 1));
 }
 
 } // namespace edgescan::ui

@@ -20,6 +20,8 @@
 #include <optional>
 #include <vector>
 
+class QToolButton;
+
 namespace edgescan::ui {
 
 /// A highlighted edge chain. Cells as QPoint: x = beam, y = line.
@@ -143,6 +145,7 @@ private:
     void drawTip(QPainter& painter) const;
     void drawTexts(QPainter& painter) const;
     void drawDragged(QPainter& painter) const;
+    void offerFit();
     void pointAt(std::optional<QPoint> cell);
     void selectTo(QPointF at);
     void pinch(QPointF middle, QPointF shift, double factor);
@@ -150,6 +153,7 @@ private:
     [[nodiscard]] QRectF toPixels(const QRectF& cells) const;
 
     std::shared_ptr<ViewPort> viewPort_;
+    QToolButton* fit_;
     Pyramid picture_;
     Pyramid overlay_;
     double overlayOpacity_ = 1.0;

@@ -46,6 +46,8 @@ public:
     void fit();
     /// Fits these cells into the views, also those that are shown later, until the operator zooms or pans.
     void fitTo(const QRectF& cells);
+    /// What fitTo() asked for; empty: the operator zoomed or panned since, or the whole image is fitted.
+    [[nodiscard]] const std::optional<QRectF>& part() const { return part_; }
     /// Enlarges the cells by a factor; `cell` stays at the same place on the screen.
     void zoomAt(QPointF cell, double factor);
     /// Moves the picture by (device-independent) pixels of a view.

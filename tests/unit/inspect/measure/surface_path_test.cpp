@@ -281,6 +281,24 @@ TEST(Throat, WarnsOfAClickBehindItAndOfEndsOfDifferentDepth) {
     EXPECT_NE(measureBasis(oblique).find("farther away than the other"), std::string::npos) << measureBasis(oblique);
 }
 
+// A hole in a wall: the surface that is seen through it is behind the wall in all directions. A wall next to a nearer one is not.
+TEST(Throat, KnowsWhatIsSeenThroughAnOpening) {
+    const auto hole = test::makeScan(80, 80, [](int i, int j) { return std::hypot(i - 40, j - 40) < 12 ? 18000.0 : 5000.0; });
+    const auto cell = [](int line, int beam) { return static_cast<std::uint32_t>(80 * line + beam); };
+    EXPECT_NEAR(seenThroughM(hole, cell(40, 40)), 13.0, 1e-9);
+    EXPECT_NEAR(seenThroughM(hole, cell(31, 36)), 13.0, 1e-9);
+    EXPECT_EQ(seenThroughM(hole, cell(20, 40)), 0.0);
+    EXPECT_EQ(seenThroughM(hole, cell(0, 0)), 0.0);
+    const auto step = test::makeScan(80, 80, [](int, int j) { return j < 40 ? 18000.0 : 5000.0; });
+    EXPECT_EQ(seenThroughM(step, cell(40, 38)), 0.0);
+    // A pit at the border of the scan, which has rock at three sides.
+    const auto pit = test::makeScan(80, 80, [](int i, int j) { return i > 70 && std::abs(j - 40) < 6 ? 9000.0 : 5000.0; });
+    EXPECT_EQ(seenThroughM(pit, cell(79, 40)), 0.0);
+    auto none = hole;
+    none.state[cell(40, 40)] = CellState::NoReturn;
+    EXPECT_EQ(seenThroughM(none, cell(40, 40)), 0.0);
+}
+
 TEST(Throat, ItsToleranceIncludesWhatClicksNextToItFind) {
     // Narrower and narrower along the sides, so that each click finds another length.
     const Scan scan = fineScan(101, 101, [](const Eigen::Vector3d& d) {

@@ -1,0 +1,68 @@
+// The cloud's view of a sweep while it grows, until the operator moves it.
+#include "ui/engine/linked_views/linked_views.h"
+#include "ui/views/cloud/cloud_view.h"
+#include "ui/views/cloud/whole_sweep.h"
+
+#include <algorithm>
+
+namespace edgescan::ui {
+namespace {
+
+constexpr double kSeen = 0.2;     // share of the points
+constexpr double kMuchMore = 1.2; // times
+constexpr int kLinesToFit = 8;    // of a growing sweep: if their places are not known by now, the view stays where it is
+
+} // namespace
+
+/// Those of the whole sweep: the mean direction of its lines turns while it grows, and one view would be Top at first and then Front.
+void LinkedViews::nameDirections() {
+    const Growth& growth = shown()->source.growth;
+    if (!growth.growing) return cloud_.setAxes(picture_->cloud->axes); // A is shown in the frame of B
+    if (cloud_.axesSet()) return;
+    if (const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
+}
+
+/// For another sweep: after a part of one, whose directions are others, and where its own first lines are outside of the view.
+void LinkedViews::fitAgain(const Picture& last) {
+    const bool wasWhole = last.detection->scan->lines() >= std::max(1, last.source.growth.expectedLines);
+    if (wasWhole && cloud_.shareInPicture() >= kSeen) return;
+    fitted_ = false;
+    framedLines_ = 0;
+}
+
+/// The view moves only where it shows, or would soon show, a small part of them.
+void LinkedViews::frameFirstLines(const CameraPose& before) {
+    const int lines = shown()->detection->scan->lines();
+    cloud_.setCamera(before);
+    if (lines < 2 * framedLines_ && cloud_.shareInPicture() >= kSeen) return;
+    framedLines_ = lines;
+    cloud_.viewFromScanner();
+}
+
+/// Its first lines were at other ranges, or at the angles of a part: the view moves if it shows much more of the points then.
+void LinkedViews::showEndOfSweep() {
+    const CameraPose before = cloud_.camera();
+    const double share = cloud_.shareInPicture();
+    cloud_.viewFromScanner();
+    if (cloud_.shareInPicture() < kMuchMore * share) cloud_.setCamera(before);
+}
+
+/// Once, as soon as the place of its lines is known: the view shows what is to come, and does not move while it comes. A sweep may begin
+/// far at a side, outside of that view: it shows the first lines until enough of what came is in it.
+void LinkedViews::fitToSweep() {
+    const Growth& growth = shown()->source.growth;
+    if (!fitted_ && growth.growing) {
+        const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines);
+        const CameraPose before = cloud_.camera();
+        if (whole) cloud_.frameFromScanner(*whole);
+        fitted_ = whole ? cloud_.shareInPicture() >= kSeen : shown()->detection->scan->lines() >= kLinesToFit;
+        if (whole && !fitted_) frameFirstLines(before);
+    } else {
+        if (!fitted_ && framedLines_ > 0) cloud_.viewFromScanner(); // the sweep ended before
+        if (growth.sweep >= 0 && !growth.growing) showEndOfSweep();
+        fitted_ = true;
+    }
+    fittedCamera_ = cloud_.camera();
+}
+
+} // namespace edgescan::ui
