@@ -715,7 +715,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
-<message><source>▲ This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>▲ Este clic pasó por una abertura: su superficie está %1 m detrás de la roca que la rodea.</translation></message>
+<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clic pasó por una abertura: su superficie está %1 m detrás de la roca que la rodea.</translation></message>
 <message><source>Click Again</source><translation>Hacer clic otra vez</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>No se vio un paso libre entre estos dos lados, que distan %1 m en profundidad: haga clic en el borde cercano de la garganta en cada lado.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Más allá, esta garganta se estrecha hasta %1 m.</translation></message>

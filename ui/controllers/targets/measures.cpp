@@ -106,7 +106,7 @@ void Measures::pick(const inspect::MeantCell& click) {
 void Measures::warnAboutThrough(std::uint32_t cell) {
     const double behindM = inspect::seenThroughM(*views_.shown()->detection->scan, cell);
     if (behindM <= 0.0) return;
-    notice_.showHint(tr("▲ This click went through an opening: its surface is %1 m behind the rock around it.").arg(behindM, 0, 'f', 2));
+    notice_.showHint(tr("This click went through an opening: its surface is %1 m behind the rock around it.").arg(behindM, 0, 'f', 2));
     if (picked_.size() < inspect::traitsOf(*kind_).cells)
         notice_.offer(tr("Click Again"), [this] {
             notice_.endPassing();

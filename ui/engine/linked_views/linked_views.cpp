@@ -197,10 +197,7 @@ void LinkedViews::showMoreLines(const Picture& last) {
     setOutline({}, {}); // the cloud drops it too
     const bool untouched = cloud_.camera() == fittedCamera_;
     cloud_.setCloud(shown()->detection->scan, shown()->cloud, CloudView::Camera::Keep);
-    nameDirections();
-    if (!untouched) return;
-    if (last.source.growth.sweep != shown()->source.growth.sweep) fitAgain(last);
-    fitToSweep();
+    followSweep(last, untouched);
 }
 
 std::optional<std::size_t> LinkedViews::cellAt(int line, int beam) const {

@@ -177,7 +177,7 @@ private:
     void showNewScan();
     void showMoreLines(const Picture& last);
     void frameFirstLines(const CameraPose& before);
-    void fitAgain(const Picture& last);
+    void followSweep(const Picture& last, bool untouched);
     void showEndOfSweep();
     void fitToSweep();
     void nameDirections();

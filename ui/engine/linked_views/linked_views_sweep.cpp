@@ -14,20 +14,28 @@ constexpr int kLinesToFit = 8;    // of a growing sweep: if their places are not
 
 } // namespace
 
+/// Another sweep has directions of its own after a part of one, and a view of its own then, and where its first lines are outside of the
+/// view. A view that the operator moved stays.
+void LinkedViews::followSweep(const Picture& last, bool untouched) {
+    const Growth& before = last.source.growth;
+    const bool isAnother = before.sweep != shown()->source.growth.sweep;
+    const bool wasPart = isAnother && last.detection->scan->lines() < std::max(1, before.expectedLines);
+    if (wasPart) cloud_.setAxes(std::nullopt);
+    nameDirections();
+    if (!untouched) return;
+    if (wasPart || (isAnother && cloud_.shareInPicture() < kSeen)) {
+        fitted_ = false;
+        framedLines_ = 0;
+    }
+    fitToSweep();
+}
+
 /// Those of the whole sweep: the mean direction of its lines turns while it grows, and one view would be Top at first and then Front.
 void LinkedViews::nameDirections() {
     const Growth& growth = shown()->source.growth;
     if (!growth.growing) return cloud_.setAxes(picture_->cloud->axes); // A is shown in the frame of B
     if (cloud_.axesSet()) return;
     if (const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
-}
-
-/// For another sweep: after a part of one, whose directions are others, and where its own first lines are outside of the view.
-void LinkedViews::fitAgain(const Picture& last) {
-    const bool wasWhole = last.detection->scan->lines() >= std::max(1, last.source.growth.expectedLines);
-    if (wasWhole && cloud_.shareInPicture() >= kSeen) return;
-    fitted_ = false;
-    framedLines_ = 0;
 }
 
 /// The view moves only where it shows, or would soon show, a small part of them.
