@@ -32,7 +32,7 @@ constexpr int kMostThumbnails = 100;
 constexpr int kButtonHigh = 56;          // px; higher where its description needs two lines
 constexpr int kLow = 580;                // px of the page
 constexpr int kSign = 28, kAppSign = 72; // px
-constexpr int kTop = 60, kLowTop = 8;    // px above the content: where they have room, a note or the tour comes there and moves nothing
+constexpr int kTop = 52, kAbove = 8;     // px: where it has room, a note or the tour comes above the content and moves nothing
 constexpr int kThere = Qt::UserRole + 1;
 
 QCommandLinkButton* addButton(QVBoxLayout& column, const char* name, const char* sign, const QString& text, const QString& more) {
@@ -118,9 +118,8 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
 void StartPage::fit() {
     const bool low = forTouch_ && height() < kLow;
     for (QWidget* each : {title_, foot_}) each->setHidden(low);
-    const int top = low ? kLowTop : kTop;
-    setContentsMargins(0, std::max(0, taken_ + kLowTop - top), 0, 0);
-    all_->setContentsMargins(low ? QMargins(12, top, 12, 8) : QMargins(40, top, 40, 20));
+    setContentsMargins(0, std::max(low ? 0 : kTop, taken_), 0, 0);
+    all_->setContentsMargins(low ? QMargins(12, kAbove, 12, 8) : QMargins(40, kAbove, 40, 20));
     row_->setSpacing(low ? 16 : 40);
     row_->setStretch(1, low ? 2 : 3);
     row_->itemAt(0)->widget()->layout()->setSpacing(low ? 4 : 8);
