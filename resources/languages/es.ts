@@ -510,7 +510,6 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
-<message><source>Green points are edges.</source><translation>Los puntos verdes son bordes.</translation></message>
 <message><source>Rocks have their colours.</source><translation>Las rocas tienen sus colores.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sin pose: arriba es el z del escáner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Las rocas aún se están calculando: exporte de nuevo la sección en un momento.</translation></message>
@@ -1116,6 +1115,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Place by Targets</source><translation>Colocar por objetivos</translation></message>
 <message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Muestra la imagen y los bordes de este escaneo; los demás quedan en la nube</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque los mismos tres lugares en ambos escaneos como objetivos con los mismos números: llevan la capa a su sitio</translation></message>
+<message><source>ANOTHER PICTURE</source><translation>OTRA IMAGEN</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, se muestra otra imagen</translation></message>
 <message><source>sweep %1: %2</source><translation>barrido %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Líneas cuyos telegramas no llegaron: guiones en las imágenes</translation></message>
@@ -1138,8 +1138,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Líneas de un barrido, paso por línea, montaje</translation></message>
 <message><source>Stop</source><translation>Detener</translation></message>
 <message><source>Stop recording</source><translation>Detener la grabación</translation></message>
-<message><source>Show %1</source><translation>Mostrar: %1</translation></message>
 <message><source>Show another sweep…</source><translation>Mostrar otro barrido…</translation></message>
+<message><source>Show %1</source><translation>Mostrar: %1</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
@@ -1250,8 +1250,9 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
-<message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
+<message><source>Green points are edges.</source><translation>Los puntos verdes son bordes.</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 puntos quedan fuera: Encuadrar los muestra</translation></message>
+<message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar con el escáner…</translation></message>
@@ -1497,6 +1498,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra uno, o conecte un escáner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 líneas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sin retorno</translation></message>
+<message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
 <message><source>Pin</source><translation>Fijar</translation></message>
 <message><source>Rocks</source><translation>Rocas</translation></message>
 <message><source>Rock…</source><translation>Roca…</translation></message>
@@ -1509,7 +1511,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
-<message><source>Rock %1, visible a × b</source><translation>Roca %1, a × b visible</translation></message>
 <message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
 <message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>

@@ -510,7 +510,6 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plan vertical, échelle vraie.</translation></message>
-<message><source>Green points are edges.</source><translation>Les points verts sont des arêtes.</translation></message>
 <message><source>Rocks have their colours.</source><translation>Les blocs ont leurs couleurs.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ pas de pose : le haut est le z du scanner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>Les blocs sont encore en cours de calcul : exportez de nouveau la coupe dans un instant.</translation></message>
@@ -1116,6 +1115,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Place by Targets</source><translation>Placer par cibles</translation></message>
 <message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Affiche l'image et les arêtes de ce scan ; les autres restent dans le nuage</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marquez les trois mêmes endroits dans les deux scans comme cibles de mêmes numéros : elles mettent la couche à sa place</translation></message>
+<message><source>ANOTHER PICTURE</source><translation>AUTRE IMAGE</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONNECTÉ, une autre image est affichée</translation></message>
 <message><source>sweep %1: %2</source><translation>balayage %1 : %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Lignes dont les télégrammes ne sont pas arrivés : des tirets dans les images</translation></message>
@@ -1138,8 +1138,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Lignes d'un balayage, pas par ligne, montage</translation></message>
 <message><source>Stop</source><translation>Arrêter</translation></message>
 <message><source>Stop recording</source><translation>Arrêter l'enregistrement</translation></message>
-<message><source>Show %1</source><translation>Montrer : %1</translation></message>
 <message><source>Show another sweep…</source><translation>Montrer un autre balayage…</translation></message>
+<message><source>Show %1</source><translation>Montrer : %1</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
@@ -1250,8 +1250,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
-<message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
+<message><source>Green points are edges.</source><translation>Les points verts sont des arêtes.</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 points sont en dehors : Ajuster les montre</translation></message>
+<message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Se connecter au scanner…</translation></message>
@@ -1497,6 +1498,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Ouvrez-en un, ou connectez un scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 lignes sur %2</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sans retour</translation></message>
+<message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
 <message><source>Pin</source><translation>Épingler</translation></message>
 <message><source>Rocks</source><translation>Blocs</translation></message>
 <message><source>Rock…</source><translation>Bloc…</translation></message>
@@ -1509,7 +1511,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Tune</source><translation>Régler</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
-<message><source>Rock %1, visible a × b</source><translation>Bloc %1, a × b visible</translation></message>
 <message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
 <message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>

@@ -510,7 +510,6 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
-<message><source>Green points are edges.</source><translation>Os pontos verdes são bordas.</translation></message>
 <message><source>Rocks have their colours.</source><translation>As rochas têm suas cores.</translation></message>
 <message><source>▲ no pose: up is the scanner's z</source><translation>▲ sem pose: para cima é o z do scanner</translation></message>
 <message><source>The rocks are still being computed: export the section again in a moment.</source><translation>As rochas ainda estão sendo calculadas: exporte de novo a seção em um momento.</translation></message>
@@ -1116,6 +1115,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Place by Targets</source><translation>Posicionar por alvos</translation></message>
 <message><source>Shows the image and the edges of this scan; the others stay in the cloud</source><translation>Mostra a imagem e as bordas desta varredura; as outras ficam na nuvem</translation></message>
 <message><source>Pin the same three places in both scans as targets with the same numbers: they bring the layer to its place</source><translation>Marque os mesmos três lugares nas duas varreduras como alvos com os mesmos números: eles põem a camada no lugar</translation></message>
+<message><source>ANOTHER PICTURE</source><translation>OUTRA IMAGEM</translation></message>
 <message><source>CONNECTED, another picture is shown</source><translation>CONECTADO, outra imagem é mostrada</translation></message>
 <message><source>sweep %1: %2</source><translation>varredura %1: %2</translation></message>
 <message><source>Lines whose telegrams did not arrive: dashes in the images</source><translation>Linhas cujos telegramas não chegaram: traços nas imagens</translation></message>
@@ -1138,8 +1138,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Lines of a sweep, step per line, mounting</source><translation>Linhas de uma varredura, passo por linha, montagem</translation></message>
 <message><source>Stop</source><translation>Parar</translation></message>
 <message><source>Stop recording</source><translation>Parar a gravação</translation></message>
-<message><source>Show %1</source><translation>Mostrar: %1</translation></message>
 <message><source>Show another sweep…</source><translation>Mostrar outra varredura…</translation></message>
+<message><source>Show %1</source><translation>Mostrar: %1</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
@@ -1250,8 +1250,9 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
-<message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
+<message><source>Green points are edges.</source><translation>Os pontos verdes são bordas.</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 pontos estão fora: Enquadrar os mostra</translation></message>
+<message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>
 <message><source>Connect to the scanner…</source><translation>Conectar ao scanner…</translation></message>
@@ -1497,6 +1498,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Open one, or connect to a scanner</source><translation>Abra um, ou conecte um scanner</translation></message>
 <message><source>%1 of %2 lines</source><translation>%1 de %2 linhas</translation></message>
 <message><source> · %1 % no return</source><translation> · %1 % sem retorno</translation></message>
+<message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
 <message><source>Pin</source><translation>Fixar</translation></message>
 <message><source>Rocks</source><translation>Rochas</translation></message>
 <message><source>Rock…</source><translation>Rocha…</translation></message>
@@ -1509,7 +1511,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Tune</source><translation>Ajustes</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
-<message><source>Rock %1, visible a × b</source><translation>Rocha %1, a × b visível</translation></message>
 <message><source>Rock, visible a × b</source><translation>Rocha, a × b visível</translation></message>
 <message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>

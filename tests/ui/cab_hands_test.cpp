@@ -1,5 +1,6 @@
 // Cab mode with gloves and without a keyboard: whole numbers in Tune, keys on the screen, what can be removed, what waits for a scan.
 #include "tests/support/folders.h"
+#include "tests/support/placements.h"
 #include "tests/ui/sized_window.h"
 #include "tests/ui/whole_widgets.h"
 #include "ui/base/language/languages.h"
@@ -14,6 +15,7 @@
 #include "ui/panels/dialogs/report_form.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/live/live_panel.h"
+#include "ui/panels/tuning/status_line.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/theme.h"
 
@@ -360,6 +362,60 @@ private slots:
         QTest::mouseClick(pose, Qt::LeftButton, Qt::NoModifier, QPoint(20, pose->height() / 2));
         const auto* dialog = on.window.findChild<QDialog*>("place-dialog");
         QTRY_VERIFY(dialog != nullptr && dialog->isVisible());
+        on.window.cab().set(false);
+    }
+
+    // With a pose the coordinates open the form, which is changed or removed there.
+    void aTapOnTheCoordinatesOpensThePose() {
+        const std::string placed = (folder_ / "placed.json").string();
+        Scan scan = test::boxesScan(200, 240, 3, 0.02);
+        scan.placement = test::randomPlacement(3, 1, false);
+        QVERIFY(bool(files::saveScan(scan, placed)));
+        WindowFixture on;
+        QVERIFY(on.showWith(placed));
+        on.window.cab().set(true);
+        on.viewer.views.pin(100 * 240 + 120);
+        const auto coordinate = [&]() -> QLabel* {
+            for (auto* each : on.window.findChild<NumbersSide*>()->findChildren<QLabel*>()) {
+                if (each->isVisible() && each->text() == "N") return each;
+            }
+            return nullptr;
+        };
+        QTRY_VERIFY(coordinate() != nullptr && coordinate()->font().underline());
+        QTest::mouseClick(coordinate(), Qt::LeftButton);
+        const auto* dialog = on.window.findChild<QDialog*>("place-dialog");
+        QTRY_VERIFY(dialog != nullptr && dialog->isVisible());
+        on.window.cab().set(false);
+    }
+
+    // The form opens each time at its top and as high as at first, also after it was closed while the keys were open.
+    void theFormOfThePoseOpensAsAtFirst() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        const Keypad& pad = on.window.cab().keypad();
+        emit on.viewer.statusLine.poseRequested();
+        auto* dialog = on.window.findChild<QDialog*>("place-dialog");
+        QVERIFY(dialog != nullptr && QTest::qWaitForWindowActive(dialog));
+        dialog->resize(dialog->width(), on.window.screen()->availableGeometry().height() - 60);
+        dialog->move(300, 30);
+        QApplication::processEvents();
+        const QRect usual = dialog->geometry();
+        auto* field = dialog->findChild<QLineEdit*>("inclinometer-tilt_y_deg");
+        QVERIFY(field != nullptr);
+        field->setFocus();
+        QTest::mouseClick(field, Qt::LeftButton);
+        QTRY_VERIFY(pad.isVisible() && dialog->height() < usual.height());
+        auto* area = dialog->findChild<QScrollArea*>();
+        area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum());
+        dialog->reject();
+        QTRY_VERIFY(!dialog->isVisible() && !pad.isVisible());
+        emit on.viewer.statusLine.poseRequested();
+        QVERIFY(QTest::qWaitForWindowActive(dialog));
+        QTRY_COMPARE(dialog->geometry(), usual);
+        QCOMPARE(area->verticalScrollBar()->value(), 0);
+        QVERIFY(!pad.isVisible() && !field->hasFocus());
+        dialog->reject();
         on.window.cab().set(false);
     }
 

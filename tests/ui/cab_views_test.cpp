@@ -486,6 +486,31 @@ private slots:
         QCOMPARE(tune.text(), QString("Tune"));
     }
 
+    // The size of a chosen rock and its ± are on the first page, in each language, with and without a pose.
+    void theSizeOfAChosenRockIsSeenAtOnce() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useTexts(language.code));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            resizeTo(on.window, {853, 480});
+            on.viewer.rocks.setShown(true);
+            QVERIFY(eventually([&] { return on.viewer.rocks.picture() && !on.viewer.rocks.picture()->study.rocks.empty(); }));
+            on.viewer.rocks.select({on.viewer.rocks.picture()->study.rocks.front().cell});
+            const QLabel *size = on.window.findChild<QLabel*>("cab-size"), *tolerance = on.window.findChild<QLabel*>("cab-size-tolerance");
+            const QToolButton& page = *tool(on.window, "cab-page");
+            const QWidget* below = page.parentWidget()->findChild<QWidget*>("cab-below");
+            const auto isSeen = [&](const QLabel& each) {
+                const int end = below->isVisible() ? placeOf(*below).top() : placeOf(*page.parentWidget()).bottom();
+                return each.isVisible() && !each.text().isEmpty() && placeOf(each).bottom() <= end;
+            };
+            QTRY_VERIFY2(isSeen(*size) && isSeen(*tolerance), qPrintable(QString(language.code) + size->text() + tolerance->text()));
+            QVERIFY(tolerance->text().startsWith("±"));
+            on.window.cab().set(false);
+        }
+        useLanguage("en");
+    }
+
     // After Connect the state is in sight, before any line came; after Stop nothing of it is left.
     void aScannerWithoutALineSaysItsState() {
         WindowFixture on;

@@ -16,6 +16,7 @@
 #include "ui/panels/targets/targets_panel.h"
 #include "ui/panels/tuning/edge_legend.h"
 #include "ui/panels/tuning/status_line.h"
+#include "ui/window/cab_mode.h"
 #include "ui/window/docks.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/start.h"
@@ -305,6 +306,29 @@ private slots:
         }
         QVERIFY(on.open(bare_));
         QTRY_VERIFY(!page->isVisible() && dock(on.window)->isVisible());
+    }
+
+    // After a crash a note comes above the buttons: where the page has room for it, no button moves.
+    void aNoteMovesNoButtonOfTheStartPage() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        StartPage* page = showStart(on.window, on.preferences);
+        for (const bool cab : {false, true}) {
+            on.window.cab().set(cab);
+            resizeTo(on.window, {1280, 800});
+            on.viewer.notice.hide();
+            const auto* open = page->findChild<QWidget*>("start-open");
+            const auto top = [&] { return open->mapTo(&on.window, QPoint()).y(); };
+            QTRY_VERIFY(page->isVisible() && page->width() == 1280 && top() > page->y() + 60);
+            for (int n = 0; n < 5; ++n) QApplication::processEvents();
+            const int before = top();
+            on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "EdgeScan ended without being closed.");
+            on.viewer.notice.offer("Go on where I was", [] {});
+            QTRY_VERIFY(on.viewer.notice.isVisible() && on.viewer.notice.height() >= 30);
+            for (int n = 0; n < 5; ++n) QApplication::processEvents();
+            QCOMPARE(top(), before);
+        }
+        on.window.cab().set(false);
     }
 
     // Images first: both fill the width or the height that the cloud leaves, one above the other if their aspect wants it; the legend is

@@ -5,6 +5,7 @@
 #include "core/scanner/emulator/telegram.h"
 #include "tests/support/folders.h"
 #include "tests/support/placements.h"
+#include "tests/ui/sized_window.h"
 #include "tests/ui/whole_widgets.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/language/languages.h"
@@ -12,6 +13,7 @@
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/hold_button.h"
 #include "ui/panels/live/live_panel.h"
+#include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/timeline.h"
 #include "ui/panels/start/start_page.h"
 #include "ui/panels/tuning/edge_legend.h"
@@ -43,8 +45,9 @@ namespace {
 
 constexpr std::array kSizes{QSize(853, 533),  QSize(1024, 768),  QSize(1280, 800), QSize(1366, 768),
                             QSize(1600, 900), QSize(1920, 1080), QSize(2560, 1440)};
-constexpr double kCloudShare = 0.55; // of the width, on the desk
-constexpr double kFreeInCab = 0.66;  // of the cloud's pixels
+constexpr double kCloudShare = 0.55;    // of the width, on the desk
+constexpr double kFreeInCab = 0.66;     // of the cloud's pixels
+constexpr double kFreeUnderNote = 0.55; // of the height below the head of a cab
 
 /// A window, a scanner that sends to it, and where the test is in the product.
 struct Desk {
@@ -423,6 +426,61 @@ private slots:
             }
         }
         QVERIFY2(crowded.isEmpty(), qPrintable(crowded.join('\n')));
+    }
+
+    // Live on a low screen: the strip and a note leave the cloud most of the height of the views, and each badge has its whole words.
+    void aNoteLeavesMostOfALowCloud_data() {
+        QTest::addColumn<int>("language");
+        QTest::addColumn<int>("live");
+        for (int language = 0; language < static_cast<int>(std::size(kLanguages)); ++language) {
+            for (int live = 0; live < 5; ++live) { // a recording that is played has no scanner
+                const bool common = live == 0 || live == 2;
+                if (language > 0 && !common && !qEnvironmentVariableIsSet("EDGESCAN_EVERY_STATE")) continue;
+                QTest::newRow(qPrintable(QString("%1-%2").arg(kLanguages[language].code, kLive[static_cast<std::size_t>(live)].name)))
+                    << language << live;
+            }
+        }
+    }
+    void aNoteLeavesMostOfALowCloud() {
+        QFETCH(int, language);
+        QFETCH(int, live);
+        QVERIFY(useLanguage(kLanguages[language].code, QString::fromStdString(test::sourceFolder()) + "/resources/languages"));
+        const LiveState& state = kLive[static_cast<std::size_t>(live)];
+        const auto desk = deskOf(QString("low-") + QTest::currentDataTag(), state.linesPerSecond);
+        QVERIFY(desk != nullptr);
+        WindowFixture& on = desk->on;
+        QVERIFY(on.showWith(bell_) && on.activate());
+        on.window.cab().set(true);
+        QVERIFY(state.enter(*desk));
+        resizeTo(on.window, {853, 480});
+        on.viewer.livePanel.findChild<QTimer*>("live-empty-row")->setInterval(1);
+        const NoticeBar& notice = on.viewer.notice;
+        const auto placeOf = [&](const QWidget& each) { return QRect(each.mapTo(&on.window, QPoint()), each.size()); };
+        for (const bool action : {false, true}) {
+            on.viewer.notice.showNotice(NoticeBar::Kind::Warning, QString("A note of several words, which has two lines. ").repeated(2));
+            if (action) on.viewer.notice.offer(QObject::tr("Does this look right?"), [] {});
+            const int views = on.window.cab().frame().height() - on.window.cab().frame().head().height();
+            int free = 0;
+            const auto isFree = [&] {
+                free = placeOf(on.viewer.cloud).bottom() - placeOf(notice).bottom();
+                return notice.isVisible() && free >= kFreeUnderNote * views;
+            };
+            QApplication::processEvents();
+            const bool fits = eventually(isFree);
+            if (qEnvironmentVariableIsSet("EDGESCAN_LOOK"))
+                pictureOf(on).save(QString("%1/low-%2-%3.png")
+                                       .arg(qEnvironmentVariable("EDGESCAN_LOOK"), QString(QTest::currentDataTag()).replace(' ', '-'))
+                                       .arg(action));
+            QVERIFY2(fits, qPrintable(QString("%1 of %2, button %3").arg(free).arg(views).arg(action)));
+            const QString badge = on.window.findChild<StateBadge*>("cab-origin")->lines().join(' ');
+            QVERIFY2(!badge.contains(QChar(0x2026)), qPrintable(badge));
+            const auto* close = notice.findChild<QToolButton*>("notice-close");
+            const auto buttons = notice.findChildren<QToolButton*>();
+            QVERIFY2(
+                notice.height() < 2 * close->height() ||
+                    std::ranges::any_of(buttons, [&](auto* each) { return each != close && each->isVisible() && each->y() == close->y(); }),
+                "Close is alone");
+        }
     }
 
     // The pixels of the screen itself: no strip of the page stays unpainted during a resize.

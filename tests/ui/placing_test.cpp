@@ -7,8 +7,11 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/notice_bar.h"
 #include "ui/controllers/files/placing.h"
+#include "ui/panels/cab/cab_frame.h"
+#include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/dialogs/place_dialog.h"
 #include "ui/panels/tuning/warning_button.h"
+#include "ui/window/cab_mode.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -18,6 +21,8 @@
 #include <QRegularExpression>
 #include <QScreen>
 #include <QTabWidget>
+
+#include <algorithm>
 
 using namespace edgescan;
 using namespace edgescan::ui;
@@ -105,6 +110,37 @@ private slots:
         QVERIFY(on.place() == nullptr);
         QVERIFY(namesDirections(on.window));
         QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
+    }
+
+    // The cells are the same: what is chosen stays so with a stored and with a removed pose.
+    void theChosenTargetStaysChosen() {
+        for (const bool cab : {false, true}) {
+            QVERIFY(bool(files::writePoseSidecar(scan_, std::nullopt)));
+            PlaceForm on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(cab);
+            const std::size_t cell = on.picture().detection->edges->front();
+            on.viewer.views.pin(cell);
+            QVERIFY(on.ready());
+            on.paste("P7; 498765.432; 5150123.456; 287.654; 217.4; 14.25; -3.4");
+            QVERIFY(on.placed());
+            QVERIFY(on.stored());
+            QVERIFY(on.place() != nullptr);
+            QVERIFY(on.viewer.views.pinned() == cell && on.viewer.targets.active() != nullptr);
+            if (cab) {
+                const auto east = [&side = on.window.cab().frame().side()] {
+                    const auto labels = side.findChildren<QLabel*>();
+                    return std::ranges::any_of(labels, [](const QLabel* each) { return each->isVisible() && each->text() == "E [m]"; });
+                };
+                QVERIFY(eventually(east));
+            }
+            QVERIFY(on.ready());
+            on.button("place-remove").click();
+            QVERIFY(on.reopened());
+            QVERIFY(on.place() == nullptr);
+            QVERIFY(on.viewer.views.pinned() == cell && on.viewer.targets.active() != nullptr);
+            on.window.cab().set(false);
+        }
     }
 
     // The scan without a pose is shown with the scanner's z axis up. The form does not turn it over, and says so where a choice does.

@@ -499,6 +499,30 @@ private slots:
         QCOMPARE(plot.outside(), std::size_t{0});
     }
 
+    // Next to Fit, so that it covers no line; and the colour of edges is named only while some are in the plot.
+    void theWordsOfASectionFollowItsView() {
+        auto section = std::make_shared<inspect::Section>();
+        inspect::SectionLine near, far;
+        for (int n = 0; n <= 100; ++n) near.push_back({{0.02 * n, 0.3 * std::sin(0.1 * n)}, {}, static_cast<std::uint32_t>(n)});
+        for (int n = 0; n <= 100; ++n) far.push_back({{-40.0 + 0.8 * n, 60.0}, {}, static_cast<std::uint32_t>(1000 + n)});
+        far.front().edge = true;
+        section->lines = {near, far};
+        QWidget window;
+        SectionCard card(&window);
+        card.resize(700, 420);
+        card.plot().show(section, Eigen::AlignedBox2d(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(2.0, 0.0)));
+        card.setWords("Vertical plane.");
+        card.QDialog::show();
+        QVERIFY(QTest::qWaitForWindowExposed(&card));
+        const auto* outside = card.findChild<QLabel*>("section-outside");
+        QTRY_COMPARE(outside->text(), QString("101 points are outside: Fit shows them"));
+        QVERIFY(!card.plot().geometry().intersects(outside->geometry()));
+        QCOMPARE(card.words(), QString("Vertical plane."));
+        QTest::mouseClick(card.findChild<QPushButton*>("section-fit"), Qt::LeftButton);
+        QTRY_COMPARE(outside->text(), QString());
+        QCOMPARE(card.words(), QString("Vertical plane. Green points are edges."));
+    }
+
     void theCardSaysWhatIsKnownAndWhatItWas() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));

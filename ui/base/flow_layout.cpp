@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <iterator>
 
 namespace edgescan::ui {
 namespace {
@@ -15,9 +16,10 @@ bool grows(QLayoutItem& item) {
     return policy == QSizePolicy::Expanding || policy == QSizePolicy::Ignored;
 }
 
-/// Px that it takes of a line of this width.
+/// Px that it takes of a line of this width. A least width that was set counts; else a growing one gets enough for words.
 int widthOf(QLayoutItem& item, int line) {
-    return std::min(line, grows(item) ? std::max(kLeastOfGrowing, item.minimumSize().width()) : item.sizeHint().width());
+    const int least = item.widget()->minimumWidth() > 0 ? 0 : kLeastOfGrowing;
+    return std::min(line, grows(item) ? std::max(least, item.minimumSize().width()) : item.sizeHint().width());
 }
 
 int heightOf(QLayoutItem& item, int width) {
@@ -46,19 +48,47 @@ QLayoutItem* FlowLayout::takeAt(int index) {
 }
 
 std::vector<FlowLayout::Line> FlowLayout::lines(int width) const {
+    std::vector<QLayoutItem*> shown;
+    std::ranges::copy_if(items_, std::back_inserter(shown), [](QLayoutItem* item) { return !item->isEmpty(); });
     std::vector<Line> lines;
-    for (QLayoutItem* item : items_) {
-        if (item->isEmpty()) continue; // hidden
+    const auto add = [&](QLayoutItem* item) {
         const int needed = widthOf(*item, width);
         const bool fits = !lines.empty() && lines.back().width + spacing() + needed <= width;
         if (!fits) lines.emplace_back();
         Line& line = lines.back();
         line.width += (line.items.empty() ? 0 : spacing()) + needed;
         line.items.push_back(item);
-    }
+    };
+    if (lastStays_)
+        lines = linesFromEnd(shown, width);
+    else
+        std::ranges::for_each(shown, add);
     for (Line& line : lines) {
         for (QLayoutItem* item : line.items) line.height = std::max(line.height, heightOf(*item, widthIn(line, *item, width)));
     }
+    return lines;
+}
+
+/// The last line has as many as it has room for: Close is not alone, and the text has the width. What is before the text stays with it.
+std::vector<FlowLayout::Line> FlowLayout::linesFromEnd(const std::vector<QLayoutItem*>& shown, int width) const {
+    std::vector<Line> lines;
+    const auto text = std::ranges::find_if(shown, [](QLayoutItem* item) { return grows(*item); });
+    auto rest = text == shown.end() ? shown.begin() : text + 1;
+    const auto widthTo = [&](auto end) {
+        int sum = 0;
+        for (auto item = shown.begin(); item != end; ++item) sum += widthOf(**item, width) + (item == shown.begin() ? 0 : spacing());
+        return sum;
+    };
+    if (widthTo(rest) > width) rest = shown.begin();
+    const auto addBefore = [&](auto first, auto end, int needed) {
+        const bool fits = !lines.empty() && needed + spacing() + lines.front().width <= width;
+        if (!fits) lines.insert(lines.begin(), Line{});
+        Line& line = lines.front();
+        line.width += (line.items.empty() ? 0 : spacing()) + needed;
+        line.items.insert(line.items.begin(), first, end);
+    };
+    for (auto item = shown.end(); item != rest; --item) addBefore(item - 1, item, widthOf(**(item - 1), width));
+    if (rest != shown.begin()) addBefore(shown.begin(), rest, widthTo(rest));
     return lines;
 }
 

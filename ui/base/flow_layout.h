@@ -14,7 +14,7 @@ public:
     ~FlowLayout() override;
 
     /// The last widget ends at the right end of its line, and all are at the top of theirs: the last one stays where it is while those
-    /// before it come and go, or grow.
+    /// before it come and go, or grow. Lines are filled from the last one on.
     void keepLastInPlace() { lastStays_ = true; }
     void addItem(QLayoutItem* item) override;
     [[nodiscard]] int count() const override { return static_cast<int>(items_.size()); }
@@ -33,6 +33,7 @@ private:
         int width = 0, height = 0;
     };
     [[nodiscard]] std::vector<Line> lines(int width) const;
+    [[nodiscard]] std::vector<Line> linesFromEnd(const std::vector<QLayoutItem*>& shown, int width) const;
     [[nodiscard]] static int widthIn(const Line& line, QLayoutItem& item, int width);
 
     std::vector<QLayoutItem*> items_;

@@ -32,6 +32,7 @@ constexpr int kLongName = 28;        // letters of it
 constexpr int kNameEnd = 10;         // letters at each end of a long name
 constexpr double kWholeFrom = 100.0; // kB, of a file's size
 constexpr int kUndoneMs = 8000;
+constexpr int kNarrow = 480; // px of a bar with large buttons that has no room for the number of notes: Close shows the next one too
 
 } // namespace
 
@@ -66,7 +67,6 @@ NoticeBar::NoticeBar(QWidget* parent)
     line->addWidget(sign_);
     line->addWidget(line_);
     line->addWidget(text_);
-    line->addWidget(action_); // usually the widest: in a narrow window the others share a line
     unfold_->setObjectName("notice-unfold");
     unfold_->setCheckable(true);
     connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
@@ -76,6 +76,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
     line->addWidget(more_);
+    line->addWidget(action_); // usually the widest: in a narrow window those before it are next to the text
     line->addWidget(copy);
     line->addWidget(close);
     hide();
@@ -144,7 +145,7 @@ bool NoticeBar::waits() const { return !action_->isHidden() && !used_ && !passes
 
 void NoticeBar::countEarlier() {
     more_->setText(tr("%1 of %2").arg(place_).arg(earlier_.size() + 1));
-    more_->setHidden(earlier_.empty());
+    more_->setHidden(earlier_.empty() || (largeButtons_ && width() < kNarrow));
 }
 
 void NoticeBar::put(const Note& note) {
@@ -291,7 +292,8 @@ void NoticeBar::offerMore() {
     const QScopedValueRollback<bool> once(offering_, true); // to show it places the bar again, which may have another width then
     for (int n = 0; n < 2; ++n) {
         // Measured without the button, so that it does not cause itself.
-        const int room = line_->width() + (unfold_->isHidden() ? 0 : unfold_->width() + layout()->spacing());
+        const bool shares = !unfold_->isHidden() && unfold_->y() == line_->y();
+        const int room = line_->width() + (shares ? unfold_->width() + layout()->spacing() : 0);
         fitLine(room);
         const bool offered = unfolded() || line_->text() != text_->text().simplified() || !line_->fits(room);
         if (offered != unfold_->isHidden()) return;
@@ -302,6 +304,7 @@ void NoticeBar::offerMore() {
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
+    countEarlier();
     layout()->activate();
     offerMore();
 }
@@ -309,8 +312,11 @@ void NoticeBar::resizeEvent(QResizeEvent* event) {
 bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
 void NoticeBar::setBrief(bool on) {
+    largeButtons_ = on;
     copy_->setVisible(!on);
     line_->setLines(on ? 2 : 1);
+    layout()->setContentsMargins(10, on ? 2 : 4, 6, on ? 0 : 4);
+    countEarlier();
     offerMore();
 }
 

@@ -103,6 +103,7 @@ private:
     QToolButton* unfold_;
     QToolButton* more_;
     QToolButton* copy_ = nullptr;
+    bool largeButtons_ = false;
     std::function<void()> onAction_;
     QString brief_; // of the shown note
     QTimer leaves_; // runs while the shown note is one that leaves by itself

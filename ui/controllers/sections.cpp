@@ -139,9 +139,7 @@ void Sections::take(const Question& question, const std::shared_ptr<const inspec
         card_->plot().setEnds(question.endsM[0], question.endsM[1]);
         card_->plot().setLength(question.length);
     }
-    const auto hasEdge = [](const inspect::SectionLine& line) { return std::ranges::any_of(line, &inspect::SectionVertex::edge); };
     QStringList words{tr("Vertical plane, true scale.")};
-    if (std::ranges::any_of(section->lines, hasEdge)) words << tr("Green points are edges.");
     if (question.rocks) words << tr("Rocks have their colours.");
     if (section->plane.upAssumed) words << tr("▲ no pose: up is the scanner's z");
     card_->setWords(words.join(' '));

@@ -38,19 +38,17 @@ void openNextTo(QMenu& menu, const QToolButton& button) { menu.popup(button.mapT
 
 QString metres(double m, int decimals) { return QString::number(m, 'f', decimals); }
 
-QString sizeOf(const rocks::Rock& rock) {
-    return CabMode::tr("%1 × %2 m").arg(metres(rock.longestCaliperM, 2), metres(rock.shortestCaliperM, 2));
-}
-
-QString sizeRemarkOf(const rocks::Rock& rock) {
-    return CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2)) + " · " +
-           (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
+void addSize(TargetNumbers& values, const rocks::Rock& rock) {
+    values.rock = CabMode::tr("Rock %1, visible a × b").arg(rock.label);
+    values.size = CabMode::tr("%1 × %2 m").arg(metres(rock.longestCaliperM, 2), metres(rock.shortestCaliperM, 2));
+    values.sizeTolerance = CabMode::tr("± %1 m").arg(metres(shownTolerance(rock.toleranceM, 2), 2));
+    values.sizeRemark = (rock.apart.empty() ? QString() : partsText(rock) + " · ") + QObject::tr(rocks::kRockCaveat);
 }
 
 void addPlace(TargetNumbers& values, const edges::Probe& at) {
     const Eigen::Vector3d& place = at.mineM ? *at.mineM : at.pointM;
     int n = 0;
-    for (const char* name : at.mineM ? std::array{"E", "N", "RL"} : std::array{"X", "Y", "Z"})
+    for (const char* name : at.mineM ? std::array{"E [m]", "N", "RL"} : std::array{"X [m]", "Y", "Z"})
         values.coordinates.emplace_back(name, metres(place[n++], 3));
     values.unposed = !at.mineM;
 }
@@ -226,9 +224,8 @@ TargetNumbers CabMode::ofRock(const rocks::Rock& rock) const {
     values.distance = tr("%1 m").arg(rock.distanceM, 0, 'f', 2);
     values.tolerance = tr("median of its cells"); // which has no ± of its own
     addPlace(values, edges::probeCell(*window_.viewer().engine.picture()->detection, rock.cell));
-    values.rock = tr("Rock %1, visible a × b").arg(rock.label);
-    values.size = sizeOf(rock);
-    values.sizeRemark = sizeRemarkOf(rock);
+    addSize(values, rock);
+    values.ofRock = true;
     return values;
 }
 
@@ -298,9 +295,7 @@ TargetNumbers CabMode::numbers() const {
     values.rock = tr("Rock, visible a × b");
     values.size = QStringLiteral("–");
     if (around.rock != nullptr) {
-        values.rock = tr("Rock %1, visible a × b").arg(around.rock->label);
-        values.size = sizeOf(*around.rock);
-        values.sizeRemark = sizeRemarkOf(*around.rock);
+        addSize(values, *around.rock);
     } else {
         values.sizeRemark = around.rocksShown ? tr("no rock here") : tr("tap Rocks to measure it");
     }

@@ -98,7 +98,7 @@ private:
             used = std::max(used, place.bottom() + 1);
         }
         page_.setMask(shown);
-        page_.setContentsMargins(0, used, 0, 0);
+        page_.setTopTaken(used);
         page_.raise();
         settle_.start();
     }

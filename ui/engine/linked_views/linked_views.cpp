@@ -12,6 +12,12 @@
 namespace edgescan::ui {
 namespace {
 
+/// The same measurement, perhaps with another place in the mine.
+bool sameRanges(const Scan& a, const Scan& b) {
+    const auto equal = [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    return a.lines() == b.lines() && a.beams() == b.beams() && std::ranges::equal(a.rangeMm.cells, b.rangeMm.cells, equal);
+}
+
 QString openSomething() { return LinkedViews::tr("Open a scan: Ctrl+O, or drop a file here"); }
 
 /// "2.4", "18"
@@ -76,7 +82,7 @@ void LinkedViews::followPicture() {
     flipTo(nullptr);
     const std::shared_ptr<const Picture> last = std::exchange(picture_, engine_.picture());
     if (!last || last->source.stream != picture_->source.stream)
-        showNewScan();
+        showNewScan(last != nullptr && sameRanges(*last->detection->scan, *picture_->detection->scan));
     else if (last->detection->scan != picture_->detection->scan)
         showMoreLines(*last);
     draw();
@@ -153,11 +159,12 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
     emit flippedChanged(flipped());
 }
 
-void LinkedViews::showNewScan() {
-    // Cells of the old scan have no meaning in the new one.
-    hovered_.reset();
-    setExplained(std::nullopt);
-    pin(std::nullopt);
+void LinkedViews::showNewScan(bool sameCells) {
+    if (!sameCells) { // cells of the old scan have no meaning in the new one
+        hovered_.reset();
+        setExplained(std::nullopt);
+        pin(std::nullopt);
+    }
     if (!windowKept_) setRangeWindow(std::nullopt);
     applyAspect();
     ViewPort& viewPort = *gray().viewPort();

@@ -174,7 +174,7 @@ private:
     void draw();
     void applyScene();
     void showCaption();
-    void showNewScan();
+    void showNewScan(bool sameCells);
     void showMoreLines(const Picture& last);
     void frameFirstLines(const CameraPose& before);
     void followSweep(const Picture& last, bool untouched);

@@ -129,8 +129,9 @@ bool Keypad::eventFilter(QObject* watched, QEvent* event) {
         if (field != nullptr && field->hasFocus()) openFor(*field); // closed by its key, and tapped again
     } else if (event->type() == QEvent::MouseButtonRelease && watched->isWidgetType()) {
         selectWhole(*static_cast<QWidget*>(watched));
-    } else if (event->type() == QEvent::Hide && watched == field_) {
+    } else if (event->type() == QEvent::Hide && (watched == field_ || watched == moved_)) {
         close();
+        if (watched == moved_) giveBackRoom(); // it opens again as it was
     } else if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Escape) close();
@@ -213,9 +214,9 @@ void Keypad::closeByKey() {
     emit closedByKey(were);
 }
 
-/// Only after a key closed them: a dialog must not move under a finger that taps its button.
+/// Only after a key closed them, or the dialog is hidden: it must not move under a finger that taps its button.
 void Keypad::giveBackRoom() {
-    if (moved_ != nullptr && moved_->isVisible()) moved_->setGeometry(before_);
+    if (moved_ != nullptr) moved_->setGeometry(before_);
     moved_ = nullptr;
 }
 

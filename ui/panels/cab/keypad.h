@@ -12,7 +12,7 @@ namespace edgescan::ui {
 /// GUI thread only. While it is on, keys open at the bottom of the screen for each field that gets the focus or is tapped, and close with
 /// the focus, with their own key, with Escape and with the dialog. Enter goes to the next field of a dialog; in its last one it closes
 /// them. A tap selects the text of a field of one line. The dialog of the field moves up, so that its buttons stay in sight, and back when
-/// a key closes the keys. The keys act on that field like a keyboard and never take the focus.
+/// a key closes the keys or it is closed itself. The keys act on that field like a keyboard and never take the focus.
 class Keypad : public QObject {
     Q_OBJECT
 public:

@@ -21,10 +21,12 @@ constexpr int kPageHigh = 48; // px: of the button that turns the page
 /// even if their last lines have no room there.
 std::vector<int> NumbersSide::pageStarts(int room, int high) const {
     std::vector<const QWidget*> firsts;
-    for (const auto& [name, value] : coordinateLabels_) firsts.push_back(value);
-    firsts.push_back(rock_->isVisibleTo(facts_) ? rock_ : sizeRemark_);
+    if (!coordinateLabels_.empty()) firsts.push_back(coordinateLabels_.front().second); // a place is whole
+    firsts.push_back(rockHead_->isVisibleTo(facts_) ? rockHead_ : sizeRemark_);
+    if (!sizeTolerance_->text().isEmpty()) firsts.push_back(sizeRemark_);
     for (const auto& [name, value] : rowLabels_) firsts.push_back(value);
     std::erase_if(firsts, [this](const QWidget* each) { return !each->isVisibleTo(facts_); });
+    std::ranges::sort(firsts, {}, &QWidget::y);
     std::vector<int> tops;
     const int line = warned_->fontMetrics().lineSpacing(), lines = warned_->isVisibleTo(facts_) ? warned_->height() / line : 0;
     for (int n = 0; n < lines; ++n) tops.push_back(warned_->y() + n * line);

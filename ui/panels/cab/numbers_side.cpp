@@ -96,6 +96,13 @@ void FittedLabel::fit() {
 
 namespace {
 
+/// What is tapped is underlined.
+void underline(QLabel& label, bool on) {
+    QFont letters = label.font();
+    letters.setUnderline(on);
+    label.setFont(letters);
+}
+
 QLabel* label(const char* name, int px, bool bold) {
     auto* made = new QLabel;
     made->setObjectName(name);
@@ -141,7 +148,8 @@ NumbersSide::NumbersSide(QWidget* parent)
     : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target or measurement"))),
       next_(arrow("cab-next", "next", tr("Next target or measurement"))), title_(label("cab-target", kTextPx, true)),
       hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
-      tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)), size_(fitted("cab-size", kNumberPx)),
+      tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)),
+      sizeTolerance_(label("cab-size-tolerance", kNotePx, false)), rockHead_(new QWidget), size_(fitted("cab-size", kNumberPx)),
       sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)),
       warned_(label("cab-warned", kNotePx, false)), coordinates_(new QGridLayout), rows_(new QGridLayout), below_(new QWidget),
       page_(new QToolButton), main_(new Stepper(QString())), foot_(new QGridLayout) {
@@ -201,11 +209,15 @@ QWidget* NumbersSide::makeNumbers() {
     above->addWidget(tolerance_);
     column->addLayout(above);
     column->addWidget(distance_);
-    column->addWidget(pose_);        // on the first page
-    column->addWidget(warned_);      // too
-    column->addLayout(coordinates_); // above the rock, whose words have as many lines as the language needs: a low screen shows them whole
+    column->addWidget(pose_);   // on the first page
+    column->addWidget(warned_); // too
+    column->addLayout(coordinates_);
     column->addSpacing(4);
-    for (QLabel* each : std::initializer_list<QLabel*>{rock_, size_, sizeRemark_}) column->addWidget(each);
+    auto* aboveSize = new QHBoxLayout(rockHead_);
+    aboveSize->setContentsMargins(0, 0, 0, 0);
+    aboveSize->addWidget(rock_, 1);
+    aboveSize->addWidget(sizeTolerance_);
+    for (QWidget* each : std::initializer_list<QWidget*>{rockHead_, size_, sizeRemark_}) column->addWidget(each);
     column->addSpacing(4);
     column->addLayout(rows_);
     column->addStretch(1);
@@ -213,9 +225,7 @@ QWidget* NumbersSide::makeNumbers() {
     coordinates_->setVerticalSpacing(2); // a low screen has room for all of them
     rows_->setColumnStretch(1, 1);
     pose_->setText(tr("▲ no pose: no E N RL"));
-    QFont tapped = pose_->font();
-    tapped.setUnderline(true);
-    pose_->setFont(tapped);
+    underline(*pose_, true);
     facts_->installEventFilter(this);
     for (QLabel* each : {pose_, warned_}) {
         followColours(*each, [each](const Theme& theme) {
@@ -255,26 +265,38 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     tolerance_->setWordWrap(!numbers.tolerance.startsWith("±"));
     tolerance_->setText(numbers.tolerance);
     rock_->setText(numbers.rock);
-    rock_->setVisible(!numbers.rock.isEmpty());
+    rockHead_->setVisible(!numbers.rock.isEmpty());
+    sizeTolerance_->setText(numbers.sizeTolerance);
     size_->showText(numbers.size);
     size_->setVisible(!numbers.size.isEmpty() && numbers.size != QStringLiteral("–")); // the remark says why there is none
+    placeSize(numbers.ofRock);
     sizeRemark_->setText(numbers.sizeRemark);
     sizeRemark_->setVisible(!numbers.sizeRemark.isEmpty());
     pose_->setVisible(numbers.unposed);
     warned_->setText(numbers.warned);
     warned_->setVisible(!numbers.warned.isEmpty());
     fillRows(*coordinates_, coordinateLabels_, numbers.coordinates, true);
+    for (const auto& [name, value] : coordinateLabels_) underline(*name, !numbers.unposed);
     fillRows(*rows_, rowLabels_, numbers.rows, false);
     if (std::exchange(shownTitle_, numbers.title) != numbers.title) shownPage_ = 0;
     fitHeight();
     QMetaObject::invokeMethod(this, &NumbersSide::fitPages, Qt::QueuedConnection); // after the rows have their widths
 }
 
+void NumbersSide::placeSize(bool first) {
+    auto& column = *static_cast<QVBoxLayout*>(facts_->layout());
+    for (QWidget* each : std::initializer_list<QWidget*>{rockHead_, size_}) column.removeWidget(each);
+    const int at = first ? column.indexOf(warned_) + 1 : column.indexOf(sizeRemark_);
+    column.insertWidget(at, rockHead_);
+    column.insertWidget(at + 1, size_);
+}
+
 bool NumbersSide::eventFilter(QObject* watched, QEvent* event) {
     if (watched == title_ && event->type() == QEvent::MouseButtonRelease) emit titleTapped();
     // The line is lower than a finger.
-    if (watched == facts_ && event->type() == QEvent::MouseButtonRelease && pose_->isVisible() &&
-        pose_->geometry().adjusted(0, -kAroundPose, 0, kAroundPose).contains(static_cast<QMouseEvent*>(event)->pos()))
+    const QRect pose = pose_->isVisible() ? pose_->geometry() : coordinates_->geometry();
+    if (watched == facts_ && event->type() == QEvent::MouseButtonRelease && !pose.isEmpty() &&
+        pose.adjusted(0, -kAroundPose, 0, kAroundPose).contains(static_cast<QMouseEvent*>(event)->pos()))
         emit poseRequested();
     return QWidget::eventFilter(watched, event);
 }

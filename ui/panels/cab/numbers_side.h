@@ -24,17 +24,19 @@ class Stepper;
 struct TargetNumbers {
     QString title, place;                                   ///< "Target 1", "of 3"
     QString distance, tolerance;                            ///< "4.911 m", "± 0.009"
-    QString rock, size, sizeRemark;                         ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "± 0.10 m · candidate …"
+    QString rock, size, sizeRemark;                         ///< "Rock 4, visible a × b", "2.51 × 1.83 m", "candidate …"
     std::vector<std::pair<QString, QString>> coordinates{}; ///< in large type as well
     QString warned{};                                       ///< lines with ▲
     std::vector<std::pair<QString, QString>> rows{};
-    int targets = 0;        ///< of the scan
-    int measures = 0;       ///< of the scan: the arrows go over targets and measurements
-    bool only = false;      ///< the arrows lead to nothing else
-    bool opens = false;     ///< a tap on the title opens a menu
-    bool unposed = false;   ///< the coordinates count from the scanner; a tap on the warning asks for a pose
-    bool measuring = false; ///< a tap is an end of a measurement
-    QString distanceName{}; ///< "Throat Width"; empty: "Distance"
+    int targets = 0;         ///< of the scan
+    int measures = 0;        ///< of the scan: the arrows go over targets and measurements
+    bool only = false;       ///< the arrows lead to nothing else
+    bool opens = false;      ///< a tap on the title opens a menu
+    bool unposed = false;    ///< the coordinates count from the scanner; a tap on the warning, else on the coordinates, opens the pose
+    bool measuring = false;  ///< a tap is an end of a measurement
+    QString distanceName{};  ///< "Throat Width"; empty: "Distance"
+    QString sizeTolerance{}; ///< "± 0.10 m"
+    bool ofRock = false;     ///< its size is above the coordinates: a low screen shows it at once
 };
 
 /// One setting. `key`: its key in the parameter table.
@@ -83,6 +85,7 @@ protected:
 
 private:
     void fitTitle();
+    void placeSize(bool first);
     void fitHeight();
     QWidget* makeNumbers();
     QWidget* makeSettings();
@@ -106,7 +109,8 @@ private:
     QLabel* distanceName_ = nullptr;
     FittedLabel* distance_;
     QLabel* tolerance_;
-    QLabel* rock_;
+    QLabel *rock_, *sizeTolerance_;
+    QWidget* rockHead_; // both
     FittedLabel* size_;
     QLabel* sizeRemark_;
     QLabel *pose_, *warned_;

@@ -15,6 +15,8 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QShowEvent>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -211,6 +213,15 @@ void PlaceDialog::showTexts(const std::vector<Row>& rows, const PlaceTexts& text
     for (std::size_t n = 0; n < rows.size(); ++n) rows[n].show(exactText(texts[n]));
     showing_ = false;
     emit changed();
+}
+
+/// Each time at its top, without the field that was typed in last.
+void PlaceDialog::showEvent(QShowEvent* event) {
+    if (QWidget* last = focusWidget(); last != nullptr && !event->spontaneous()) last->clearFocus();
+    for (auto* area : findChildren<QScrollArea*>()) {
+        if (!event->spontaneous()) area->verticalScrollBar()->setValue(0);
+    }
+    QDialog::showEvent(event);
 }
 
 void PlaceDialog::showPose(const PlaceTexts& texts) {

@@ -50,6 +50,9 @@ signals:
     void scannerForgotten(const QString& name);
     void fileRequested();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     struct Row {
         std::function<QString()> text;

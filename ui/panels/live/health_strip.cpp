@@ -17,7 +17,8 @@ namespace edgescan::ui {
 namespace {
 
 constexpr int kStripRim = 2, kStripGap = 10; // px
-constexpr int kTwoRowsBelow = 700;           // px
+constexpr int kNarrowStrip = 700;            // px: of a cab, which has room for one row of what nothing else shows
+constexpr int kLeastBar = 60;                // px
 constexpr int kEmptyMs = 3000;
 
 } // namespace
@@ -33,6 +34,7 @@ HealthStrip::HealthStrip(QWidget* parent)
     remark_->setObjectName("live-remark");
     recording_->setObjectName("live-recording");
     sentence_->setObjectName("live-sentence");
+    bar_->setMinimumWidth(kLeastBar);
     auto* row = new FlowLayout(this);
     row->setContentsMargins(0, kStripRim, 6, kStripRim);
     row->setSpacing(kStripGap);
@@ -62,47 +64,53 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     shown_ = health;
     picture_ = picture;
     note_ = note;
-    const auto showText = [](QLabel* label, const std::string& text) {
-        const QString words = coreWords(text);
+    const bool narrow = isNarrow();
+    const auto showText = [](QLabel* label, const std::string& text, bool firstPart = false) {
+        const QString words = firstPart ? coreWords(text).section(':', 0, 0).trimmed() : coreWords(text);
         if (label->text() != words) label->setText(words);
         label->setVisible(!text.empty());
     };
     // Green is only for what is so now.
     const bool present = health.liveness == files::Liveness::Live;
-    const auto badge = [present](StateBadge* each, StateBadge::Sign sign, const std::string& text) {
-        each->showState(sign == StateBadge::Sign::Good && !present ? StateBadge::Sign::Off : sign, coreWords(text));
-        each->setToolTip(coreWords(text)); // a narrow strip cuts it
-        each->setVisible(!text.empty());
+    const auto badge = [present](StateBadge* each, StateBadge::Sign sign, const QString& words, bool shown = true) {
+        each->showState(sign == StateBadge::Sign::Good && !present ? StateBadge::Sign::Off : sign, words);
+        each->setToolTip(words); // a narrow strip cuts it
+        each->setVisible(shown && !words.isEmpty());
     };
     // A fault of the scanner has priority over the picture's relation to it.
     const bool notFollowing = health.liveness == files::Liveness::Live && picture != Picture::Follows;
-    badge(badge_, notFollowing ? StateBadge::Sign::Waiting : signOf(health.liveness),
-          !notFollowing              ? health.badge
-          : picture == Picture::Held ? tr("HELD").toStdString()
-                                     : tr("CONNECTED, another picture is shown").toStdString());
     // The badge at the head of a cab says the same.
     const bool inHead =
         notFollowing ? picture == Picture::Held : picture == Picture::Follows || health.liveness == files::Liveness::Stopped;
-    if (brief_ && inHead) badge_->hide();
+    badge(badge_, notFollowing ? StateBadge::Sign::Waiting : signOf(health.liveness),
+          !notFollowing              ? coreWords(health.badge)
+          : picture == Picture::Held ? tr("HELD")
+          : narrow                   ? tr("ANOTHER PICTURE")
+                                     : tr("CONNECTED, another picture is shown"),
+          !brief_ || !inHead);
     // Another picture counts the lines of its own sweep.
-    const QString lines = coreWords(health.lines);
+    const bool heldNarrow = narrow && notFollowing && picture == Picture::Held;
+    QString lines = coreWords(health.lines);
+    if (heldNarrow && lines.section(' ', 0, 0).contains('/')) lines = lines.section(' ', 0, 0); // "93/120", which is in one row
     lines_->setText(picture == Picture::Follows || lines.isEmpty() ? lines : tr("sweep %1: %2").arg(health.sweep).arg(lines));
-    lines_->setVisible(!lines.isEmpty());
-    bar_->showRows(health.row, health.rows, health.lostRows);
-    showText(lost_, health.lost);
+    lines_->setVisible(!lines.isEmpty() && (!narrow || heldNarrow)); // the head has those of the picture
+    bar_->showRows(health.row, heldNarrow || (narrow && inHead && !present) ? 0 : health.rows, health.lostRows);
+    showText(lost_, health.lost, narrow); // the bar shows where
     lost_->setToolTip(tr("Lines whose telegrams did not arrive: dashes in the images"));
     showText(noReturn_, brief_ ? std::string() : health.noReturn);
-    badge(remark_, signOf(health.telegrams), health.remark);
+    badge(remark_, signOf(health.telegrams), coreWords(health.remark));
     QStringList remarks;
     for (const std::string& sentence : health.remarks) remarks << coreSentence(sentence);
     remark_->setToolTip(remarks.join('\n'));
-    badge(window_, signOf(health.window), brief_ && health.window == files::Condition::Good ? std::string() : health.contamination);
+    badge(window_, signOf(health.window), coreWords(health.contamination), !brief_ || health.window != files::Condition::Good);
     // A device without faults has no badge.
-    badge(device_, signOf(health.device), health.device == files::Condition::Good ? std::string() : health.deviceState);
+    badge(device_, signOf(health.device), coreWords(health.deviceState), health.device != files::Condition::Good);
     showText(pose_, health.lines.empty() || brief_ ? std::string() : health.pose);
-    showText(end_, health.end);
+    showText(end_, narrow && notFollowing ? std::string() : health.end);
     // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.
-    badge(recording_, signOf(health.recorded), health.recorded == files::Condition::Good && !brief_ ? std::string() : health.recording);
+    const bool recordsWell = health.recorded == files::Condition::Good;
+    const QString recording = coreWords(health.recording);
+    badge(recording_, signOf(health.recorded), narrow && recordsWell ? recording.section(' ', -2) : recording, !recordsWell || brief_);
     const QString ofScanner = present ? QString() : coreSentence(health.sentence);
     const QString sentence = ofScanner.isEmpty() ? note : ofScanner;
     if (sentence_->text() != sentence) sentence_->setText(sentence);
@@ -121,13 +129,12 @@ void HealthStrip::setSteady(bool on) {
 }
 
 void HealthStrip::keepHeight() {
-    const int row = badge_->sizeHint().height(), around = 2 * kStripRim;
-    const bool narrow = brief_ && width() < kTwoRowsBelow; // there the rows change with every line
-    kept_ = steady_ ? std::max({kept_, narrow ? 2 * row + kStripGap / 2 + around : row + around, heightForWidth(width())}) : 0;
+    const int row = badge_->sizeHint().height() + 2 * kStripRim;
+    kept_ = steady_ ? std::max({kept_, row, heightForWidth(width())}) : 0;
     setMinimumHeight(kept_);
     auto* empty = findChild<QTimer*>("live-empty-row");
     if (empty == nullptr) return; // not yet
-    const bool isEmpty = steady_ && !narrow && heightForWidth(width()) < kept_;
+    const bool isEmpty = steady_ && std::max(row, heightForWidth(width())) < kept_;
     if (!isEmpty)
         empty->stop();
     else if (!empty->isActive())
@@ -138,8 +145,12 @@ void HealthStrip::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     if (event->size().width() == event->oldSize().width()) return;
     kept_ = 0;
+    if ((event->size().width() < kNarrowStrip) != (event->oldSize().width() < kNarrowStrip))
+        return showHealth(files::LiveHealth(shown_), picture_, QString(note_));
     keepHeight();
 }
+
+bool HealthStrip::isNarrow() const { return brief_ && width() < kNarrowStrip; }
 
 void HealthStrip::setBrief(bool on) {
     brief_ = on;

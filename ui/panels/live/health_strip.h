@@ -36,6 +36,7 @@ protected:
 
 private:
     void keepHeight();
+    [[nodiscard]] bool isNarrow() const;
 
     files::LiveHealth shown_;
     Picture picture_ = Picture::Follows;

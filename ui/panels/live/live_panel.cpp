@@ -33,6 +33,8 @@ namespace {
 
 constexpr int kBetween = 8; // px between two buttons
 constexpr int kAfterStopMs = 1500;
+constexpr int kNumberOnly = 700;  // px of a cab: another sweep has its number only
+constexpr int kNoWords = 540;     // px of a cab: the button of the recording has a sign
 constexpr int kUsualPort = 2112;  // SICK's second CoLa port, the default of sick_scan_xd
 constexpr int kBridgePort = 8765; // of foxglove_bridge
 
@@ -92,19 +94,19 @@ LivePanel::LivePanel(QWidget* parent)
 
     auto* head = new QWidget;
     auto* row = buttons_ = new FlowLayout(head);
-    row->setContentsMargins(6, 0, 6, 2);
+    row->setContentsMargins(6, 0, 6, 0);
     row->setSpacing(kBetween);
     for (QWidget* each : std::initializer_list<QWidget*>{title_, host_, port_, sweepButton_, connect_, topics_, record_, recorded_, keep_,
                                                          scanner_, close_})
         row->addWidget(each);
     auto* first = stripRow_ = new QHBoxLayout;
-    first->setContentsMargins(6, 2, 0, 0);
+    first->setContentsMargins(6, 6, 0, 0);
     first->setSpacing(kBetween);
     for (QPushButton* each : {hold_, follow_, other_}) first->addWidget(each, 0, Qt::AlignTop);
     first->addWidget(strip_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
+    column->setSpacing(0);
     column->addWidget(head);     // first: the buttons do not move when the strip gets another row
     column->addLayout(first, 1); // spare height, until the panel gives it back, moves no button
 
@@ -262,6 +264,9 @@ void LivePanel::setBrief(bool on) {
         else
             stripRow_->insertWidget(place++, each, 0, Qt::AlignTop);
     }
+    stripRow_->setContentsMargins(6, on ? 0 : 6, 0, 0);
+    nameOther();
+    nameRecord();
     showFields();
 }
 
@@ -285,7 +290,7 @@ void LivePanel::showFields() {
 
 void LivePanel::reserveWidths() {
     reserveWidth(*connect_, {tr("Stop"), tr("Connect")});
-    reserveWidth(*record_, {tr("Stop recording"), tr("Record")});
+    nameRecord();
     constexpr int kFrame = 24, kUsualField = 220; // px
     const int words = host_->fontMetrics().horizontalAdvance(host_->placeholderText()) + kFrame;
     host_->setMinimumWidth(words);
@@ -303,7 +308,16 @@ void LivePanel::changeEvent(QEvent* event) {
 void LivePanel::setRecording(bool recording) {
     record_->setChecked(recording);
     topics_->setEnabled(!recording); // another topic is another connection, which would end the recording
-    record_->setText(recording ? tr("Stop recording") : tr("Record"));
+    nameRecord();
+}
+
+/// A narrow cab has all buttons in one row: the words of this one are the longest.
+void LivePanel::nameRecord() {
+    const bool narrow = brief_ && width() < kNoWords;
+    const QString start = narrow ? QStringLiteral("● REC") : tr("Record"), end = narrow ? QStringLiteral("■ REC") : tr("Stop recording");
+    reserveWidth(*record_, {start, end});
+    record_->setText(record_->isChecked() ? end : start);
+    record_->setAccessibleName(record_->isChecked() ? tr("Stop recording") : tr("Record"));
 }
 
 /// A double tap is one tap: the second one would press what the first one made of the button, as Connect after Stop.
@@ -325,10 +339,22 @@ void LivePanel::setFollowing(bool following) {
 void LivePanel::offerOthers(const QStringList& sweeps, const QString& help) {
     if (connected_) return;
     others_ = sweeps;
-    other_->setText(sweeps.size() == 1 ? tr("Show %1").arg(sweeps.front()) : tr("Show another sweep…"));
     other_->setToolTip(help);
+    nameOther();
     showFields();
     if (!sweeps.isEmpty()) show();
+}
+
+void LivePanel::nameOther() {
+    const QString only = others_.value(0);
+    other_->setText(others_.size() != 1 ? tr("Show another sweep…")
+                                        : tr("Show %1").arg(brief_ && width() < kNumberOnly ? only.section(':', 0, 0).trimmed() : only));
+}
+
+void LivePanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    nameOther();
+    nameRecord();
 }
 
 void LivePanel::askOther() {

@@ -84,6 +84,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -91,6 +92,8 @@ private:
     void close();
     void reserveWidths();
     void showFields();
+    void nameOther();
+    void nameRecord();
     void askOther();
     void followAddress();
 

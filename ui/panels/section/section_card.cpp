@@ -1,12 +1,16 @@
 // Lays out the window of a section.
 #include "ui/panels/section/section_card.h"
 
+#include "ui/base/count_text.h"
+#include "ui/base/elided_label.h"
 #include "ui/panels/section/section_plot.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace edgescan::ui {
 namespace {
@@ -16,7 +20,8 @@ constexpr double kZoomStep = 1.25;
 } // namespace
 
 SectionCard::SectionCard(QWidget* parent)
-    : QDialog(parent), plot_(new SectionPlot), words_(new QLabel), export_(new QPushButton(tr("Export Section…"))) {
+    : QDialog(parent), plot_(new SectionPlot), words_(new QLabel), outside_(new ElidedLabel(nullptr, 2)),
+      export_(new QPushButton(tr("Export Section…"))) {
     setObjectName("section-card");
     setWindowTitle(tr("Section"));
     words_->setWordWrap(true);
@@ -29,9 +34,11 @@ SectionCard::SectionCard(QWidget* parent)
         zoomBy(1.0 / kZoomStep);
     })->setAutoRepeat(true);
     addButton(*foot, "section-fit", tr("Fit"), {}, [this] { plot_->zoomToFit(); });
-    foot->addStretch(1);
+    outside_->setObjectName("section-outside");
+    foot->addWidget(outside_, 1); // next to Fit, not over the lines
     foot->addWidget(export_);
     addButton(*foot, "section-close", tr("Close"), {}, [this] { hide(); }); // a cab has no frame to close it by
+    connect(plot_, &SectionPlot::viewChanged, this, &SectionCard::showView);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->addWidget(plot_, 1);
@@ -53,7 +60,20 @@ QPushButton* SectionCard::addButton(QHBoxLayout& row, const char* name, const QS
     return button;
 }
 
-void SectionCard::setWords(const QString& words) { words_->setText(words); }
+void SectionCard::setWords(const QString& words) {
+    about_ = words;
+    words_->setMinimumHeight(0);
+    showView();
+}
+
+/// What the plot shows now. The words become no lower: the plot would move.
+void SectionCard::showView() {
+    words_->setText(plot_->showsEdges() ? about_ + ' ' + tr("Green points are edges.") : about_);
+    words_->setMinimumHeight(std::max(words_->minimumHeight(), words_->heightForWidth(words_->width())));
+    const std::size_t count = plot_->outside();
+    outside_->setText(count > 0 ? tr("%1 points are outside: Fit shows them").arg(countText(count)) : QString());
+    outside_->setToolTip(outside_->text());
+}
 
 QString SectionCard::words() const { return words_->text(); }
 

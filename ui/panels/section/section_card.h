@@ -11,6 +11,7 @@ class QPushButton;
 
 namespace edgescan::ui {
 
+class ElidedLabel;
 class SectionPlot;
 
 /// GUI thread only.
@@ -28,8 +29,12 @@ private:
     QPushButton* addButton(QHBoxLayout& row, const char* name, const QString& text, const QString& words,
                            const std::function<void()>& press);
 
+    void showView();
+
     SectionPlot* plot_;
     QLabel* words_;
+    ElidedLabel* outside_;
+    QString about_; // the words, without what depends on the view
     QPushButton* export_;
 };
 

@@ -2,7 +2,6 @@
 #include "ui/panels/section/section_plot.h"
 
 #include "core/rocks/attributes/faces.h"
-#include "ui/base/count_text.h"
 #include "ui/base/gestures.h"
 #include "ui/base/marks.h"
 #include "ui/base/themes.h"
@@ -69,6 +68,7 @@ void SectionPlot::show(std::shared_ptr<const inspect::Section> section, const Ei
     all_ = moved_ = false;
     fit();
     update();
+    emit viewChanged(); // also without a section
 }
 
 void SectionPlot::fit() {
@@ -204,9 +204,7 @@ void SectionPlot::drawScales(QPainter& painter) const {
     const int right = width() - letters.horizontalAdvance(along) - 4;
     drawLabel(painter, QRect(right - 8, height() - 2 * letters.height() - 10, width() - right, letters.height() + 6),
               Qt::AlignRight | Qt::AlignBottom, along);
-    const QRect name = drawLabel(painter, rect().adjusted(kNamesLeft, 10, -8, 0), Qt::AlignLeft | Qt::AlignTop, heights_.name);
-    if (const std::size_t count = outside(); count > 0)
-        drawTipAt(painter, rect(), {width(), name.bottom()}, tr("%1 points are outside: Fit shows them").arg(countText(count)));
+    drawLabel(painter, rect().adjusted(kNamesLeft, 10, -8, 0), Qt::AlignLeft | Qt::AlignTop, heights_.name);
 }
 
 /// The outline of the chosen rock, below its line, and its number above its highest point.
@@ -249,9 +247,17 @@ std::size_t SectionPlot::outside() const {
     std::size_t count = 0;
     if (!section_) return count;
     for (const inspect::SectionLine& line : section_->lines) {
-        for (const inspect::SectionVertex& vertex : line) count += QRectF(rect()).contains(placeOf(vertex.atM)) ? 0 : 1;
+        for (const inspect::SectionVertex& vertex : line) count += isInside(vertex) ? 0 : 1;
     }
     return count;
+}
+
+bool SectionPlot::isInside(const inspect::SectionVertex& vertex) const { return QRectF(rect()).contains(placeOf(vertex.atM)); }
+
+bool SectionPlot::showsEdges() const {
+    return section_ && std::ranges::any_of(section_->lines, [this](const inspect::SectionLine& line) {
+               return std::ranges::any_of(line, [this](const inspect::SectionVertex& each) { return each.edge && isInside(each); });
+           });
 }
 
 void SectionPlot::drawMarks(QPainter& painter) const {
@@ -284,6 +290,7 @@ void SectionPlot::zoom(double factor, QPointF about) {
     perM_ *= by;
     moved_ = true;
     update();
+    emit viewChanged();
 }
 
 void SectionPlot::zoomToFit() {
@@ -291,6 +298,7 @@ void SectionPlot::zoomToFit() {
     moved_ = false;
     fit();
     update();
+    emit viewChanged();
 }
 
 void SectionPlot::mousePressEvent(QMouseEvent* event) {
@@ -303,7 +311,8 @@ void SectionPlot::mouseMoveEvent(QMouseEvent* event) {
         origin_ += place(*event) - *press_;
         press_ = place(*event);
         travelled_ = moved_ = true;
-        return update();
+        update();
+        return emit viewChanged();
     }
     if (const inspect::SectionVertex* vertex = nearest(place(*event))) emit hovered(vertex->cell);
 }
@@ -320,7 +329,10 @@ void SectionPlot::mouseReleaseEvent(QMouseEvent* event) {
     if (ends_.size() == 2) emit measured(*ends_[0], *ends_[1]);
 }
 
-void SectionPlot::resizeEvent(QResizeEvent*) { fit(); }
+void SectionPlot::resizeEvent(QResizeEvent*) {
+    fit();
+    emit viewChanged(); // also of a plot that does not fit again
+}
 
 } // namespace edgescan::ui
 

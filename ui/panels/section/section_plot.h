@@ -41,6 +41,8 @@ public:
     [[nodiscard]] const SectionHeights& heights() const { return heights_; }
     /// Vertices that the plot is too narrow to show at this zoom.
     [[nodiscard]] std::size_t outside() const;
+    /// Some edge is in the plot at this zoom.
+    [[nodiscard]] bool showsEdges() const;
     [[nodiscard]] const std::shared_ptr<const inspect::Section>& section() const { return section_; }
     /// A ring at the vertex nearest to this point, if it is near the plane; empty: none.
     void mark(const std::optional<Eigen::Vector3d>& pointM);
@@ -59,6 +61,8 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {640, 420}; }
 
 signals:
+    /// Other vertices are in the plot, perhaps.
+    void viewChanged();
     /// The vertex under the mouse.
     void hovered(std::size_t cell);
     /// Two vertices were clicked.
@@ -74,6 +78,7 @@ protected:
 
 private:
     void fit();
+    [[nodiscard]] bool isInside(const inspect::SectionVertex& vertex) const;
     [[nodiscard]] double lowestM() const;
     [[nodiscard]] double highestM() const;
     [[nodiscard]] const inspect::SectionVertex* nearest(QPointF place) const;

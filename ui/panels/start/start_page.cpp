@@ -21,7 +21,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -30,6 +32,7 @@ constexpr int kMostThumbnails = 100;
 constexpr int kButtonHigh = 56;          // px; higher where its description needs two lines
 constexpr int kLow = 580;                // px of the page
 constexpr int kSign = 28, kAppSign = 72; // px
+constexpr int kTop = 52, kAbove = 8;     // px: where it has room, a note or the tour comes above the content and moves nothing
 constexpr int kThere = Qt::UserRole + 1;
 
 QCommandLinkButton* addButton(QVBoxLayout& column, const char* name, const char* sign, const QString& text, const QString& more) {
@@ -115,10 +118,15 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
 void StartPage::fit() {
     const bool low = forTouch_ && height() < kLow;
     for (QWidget* each : {title_, foot_}) each->setHidden(low);
-    all_->setContentsMargins(low ? QMargins(12, 8, 12, 8) : QMargins(40, 30, 40, 20));
+    setContentsMargins(0, std::max(low ? 0 : kTop, taken_), 0, 0);
+    all_->setContentsMargins(low ? QMargins(12, kAbove, 12, 8) : QMargins(40, kAbove, 40, 20));
     row_->setSpacing(low ? 16 : 40);
     row_->setStretch(1, low ? 2 : 3);
     row_->itemAt(0)->widget()->layout()->setSpacing(low ? 4 : 8);
+}
+
+void StartPage::setTopTaken(int pixels) {
+    if (std::exchange(taken_, pixels) != pixels) fit();
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {
