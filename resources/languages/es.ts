@@ -45,7 +45,7 @@
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; otras celdas: puntos llevados a la cuadrícula del escaneo posterior</translation></message>
 <message><source>one scan with two settings</source><translation>un escaneo con dos ajustes</translation></message>
 <message><source>lined up by their poses</source><translation>alineados por sus poses</translation></message>
-<message><source>lined up by the known places of the scanner</source><translation>alineados por las posiciones conocidas del escáner</translation></message>
+<message><source>no pose: lined up by given positions of the scanner</source><translation>sin pose: alineados por posiciones dadas del escáner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sin pose: alineados por sus superficies</translation></message>
 <message><source>not resolved</source><translation>no resuelto</translation></message>
 <message><source>sweep %1</source><translation>barrido %1</translation></message>
@@ -271,6 +271,7 @@
 <message><source>Fold this panel to the edge of the window</source><translation>Plegar este panel al costado de la ventana</translation></message>
 <message><source>Folded panels</source><translation>Paneles plegados</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
+<message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Cerrar</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Muestra la siguiente de las notas que no se cerraron</translation></message>
@@ -280,7 +281,6 @@
 <message><source>Done</source><translation>Listo</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Guardado %1%2, %3 kB.</translation></message>
 <message><source>Open</source><translation>Abrir</translation></message>
-<message><source>Open folder</source><translation>Abrir la carpeta</translation></message>
 <message><source>No program of this computer opened %1.</source><translation>Ningún programa de este equipo abrió %1.</translation></message>
 <message><source>Undo</source><translation>Deshacer</translation></message>
 <message><source>Removed: %1.</source><translation>Quitado: %1.</translation></message>
@@ -485,7 +485,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>El barrido %1 es parcial: %2 de %3 líneas.</translation></message>
 <message><source>On the screen: %1</source><translation>En la pantalla: %1</translation></message>
 <message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 estaba retenido con %2 líneas cuando terminó la conexión.</translation></message>
-<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 es parcial: %2 de %3 líneas. El escáner estaba en medio de este barrido cuando EdgeScan se conectó. El barrido siguiente lo sustituye.</translation></message>
+<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected.</source><translation>%1 es parcial: %2 de %3 líneas. El escáner estaba en medio de este barrido cuando EdgeScan se conectó.</translation></message>
+<message><source>The next sweep replaces it.</source><translation>El barrido siguiente lo sustituye.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminó.</translation></message>

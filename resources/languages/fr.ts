@@ -45,7 +45,7 @@
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; autres cellules : points déplacés sur la grille du scan le plus récent</translation></message>
 <message><source>one scan with two settings</source><translation>un scan avec deux réglages</translation></message>
 <message><source>lined up by their poses</source><translation>alignés par leurs poses</translation></message>
-<message><source>lined up by the known places of the scanner</source><translation>alignés par les positions connues du scanner</translation></message>
+<message><source>no pose: lined up by given positions of the scanner</source><translation>pas de pose : alignés par des positions données du scanner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>pas de pose : alignés par leurs surfaces</translation></message>
 <message><source>not resolved</source><translation>non résolu</translation></message>
 <message><source>sweep %1</source><translation>balayage %1</translation></message>
@@ -271,6 +271,7 @@
 <message><source>Fold this panel to the edge of the window</source><translation>Replier ce panneau au bord de la fenêtre</translation></message>
 <message><source>Folded panels</source><translation>Panneaux repliés</translation></message>
 <message><source>Open %1</source><translation>Ouvrir %1</translation></message>
+<message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>Copy</source><translation>Copier</translation></message>
 <message><source>Close</source><translation>Fermer</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Montre la suivante des notes qui n'ont pas été fermées</translation></message>
@@ -280,7 +281,6 @@
 <message><source>Done</source><translation>Terminé</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Enregistré %1%2, %3 kB.</translation></message>
 <message><source>Open</source><translation>Ouvrir</translation></message>
-<message><source>Open folder</source><translation>Ouvrir le dossier</translation></message>
 <message><source>No program of this computer opened %1.</source><translation>Aucun programme de cet ordinateur n'a ouvert %1.</translation></message>
 <message><source>Undo</source><translation>Annuler</translation></message>
 <message><source>Removed: %1.</source><translation>Retiré : %1.</translation></message>
@@ -485,7 +485,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>Le balayage %1 est partiel : %2 lignes sur %3.</translation></message>
 <message><source>On the screen: %1</source><translation>À l'écran : %1</translation></message>
 <message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 était figé avec %2 lignes quand la connexion s'est terminée.</translation></message>
-<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 est partiel : %2 lignes sur %3. Le scanner était au milieu de ce balayage quand EdgeScan s'est connecté. Le balayage suivant le remplace.</translation></message>
+<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected.</source><translation>%1 est partiel : %2 lignes sur %3. Le scanner était au milieu de ce balayage quand EdgeScan s'est connecté.</translation></message>
+<message><source>The next sweep replaces it.</source><translation>Le balayage suivant le remplace.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 s'est terminé.</translation></message>

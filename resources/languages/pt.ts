@@ -45,7 +45,7 @@
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; outras células: pontos levados para a grade da varredura posterior</translation></message>
 <message><source>one scan with two settings</source><translation>uma varredura com dois ajustes</translation></message>
 <message><source>lined up by their poses</source><translation>alinhados pelas suas poses</translation></message>
-<message><source>lined up by the known places of the scanner</source><translation>alinhados pelas posições conhecidas do scanner</translation></message>
+<message><source>no pose: lined up by given positions of the scanner</source><translation>sem pose: alinhados por posições dadas do scanner</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sem pose: alinhados pelas suas superfícies</translation></message>
 <message><source>not resolved</source><translation>não resolvido</translation></message>
 <message><source>sweep %1</source><translation>varredura %1</translation></message>
@@ -271,6 +271,7 @@
 <message><source>Fold this panel to the edge of the window</source><translation>Recolher este painel para o lado da janela</translation></message>
 <message><source>Folded panels</source><translation>Painéis recolhidos</translation></message>
 <message><source>Open %1</source><translation>Abrir %1</translation></message>
+<message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>Copy</source><translation>Copiar</translation></message>
 <message><source>Close</source><translation>Fechar</translation></message>
 <message><source>Shows the next of the notes that were not closed</source><translation>Mostra a próxima das notas que não foram fechadas</translation></message>
@@ -280,7 +281,6 @@
 <message><source>Done</source><translation>Concluído</translation></message>
 <message><source>Saved %1%2, %3 kB.</source><translation>Salvo %1%2, %3 kB.</translation></message>
 <message><source>Open</source><translation>Abrir</translation></message>
-<message><source>Open folder</source><translation>Abrir a pasta</translation></message>
 <message><source>No program of this computer opened %1.</source><translation>Nenhum programa deste computador abriu %1.</translation></message>
 <message><source>Undo</source><translation>Desfazer</translation></message>
 <message><source>Removed: %1.</source><translation>Removido: %1.</translation></message>
@@ -485,7 +485,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Sweep %1 is a part: %2 of %3 lines.</source><translation>A varredura %1 é parcial: %2 de %3 linhas.</translation></message>
 <message><source>On the screen: %1</source><translation>Na tela: %1</translation></message>
 <message><source>%1 was held with %2 lines when the connection ended.</source><translation>%1 estava retida com %2 linhas quando a conexão terminou.</translation></message>
-<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next sweep replaces it.</source><translation>%1 é parcial: %2 de %3 linhas. O scanner estava no meio desta varredura quando o EdgeScan se conectou. A varredura seguinte a substitui.</translation></message>
+<message><source>%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected.</source><translation>%1 é parcial: %2 de %3 linhas. O scanner estava no meio desta varredura quando o EdgeScan se conectou.</translation></message>
+<message><source>The next sweep replaces it.</source><translation>A varredura seguinte a substitui.</translation></message>
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminou.</translation></message>

@@ -31,6 +31,7 @@
 #include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTableView>
 #include <QToolButton>
@@ -359,6 +360,30 @@ private slots:
         }
     }
 
+    // Next to large images the cloud is narrow: the legend is one row, which the operator can open.
+    void theLegendIsOneRowInANarrowCloud() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        resizeTo(on.window, {1280, 800});
+        const EdgeLegend& legend = on.viewer.legend;
+        QTRY_VERIFY(legend.classSwitch(0)->isVisible());
+        on.window.places().setImagesFirst(true);
+        QTRY_VERIFY(on.viewer.cloud.width() < 420);
+        QTRY_VERIFY(!legend.classSwitch(0)->isVisible() && legend.height() < 50);
+        QVERIFY(legend.unfold()->isVisible());
+        for (const bool open : {true, false, true}) {
+            QTest::mouseClick(legend.unfold(), Qt::LeftButton);
+            for (int n = 0; n < 3; ++n) { // it stays as it was left
+                (void)on.viewer.cloud.grabFrame(CloudView::Points::All);
+                QApplication::processEvents();
+                QCOMPARE(legend.classSwitch(0)->isVisible(), open);
+            }
+            QVERIFY(on.viewer.cloud.rect().contains(legend.geometry()));
+        }
+        on.window.places().setImagesFirst(false);
+        QTRY_VERIFY(on.viewer.cloud.width() > 500 && legend.classSwitch(0)->isVisible());
+    }
+
     // A panel that takes the place of the images says so once; Reset Layout gives the panels their heights and the pixels their shape.
     void aPanelThatFoldsTheImagesSaysSo() {
         WindowFixture on;
@@ -419,6 +444,28 @@ private slots:
             on.window.resetLayout();
             on.viewer.rocks.setShown(false);
         }
+    }
+
+    // The settings of edges do not scroll while the panel of rocks has an empty part.
+    void noPanelScrollsNextToAnEmptyOne() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        resizeTo(on.window, {1900, 1040});
+        const auto* edges = on.viewer.panel.findChild<QScrollArea*>();
+        QTRY_COMPARE(edges->verticalScrollBar()->maximum(), 0);
+        on.viewer.rocks.setShown(true);
+        QVERIFY(eventually([&] { return on.viewer.rocks.picture() != nullptr; }));
+        const auto* rocks = on.window.findChild<QDockWidget*>("dock-rocks");
+        QTRY_VERIFY(rocks->isVisible());
+        const auto* ofRocks = qobject_cast<const QScrollArea*>(rocks->widget());
+        const auto scroll = [&] { return edges->verticalScrollBar()->maximum() + ofRocks->verticalScrollBar()->maximum(); };
+        QTRY_VERIFY2_WITH_TIMEOUT(scroll() == 0,
+                                  qPrintable(QString("%1 %2: %3 %4")
+                                                 .arg(edges->verticalScrollBar()->maximum())
+                                                 .arg(ofRocks->verticalScrollBar()->maximum())
+                                                 .arg(edges->height())
+                                                 .arg(ofRocks->height())),
+                                  8000);
     }
 
     // Below the views it shows rows in a window of any height, and a height that the operator dragged stays.

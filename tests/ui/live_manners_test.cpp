@@ -307,6 +307,25 @@ private slots:
         QVERIFY2(!sentence.isVisible(), "a row that comes with Hold would move the pictures");
     }
 
+    // After Stop there is no next sweep that would replace the part.
+    void theNoteOfAPartEndsWithStop() {
+        const auto emulated = scanner(100);
+        QVERIFY(emulated);
+        WindowFixture on;
+        MainWindow& window = on.window;
+        QVERIFY(on.show());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY(lines(window) > 60);
+        press(window, "live-connect"); // Stop: the emulated scanner waits at this line
+        QTRY_VERIFY(!window.viewer().engine.behind());
+        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        const NoticeBar& notice = window.viewer().notice;
+        QTRY_VERIFY2(notice.isVisible() && notice.text().contains("The next sweep replaces it."), qPrintable(notice.text()));
+        press(window, "live-connect");
+        QTRY_VERIFY2(!notice.isVisible() || !notice.text().contains("replaces"), qPrintable(notice.text()));
+        QVERIFY2(notice.earlier() == 0 || !notice.isVisible(), "nor is it an earlier note");
+    }
+
     // Stop in the middle of a sweep, while the one before it is held: strip, badge and count name the sweep on the screen, and the button
     // shows the other.
     void afterStopOneSweepIsNamedAndTheOtherIsOffered() {

@@ -182,6 +182,12 @@ private slots:
         QTRY_VERIFY2(line->shown().contains("drawbell-edges.dxf"), qPrintable(line->shown()));
         notice.showNotice(NoticeBar::Kind::Error, "The disk is full: " + path + "; free some space");
         QTRY_VERIFY2(line->shown().contains("drawbell-edges.dxf"), qPrintable(line->shown()));
+        // A long name too, though what follows it has no room.
+        const QString name = "demo-draw-bell-rocks-nr-2.pcd";
+        notice.hide();
+        notice.showSaved("/home/operator/" + name, "22,057 points in the frame of the scanner",
+                         "Its record is next to it, for the archive.");
+        QTRY_VERIFY2(line->shown().contains(name) && line->shown().endsWith("…"), qPrintable(line->shown()));
         notice.hide();
         // Of two scans the common part is left out, not the word that differs.
         QCOMPARE(shownApart("demo draw-bell after the blast", "demo draw-bell", 20), QString("… after the blast"));
@@ -245,7 +251,12 @@ private slots:
         QCOMPARE(action->text(), QString("Open"));
         action->click();
         QCOMPARE(opened_, page);
+        auto* folder = on.viewer.notice.findChild<QToolButton*>("notice-folder");
+        QTRY_VERIFY(folder->isVisible());
+        QTest::mouseClick(folder, Qt::LeftButton);
+        QCOMPARE(opened_, QFileInfo(page).absolutePath());
         on.viewer.notice.showSaved(QString::fromStdString(bell_));
+        QVERIFY(!folder->isVisible()); // the first button opens it
         action->click();
         QCOMPARE(opened_, QFileInfo(QString::fromStdString(bell_)).absolutePath());
         QDesktopServices::unsetUrlHandler("file");

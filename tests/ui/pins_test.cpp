@@ -98,6 +98,79 @@ private slots:
         }
     }
 
+    // Four targets within 60 px in a small image, also at its border: a tag covers no ring, and one that is nearer to the ring of another
+    // target has a line from its own.
+    void closeTargetsHaveTagsThatNameThem() {
+        int led = 0, whole = 0;
+        for (const QPointF corner :
+             {QPointF(130, 90), QPointF(4, 4), QPointF(266, 4), QPointF(4, 146), QPointF(266, 146), QPointF(266, 70)}) {
+            for (const bool stacked : {false, true}) {
+                QImage picture(330, 210, QImage::Format_RGB32);
+                picture.fill(QColor(60, 60, 60));
+                QPainter painter(&picture);
+                const std::vector<QPointF> places = stacked ? std::vector<QPointF>{corner + QPointF(10, 6), corner + QPointF(12, 22),
+                                                                                   corner + QPointF(9, 40), corner + QPointF(11, 56)}
+                                                            : std::vector<QPointF>{corner + QPointF(6, 30), corner + QPointF(24, 36),
+                                                                                   corner + QPointF(42, 28), corner + QPointF(58, 34)};
+                CellMarks of;
+                for (std::size_t n = 0; n < places.size(); ++n)
+                    of.targets.push_back({n, QString("%1 keystone · 4.91 m · rock 3").arg(n + 1), QString::number(n + 1), n == 3});
+                const ScreenMarks marks = screenMarks(of, [&](std::size_t cell) { return std::optional(MarkPlace{places[cell]}); });
+                const auto tags = drawScreenMarks(painter, picture.rect(), marks);
+                if (qEnvironmentVariableIsSet("EDGESCAN_LOOK"))
+                    picture.save(QString("%1/tags-%2-%3-%4.png")
+                                     .arg(qEnvironmentVariable("EDGESCAN_LOOK"))
+                                     .arg(corner.x())
+                                     .arg(corner.y())
+                                     .arg(stacked));
+                QCOMPARE(tags.size(), places.size());
+                for (const MarkTag& tag : tags) {
+                    const QPointF own = places[tag.of.which];
+                    const auto endAt = [&](const QPointF& at) {
+                        return QPointF(std::clamp(at.x(), tag.left(), tag.right()), std::clamp(at.y(), tag.top(), tag.bottom()));
+                    };
+                    const QString where = QString("%1 at %2, %3").arg(tag.of.which).arg(corner.x()).arg(corner.y());
+                    bool otherIsNearer = false;
+                    const QLineF way(own, endAt(own));
+                    for (const QPointF& at : places) {
+                        QVERIFY2(QLineF(at, endAt(at)).length() >= 9.0, qPrintable(where));
+                        otherIsNearer = otherIsNearer || (at != own && QLineF(at, endAt(at)).length() <= way.length());
+                    }
+                    whole += tag.width() > 40.0 ? 1 : 0;
+                    if (!otherIsNearer && way.length() < 20.0) continue;
+                    ++led;
+                    if (way.length() < 14.0) continue; // the ring is all but at the tag
+                    int lightest = 0;                  // between ring and tag, of a line at any angle
+                    for (double px = 11.0; px < way.length() - 1.0; px += 0.5) {
+                        const QPoint at = way.pointAt(px / way.length()).toPoint();
+                        for (const QPoint by : {QPoint(0, 0), QPoint(-1, 0), QPoint(0, -1)})
+                            lightest = std::max(lightest, qGray(picture.pixel(at + by)));
+                    }
+                    QVERIFY2(lightest > 90, qPrintable(where + QString(" %1 px %2").arg(way.length()).arg(lightest)));
+                }
+            }
+        }
+        QVERIFY2(led > 0, "the test can fail: not all have room next to their rings");
+        QVERIFY2(whole > 12, "there is room for the whole text of more than the chosen one");
+    }
+
+    // Where the text has no free place near its ring, the number has one.
+    void aTagWithoutRoomIsItsNumber() {
+        QImage picture(150, 60, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        CellMarks of;
+        for (std::size_t n = 0; n < 3; ++n) of.targets.push_back({n, "keystone · 19.11 m", QString::number(n + 1), n == 2});
+        const auto placeOf = [](std::size_t cell) {
+            return std::optional(MarkPlace{QPointF(30.0 + 30.0 * static_cast<double>(cell), 30)});
+        };
+        const auto tags = drawScreenMarks(painter, picture.rect(), screenMarks(of, placeOf));
+        QCOMPARE(tags.size(), std::size_t(3));
+        for (const MarkTag& tag : tags) {
+            for (std::size_t n = 0; n < 3; ++n) QVERIFY(!QRectF(placeOf(n)->at - QPointF(9, 9), QSizeF(18, 18)).intersects(tag));
+        }
+        QVERIFY2(std::ranges::any_of(tags, [](const MarkTag& tag) { return tag.width() < 40.0; }), "the test can fail");
+    }
+
     // In a crowd each tag is next to its own mark, or a line leads to it.
     void aTagThatIsAwayFromItsMarkHasALineToIt() {
         QImage picture(284, 200, QImage::Format_RGB32);

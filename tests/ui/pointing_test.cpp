@@ -165,6 +165,10 @@ private slots:
                     const QRect card(on.viewer.explanation.card()->frameGeometry());
                     const QString where = QString("cab %1, %2: %3, %4").arg(cab).arg(size.width()).arg(line).arg(beam);
                     QVERIFY2(!card.contains(on.viewer.cloud.mapToGlobal(place->toPoint())), qPrintable(where));
+                    for (const ImageView* image : {&on.viewer.gray, &on.viewer.edges}) {
+                        if (cab || size.width() < 1280 || !image->isVisible()) continue;
+                        QVERIFY2(!card.contains(image->mapToGlobal(pixelOf(*image, line, beam))), qPrintable(where + " in an image"));
+                    }
                     const auto* panel = on.window.findChild<EdgesPanel*>(); // the operator tunes while he reads
                     const QRect tuning(panel->mapToGlobal(QPoint(0, 0)), panel->size());
                     QVERIFY2(size.width() < 1024 || !panel->isVisible() || panel->visibleRegion().isEmpty() || !card.intersects(tuning),

@@ -424,6 +424,8 @@ private slots:
             QTest::mouseClick(table->horizontalHeader()->viewport(), Qt::LeftButton, Qt::NoModifier,
                               QPoint(table->horizontalHeader()->sectionViewportPosition(n) + 5, 5));
             const bool up = table->horizontalHeader()->sortIndicatorOrder() == Qt::AscendingOrder;
+            const QString head = table->model()->headerData(n, Qt::Horizontal).toString();
+            if (n != 2) QCOMPARE(up, head.startsWith("Rock") || head.startsWith("distance")); // of sizes the largest first
             const std::vector<double> values = column(n);
             QCOMPARE(table->horizontalHeader()->sortIndicatorSection(), n);
             QVERIFY(up ? std::is_sorted(values.begin(), values.end()) : std::is_sorted(values.rbegin(), values.rend()));
@@ -437,6 +439,7 @@ private slots:
         QTest::mouseClick(rocks.sureOnly(), Qt::LeftButton, Qt::NoModifier, QPoint(8, rocks.sureOnly()->height() / 2));
         for (const double p : column(10)) QVERIFY(p >= rocks::kSureConfidence);
 
+        table->sortByColumn(10, Qt::AscendingOrder);
         const CameraPose before = on.viewer.views.cloud().camera();
         const QPoint row = table->visualRect(table->model()->index(0, 1)).center();
         QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, row);
@@ -466,8 +469,11 @@ private slots:
             QVERIFY(whole <= table->viewport()->width() || table->horizontalScrollBar()->maximum() > 0);
             if (size.width() != 1280) continue;
             int inSight = 0; // only two of the columns were
-            for (int n = 0; n < heads->count(); ++n)
-                inSight += heads->sectionViewportPosition(n) + heads->sectionSize(n) <= table->viewport()->width() ? 1 : 0;
+            for (int n = 0; n < heads->count(); ++n) {
+                const int left = heads->sectionViewportPosition(n), right = left + heads->sectionSize(n);
+                inSight += right <= table->viewport()->width() ? 1 : 0;
+                QVERIFY2(right <= table->viewport()->width() || left >= table->viewport()->width(), "a head is cut at the border");
+            }
             QVERIFY2(inSight >= 4, qPrintable(QString("%1 of %2 px").arg(inSight).arg(table->viewport()->width())));
         }
     }
@@ -547,6 +553,23 @@ private slots:
                 QVERIFY(size.height() < 150 || view.caption().contains("40 %"));
             }
         }
+    }
+
+    // The number of the largest rock is above the curve, where nothing else is drawn.
+    void theLargestRockIsNotOverTheCurve() {
+        SizeCurveView view;
+        rocks::SizeCurve curve;
+        curve.widthsM = {0.2, 0.5, 0.9, 1.0};
+        curve.topM = 1.0;
+        view.show(curve);
+        view.resize(300, 54);
+        QVERIFY(view.caption().isEmpty());
+        const QImage seen = view.grab(QRect(150, 0, 150, static_cast<int>(view.placeOf(0, 1).y()) - 4)).toImage();
+        int ink = 0;
+        for (int y = 0; y < seen.height(); ++y) {
+            for (int x = 0; x < seen.width(); ++x) ink += std::abs(qGray(seen.pixel(x, y)) - qGray(seen.pixel(0, 0))) > 60 ? 1 : 0;
+        }
+        QVERIFY2(ink > 60, qPrintable(QString::number(ink)));
     }
 
     void theSizeCurveIsDrawnWithItsMarksAndTheOversize() {

@@ -38,6 +38,7 @@
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QStyledItemDelegate>
 #include <QTimer>
 #include <QToolButton>
 
@@ -1167,6 +1168,56 @@ private slots:
         QVERIFY(targets(on)[1].note.empty());
         on.viewer.targets.removeAll();
         QVERIFY(!command->isEnabled());
+    }
+
+    // The list takes the free height of its dock, in whole rows, before it scrolls.
+    void theListOfTargetsTakesTheFreeHeight() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_) && on.activate());
+        QTRY_VERIFY((on.window.resize(1900, 1040), on.window.width() == 1900));
+        for (const auto& [line, beam] : {std::pair{60, 80}, {30, 40}, {90, 120}, {30, 120}, {90, 40}, {60, 40}}) {
+            click(on.viewer.views.gray(), line, beam);
+            QVERIFY(known(on));
+        }
+        QListWidget& list = *on.viewer.targetsPanel.targets();
+        const auto isWhole = [&] {
+            const QRect last = list.visualItemRect(list.item(list.count() - 1));
+            return list.count() == 6 && last.bottom() <= list.viewport()->height() && list.visualItemRect(list.item(0)).top() >= 0;
+        };
+        auto* dock = on.window.findChild<QDockWidget*>("dock-targets");
+        on.window.resizeDocks({on.window.findChild<QDockWidget*>("dock-edges"), dock}, {100, 900}, Qt::Vertical);
+        QTRY_VERIFY2(isWhole(), qPrintable(QString("%1 px of %2").arg(list.height()).arg(dock->height())));
+        on.window.resizeDocks({on.window.findChild<QDockWidget*>("dock-edges"), dock}, {900, 300}, Qt::Vertical);
+        QTRY_VERIFY2(!isWhole() && list.verticalScrollBar()->isVisible(), "without room it scrolls");
+        const int rows = list.viewport()->height() / list.visualItemRect(list.item(0)).height();
+        QVERIFY2(rows >= 3, qPrintable(QString::number(rows)));
+    }
+
+    // What follows from the scan is read in a narrow list: the note and the name lose letters.
+    void aRowOfTheListKeepsTheClassOfItsEdge() {
+        WindowFixture on;
+        QVERIFY(showWith(on, boxes_) && on.activate());
+        QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280));
+        on.viewer.views.pin(on.picture().detection->edges->front());
+        QVERIFY(known(on));
+        const QString edge = on.viewer.targetsPanel.targets()->item(0)->text().section('\n', 0, 0).section("   ", -1);
+        QTest::keyClicks(on.viewer.targetsPanel.card().note(), "look at it again after the next blast");
+        QTest::keyClick(on.viewer.targetsPanel.card().note(), Qt::Key_Return);
+        on.viewer.targets.rename(1, "the keystone at the left");
+        const QListWidget& list = *on.viewer.targetsPanel.targets();
+        QTRY_VERIFY(list.item(0)->text().contains("keystone") && list.item(0)->text().contains("blast"));
+        struct Peek : QStyledItemDelegate {
+            using QStyledItemDelegate::initStyleOption;
+        };
+        QStyleOptionViewItem option;
+        option.widget = &list;
+        option.font = list.font();
+        option.fontMetrics = list.fontMetrics();
+        const auto* rows = static_cast<const QStyledItemDelegate*>(list.itemDelegate());
+        (rows->*(&Peek::initStyleOption))(&option, list.model()->index(0, 0));
+        const QString shown = option.text.section(QChar(QChar::LineSeparator), 0, 0);
+        QVERIFY2(shown.startsWith("1") && shown.contains(" m ") && shown.contains(edge), qPrintable(shown));
+        QVERIFY2(!shown.contains("blast"), qPrintable(shown));
     }
 
     void aTargetHasANote() {

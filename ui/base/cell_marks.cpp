@@ -13,10 +13,11 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr double kMarkRing = 8.0;   // radius, px
-constexpr double kEndDot = 3.5;     // of each measured cell
-constexpr int kTagOffset = 6;       // px from the ring
-constexpr double kMouseReach = 2.0; // px around what is drawn
+constexpr double kMarkRing = 8.0;              // radius, px
+constexpr double kEndDot = 3.5;                // of each measured cell
+constexpr double kRingReach = kMarkRing + 2.0; // with its outline
+constexpr int kTagOffset = 6;                  // px from the ring
+constexpr double kMouseReach = 2.0;            // px around what is drawn
 constexpr double kFingerReach = 10.0;
 constexpr double kOnePlace = 48.0;         // px: labels of measurements that are nearer would be a heap
 constexpr std::size_t kMostFreeRings = 40; // no tag covers a ring; among more of them it would be far from its own
@@ -35,7 +36,9 @@ QPointF nearestOn(const QRectF& box, const QPointF& at) {
 /// Places tags so that they cover neither each other nor a plate: as near to their mark as can be. A line joins a tag that is away from it.
 class Tags {
 public:
-    Tags(QPainter& painter, const QRect& place, const std::vector<QRectF>& taken) : painter_(painter), place_(place), taken_(taken) {
+    /// `taken` has the boxes of the `rings`, too, unless these are too many.
+    Tags(QPainter& painter, const QRect& place, const std::vector<QRectF>& taken, const std::vector<QPointF>& rings)
+        : painter_(painter), place_(place), taken_(taken), rings_(rings) {
         painter_.save();
         painter_.setFont(boldFont(painter_));
     }
@@ -43,27 +46,38 @@ public:
     Tags& operator=(const Tags&) = delete;
     ~Tags() { painter_.restore(); }
 
-    /// `aside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`. The tag does not cover the `line`.
+    /// `aside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`. The tag does not cover the `line`. It says
+    /// `brief` where `text` has no free place near the mark, or only one that misleads.
     void place(const MarkName& of, const QPointF& at, double aside, double above, const QString& text, bool active,
-               const QLineF& line = {}) {
+               const QString& brief = {}, const QLineF& line = {}) {
         if (text.isEmpty()) return;
         const std::size_t others = taken_.size();
         takeLine(at, line, painter_.fontMetrics().horizontalAdvance(text));
-        const QRectF box = freePlace(at, aside, above, QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size());
+        const QPointF way(aside, above);
+        constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+        auto box = freePlace(at, way, sizeOf(text), brief.isEmpty() ? kAnywhere : kNear);
+        QString words = text;
+        if (!brief.isEmpty() && (!box || (!active && misleads(*box, at)))) {
+            const auto small = freePlace(at, way, sizeOf(brief), kAnywhere);
+            const bool better = small && (!box || !misleads(*small, at));
+            if (better) box = small;
+            if (better || !box) words = brief;
+        }
+        if (!box) box = clearOfTags(at, usualPlace(at, way, sizeOf(words)));
         taken_.resize(others);
-        taken_.push_back(box);
-        placed_.push_back({{box, of}, text, active, at, std::hypot(aside, above) + kStillNext});
+        taken_.push_back(*box);
+        const bool led = QLineF(at, nearestOn(*box, at)).length() > std::hypot(aside, above) + kStillNext;
+        placed_.push_back({{*box, of}, words, active, at, led || (!of.isMeasure && misleads(*box, at))});
     }
     /// The tag that was placed first is over the others, where they have no room next to each other. Returns their places, as placed.
     std::vector<MarkTag> draw() {
+        QVector<QLineF> ways;
         for (const Placed& tag : placed_) {
             const QPointF end = nearestOn(tag.box, tag.at);
             const double away = QLineF(tag.at, end).length();
-            if (away <= tag.nextTo) continue;
-            const QPointF start = tag.at + (end - tag.at) * (kMarkRing / away);
-            strokeTwice(painter_, QPen(QColor(0, 0, 0, 200), 3.0), QPen(QColor(232, 232, 232), 1.0),
-                        [&] { painter_.drawLine(start, end); });
+            if (tag.led && away > kMarkRing) ways << QLineF(tag.at + (end - tag.at) * (kMarkRing / away), end);
         }
+        strokeTwice(painter_, QPen(QColor(0, 0, 0, 200), 3.0), QPen(QColor(232, 232, 232), 1.0), [&] { painter_.drawLines(ways); });
         painter_.setPen(QPen(Qt::black, 1.0));
         for (auto tag = placed_.rbegin(); tag != placed_.rend(); ++tag) {
             painter_.setPen(tag->active ? Qt::black : QColor(232, 232, 232));
@@ -82,7 +96,7 @@ private:
         QString text;
         bool active;
         QPointF at;
-        double nextTo; // px from the mark: a tag that is farther away has a line to it
+        bool led; // a line joins it with its mark: it is away from it, or nearer to another ring
     };
     /// Takes the part of a line that a tag of this width at `at` could cover, as small squares.
     void takeLine(const QPointF& at, const QLineF& line, double width) {
@@ -93,11 +107,29 @@ private:
             if (QLineF(here, at).length() <= width + 2.0 * kStep) taken_.emplace_back(here - QPointF(5.0, 5.0), QSizeF(10.0, 10.0));
         }
     }
-    /// The free place nearest to the mark, of equal ones that nearest to the usual place: at either side of the mark, above or below, or
-    /// next to what is taken. Where all are taken: anywhere that no other tag is, else the usual place.
-    [[nodiscard]] QRectF freePlace(const QPointF& at, double aside, double above, const QSizeF& size) const {
-        const QPointF usual(at.x() + aside, at.y() - above - size.height());
-        std::vector<double> lefts{usual.x(), at.x() - aside - size.width()}, tops{usual.y(), at.y() + above, at.y() - size.height() / 2.0};
+    [[nodiscard]] QSizeF sizeOf(const QString& text) const {
+        return QRectF(painter_.fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2).size();
+    }
+    [[nodiscard]] static QRectF usualPlace(const QPointF& at, const QPointF& way, const QSizeF& size) {
+        return {QPointF(at.x() + way.x(), at.y() - way.y() - size.height()), size};
+    }
+    /// True if a reader would take another ring for that of the tag: it is nearer, or on the way to the tag.
+    [[nodiscard]] bool misleads(const QRectF& box, const QPointF& at) const {
+        const QPointF end = nearestOn(box, at), way = end - at;
+        const double away = QPointF::dotProduct(way, way);
+        return std::ranges::any_of(rings_, [&](const QPointF& other) {
+            if (other == at) return false;
+            if (QLineF(nearestOn(box, other), other).length() <= std::sqrt(away) + 1.0) return true;
+            const double along = away > 0.0 ? std::clamp(QPointF::dotProduct(other - at, way) / away, 0.0, 1.0) : 0.0;
+            return QLineF(at + along * way, other).length() < kMarkRing;
+        });
+    }
+    /// The free place nearest to the mark, at most `most` px from it, of equal ones that nearest to the usual place: at either side of the
+    /// mark, above or below, or next to what is taken. A place that misleads is taken only where the others are much farther.
+    [[nodiscard]] std::optional<QRectF> freePlace(const QPointF& at, const QPointF& way, const QSizeF& size, double most) const {
+        const QPointF usual = usualPlace(at, way, size).topLeft();
+        std::vector<double> lefts{usual.x(), at.x() - way.x() - size.width()},
+            tops{usual.y(), at.y() + way.y(), at.y() - size.height() / 2.0};
         for (const QRectF& other : taken_) {
             tops.insert(tops.end(), {other.bottom() + kBetweenTags, other.top() - size.height() - kBetweenTags});
             lefts.insert(lefts.end(), {other.right() + kBetweenTags, other.left() - size.width() - kBetweenTags});
@@ -108,17 +140,21 @@ private:
             for (const double top : tops) {
                 QRectF box({lefts[n], top}, size);
                 keepWithin(box);
-                const double away = QLineF(nearestOn(box, at), at).length() + QLineF(box.topLeft(), usual).length() / 8.0;
-                if (away >= least || std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); })) continue;
-                least = away;
+                const double away = QLineF(nearestOn(box, at), at).length();
+                const double cost = away + QLineF(box.topLeft(), usual).length() / 8.0;
+                if (away > most || cost >= least) continue;
+                if (std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); })) continue;
+                const double all = cost + (rings_.size() <= kMostFreeRings && misleads(box, at) ? kMisleading : 0.0);
+                if (all >= least) continue;
+                least = all;
                 nearest = box;
             }
         }
-        return nearest ? *nearest : clearOfTags(at, usual, size);
+        return nearest;
     }
     /// The place nearest to the mark that covers no other tag, whatever else is below it.
-    [[nodiscard]] QRectF clearOfTags(const QPointF& at, const QPointF& usual, const QSizeF& size) const {
-        QRectF nearest(usual, size);
+    [[nodiscard]] QRectF clearOfTags(const QPointF& at, QRectF nearest) const {
+        const QSizeF size = nearest.size();
         keepWithin(nearest);
         double least = std::numeric_limits<double>::infinity();
         const auto isFree = [&](const QRectF& box) {
@@ -145,9 +181,12 @@ private:
     static constexpr double kBetweenTags = 2.0; // px
     static constexpr double kNextTo = 24.0;     // px from the mark: near enough not to look further
     static constexpr double kStillNext = 4.0;   // px beyond the usual place
+    static constexpr double kNear = 100.0;      // px from the mark: farther away a short text is better
+    static constexpr double kMisleading = 30.0; // px that a tag is rather farther away than nearer to another ring
     QPainter& painter_;
     QRectF place_;
     std::vector<QRectF> taken_;
+    std::vector<QPointF> rings_;
     std::vector<Placed> placed_;
 };
 
@@ -201,7 +240,7 @@ void takeChosen(const ScreenMarks& marks, std::vector<QRectF>& taken) {
     for (const ScreenMarks::Measure& measure : marks.measures) {
         if (!measure.active) continue;
         for (const QPointF& end : measure.ends)
-            taken.emplace_back(end - QPointF(kMarkRing, kMarkRing), end + QPointF(kMarkRing, kMarkRing));
+            taken.emplace_back(end - QPointF(kRingReach, kRingReach), end + QPointF(kRingReach, kRingReach));
         for (const QLineF& line : measure.lines) {
             for (double along = 0.0; along <= line.length(); along += kStep) {
                 const QPointF here = line.pointAt(along / std::max(1.0, line.length()));
@@ -256,7 +295,7 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         const QString& words = small && !target.active ? target.brief : target.tag;
         const auto place = placeOf(target.cell);
         if (!place) continue;
-        shown.targets.push_back({*place, words, target.active, target.cell, target.isTarget});
+        shown.targets.push_back({*place, words, target.active, target.cell, target.isTarget, target.brief});
         const auto click = target.clicked ? placeOf(*target.clicked) : std::nullopt;
         if (click) shown.moves.emplace_back(click->at, place->at);
     }
@@ -280,22 +319,25 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
     };
     std::vector<QRectF> taken = plates;
     taken.insert(taken.end(), texts.begin(), texts.end());
-    if (marks.targets.size() <= kMostFreeRings) {
-        for (const ScreenMarks::Target& target : marks.targets) {
-            const QPointF corner(kMarkRing, kMarkRing);
-            if (seen(target.place.at)) taken.emplace_back(target.place.at - corner, target.place.at + corner);
-        }
+    std::vector<QPointF> rings;
+    for (const ScreenMarks::Target& target : marks.targets) {
+        if (seen(target.place.at)) rings.push_back(target.place.at);
+    }
+    if (rings.size() <= kMostFreeRings) {
+        const QPointF corner(kRingReach, kRingReach);
+        for (const QPointF& ring : rings) taken.emplace_back(ring - corner, ring + corner);
     }
     takeChosen(marks, taken);
     {
-        Tags tags(painter, place, taken);
+        Tags tags(painter, place, taken, rings);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
             if (seen(target->place.at)) // a tag without its mark would name another place
-                tags.place({false, target->cell}, target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active);
+                tags.place({false, target->cell}, target->place.at, kMarkRing + kTagOffset, kRingReach, target->tag, target->active,
+                           target->brief);
         }
         for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) { // the chosen one first
             if (!measure->lines.empty() && seen(measure->labelAt))
-                tags.place({true, measure->index}, measure->labelAt, kTagOffset, kTagOffset, measure->label, measure->active,
+                tags.place({true, measure->index}, measure->labelAt, kTagOffset, kTagOffset, measure->label, measure->active, {},
                            measure->lines.front());
         }
         drawn = tags.draw();

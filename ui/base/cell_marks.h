@@ -70,6 +70,7 @@ struct ScreenMarks {
         bool active = false;
         std::size_t cell = 0;
         bool isTarget = true;
+        QString brief{}; ///< in place of `tag` where that has no free place near the ring
         bool operator==(const Target&) const = default;
     };
     struct Measure {
@@ -100,9 +101,9 @@ struct MarkTag : QRectF {
                                       bool small = false);
 
 /// White rings with black outline, centre dot and tag; lines with their labels, the chosen one thicker, with a white rim and with rings at
-/// its ends; a thin line from a tag that is away from its mark. Tags
-/// stay inside `place`, do not overlap, and keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under
-/// a plate has none. Returns the tags, the upper ones first.
+/// its ends; a thin line from a tag that is away from its mark, or nearer to another ring. Tags stay inside `place`, do not overlap, and
+/// keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under a plate has none. Returns the tags, the
+/// upper ones first.
 std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks,
                                      const std::vector<QRectF>& plates = {}, const std::vector<QRectF>& texts = {});
 

@@ -37,11 +37,15 @@ constexpr int kNarrow = 480; // px of a bar with large buttons that has no room 
 } // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), action_(new QToolButton), unfold_(new QToolButton),
-      more_(new QToolButton) {
+    : QFrame(parent), sign_(new QLabel), line_(new ElidedLabel), text_(new QLabel), action_(new QToolButton), folder_(new QToolButton),
+      unfold_(new QToolButton), more_(new QToolButton) {
     setObjectName("notice-bar");
     line_->setObjectName("notice-line");
     action_->setObjectName("notice-action");
+    folder_->setObjectName("notice-folder");
+    folder_->setText(tr("Open folder"));
+    folder_->hide();
+    connect(folder_, &QToolButton::clicked, this, [this] { openPath(folderOf_); });
     auto* line = new FlowLayout(this); // in a narrow window the buttons are below the text
     line->setContentsMargins(10, 4, 6, 4);
     line->keepLastInPlace(); // Close
@@ -77,6 +81,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
     line->addWidget(more_);
     line->addWidget(action_); // usually the widest: in a narrow window those before it are next to the text
+    line->addWidget(folder_);
     line->addWidget(copy);
     line->addWidget(close);
     hide();
@@ -136,7 +141,8 @@ void NoticeBar::withdraw(const QStringList& texts) {
 /// What passes is not stored for "earlier", nor confirmations without a button.
 void NoticeBar::keepShown() {
     if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || passes_ || text_->text().isEmpty()) return;
-    earlier_.push_back({kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_, brief_, saved_, waits()});
+    earlier_.push_back(
+        {kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_, brief_, saved_, waits(), folderOf_});
     if (earlier_.size() > kMostEarlier) earlier_.pop_front();
 }
 
@@ -145,7 +151,7 @@ bool NoticeBar::waits() const { return !action_->isHidden() && !used_ && !passes
 
 void NoticeBar::countEarlier() {
     more_->setText(tr("%1 of %2").arg(place_).arg(earlier_.size() + 1));
-    more_->setHidden(earlier_.empty() || (largeButtons_ && width() < kNarrow));
+    more_->setHidden(earlier_.empty() || (large_ && width() < kNarrow));
 }
 
 void NoticeBar::put(const Note& note) {
@@ -162,6 +168,8 @@ void NoticeBar::put(const Note& note) {
     onAction_ = note.action;
     used_ = false;
     saved_ = note.saved;
+    folderOf_ = note.folder;
+    showFolder();
     countEarlier();
 }
 
@@ -218,16 +226,21 @@ void NoticeBar::showSaved(const QString& path, const QString& content, const QSt
     const QString end = file.absoluteDir().dirName() + '/' + file.fileName(); // the line has room for the end of a path
     const bool isPage = QStringList{"html", "pdf"}.contains(file.suffix().toLower());
     const QString opened = isPage ? file.absoluteFilePath() : file.absolutePath();
-    showNote({Kind::Done, words(path), isPage ? tr("Open") : tr("Open folder"),
-              [this, opened] {
-                  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(opened)))
-                      showHint(tr("No program of this computer opened %1.").arg(opened));
-              },
-              path.size() > end.size() + 2 ? words("…/" + end) : QString(), true});
+    showNote({Kind::Done, words(path), isPage ? tr("Open") : tr("Open folder"), [this, opened] { openPath(opened); },
+              path.size() > end.size() + 2 ? words("…/" + end) : QString(), true, false, isPage ? file.absolutePath() : QString()});
+}
+
+/// In a cab only the page itself is opened.
+void NoticeBar::showFolder() { folder_->setHidden(folderOf_.isEmpty() || large_); }
+
+void NoticeBar::openPath(const QString& path) {
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path))) showHint(tr("No program of this computer opened %1.").arg(path));
 }
 
 void NoticeBar::offer(const QString& label, std::function<void()> action) {
     action_->setText(label);
+    folderOf_.clear();
+    showFolder();
     onAction_ = std::move(action);
     used_ = false;
     leaves_.stop();
@@ -280,6 +293,15 @@ void NoticeBar::fitLine(int room) {
     QStringList words = QString(shown).replace(kFolders, QString("…/")).split(' ');
     line_->setText(words.join(' '));
     if (line_->fits(room)) return;
+    // A name that has room is whole: the text ends after it.
+    const auto name = std::find_if(words.rbegin(), words.rend(), [](const QString& each) { return each.size() > kLongName; });
+    if (name != words.rend()) {
+        const auto count = static_cast<int>(words.rend() - name);
+        line_->setText(QStringList(words.mid(0, count)).join(' ') + (count < words.size() ? "…" : ""));
+        const bool fits = line_->fits(room);
+        line_->setText(words.join(' '));
+        if (fits) return;
+    }
     for (QString& each : words) {
         if (each.size() > kLongName) each = each.left(kNameEnd) + "…" + each.right(kNameEnd);
     }
@@ -312,8 +334,9 @@ void NoticeBar::resizeEvent(QResizeEvent* event) {
 bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
 void NoticeBar::setBrief(bool on) {
-    largeButtons_ = on;
     copy_->setVisible(!on);
+    large_ = on;
+    showFolder();
     line_->setLines(on ? 2 : 1);
     layout()->setContentsMargins(10, on ? 2 : 4, 6, on ? 0 : 4);
     countEarlier();

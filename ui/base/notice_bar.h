@@ -39,7 +39,7 @@ public:
     /// Removes these notes from the bar and from its earlier ones: they are not about what is on the screen any more.
     void withdraw(const QStringList& texts);
     /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens it (a page) or its
-    /// folder, and `more` sentences.
+    /// folder, of a page a second one for the folder, and `more` sentences.
     void showSaved(const QString& path, const QString& content = {}, const QString& more = {});
     /// Adds a button to the notice, until the next notice.
     void offer(const QString& label, std::function<void()> action);
@@ -76,6 +76,7 @@ private:
         QString brief{};    // for the line; empty: the text
         bool saved = false; // it names a written file
         bool waits = false; // its button was not pressed
+        QString folder{};   // of a written page, which a second button opens; empty: no such button
     };
     void showNote(const Note& note, bool passes = false);
     void paintKind();
@@ -88,11 +89,14 @@ private:
     void offerMore();
     void fitLine(int room);
     void leave();
+    void showFolder();
+    void openPath(const QString& path);
 
     Kind kind_ = Kind::Done;
     bool passes_ = false;      // with the next step
     bool used_ = false;        // its button was pressed
     bool saved_ = false;       // it names a written file
+    bool large_ = false;       // the buttons are: fewer of them
     bool offering_ = false;    // the button More is being shown or hidden
     std::deque<Note> earlier_; // the newest at the end
     std::size_t place_ = 1;    // of the shown note among all of them
@@ -100,13 +104,13 @@ private:
     ElidedLabel* line_; // the text in one line, in a cab in two
     QLabel* text_;      // all of it, on request
     QToolButton* action_;
+    QToolButton* folder_;
     QToolButton* unfold_;
     QToolButton* more_;
     QToolButton* copy_ = nullptr;
-    bool largeButtons_ = false;
     std::function<void()> onAction_;
-    QString brief_; // of the shown note
-    QTimer leaves_; // runs while the shown note is one that leaves by itself
+    QString brief_, folderOf_; // of the shown note
+    QTimer leaves_;            // runs while the shown note is one that leaves by itself
 };
 
 } // namespace edgescan::ui

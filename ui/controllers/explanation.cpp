@@ -150,7 +150,11 @@ void Explanation::explain(const inspect::MeantCell& click, Subject subject) {
     const Question question{picture, click, subject};
     asked_ = question;
     card_->offerNearestEdge(0);
-    card_->showCell(subjectText(question), views_.onScreen(click.cell));
+    QVector<QPoint> others;
+    for (const TargetMark& target : views_.cloud().marks().targets) {
+        if (target.cell != click.cell) others << views_.onScreen(target.cell);
+    }
+    card_->showCell(subjectText(question), views_.onScreen(click.cell), others);
     views_.setExplained(views_.pinned() == click.cell ? std::nullopt : std::optional(click.cell), tr("Why")); // a target has its mark
     card_->showPlain(QString());
     card_->showExplanation(tr("Finding the reason …"));

@@ -152,7 +152,7 @@ void Live::connectScanner() {
         if (on) notice_.withdraw({endNote_}); // it is of the sweep that was held
     });
     connect(&scanner_, &ScannerLink::connectedChanged, this, [this](bool on) {
-        if (!on) notice_.withdraw({endNote_}); // it speaks of Follow
+        if (!on) notice_.withdraw({endNote_}); // it speaks of Follow, or of the next sweep
     });
     connect(&scanner_, &ScannerLink::healthChanged, this, &Live::showHealth);
     connect(&scanner_, &ScannerLink::otherChanged, this, &Live::offerOther);
@@ -309,13 +309,16 @@ void Live::reportSweepEnd() {
     if (scanner_.heldAtStop())
         return notice_.showNotice(NoticeBar::Kind::Warning,
                                   tr("%1 was held with %2 lines when the connection ended.").arg(name).arg(scan.lines()));
-    if (const auto& part = scanner_.part(); part && part->number == picture.source.growth.sweep)
-        return notice_.showNotice(NoticeBar::Kind::Warning,
-                                  tr("%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected. The next "
-                                     "sweep replaces it.")
-                                      .arg(name)
-                                      .arg(part->received)
-                                      .arg(part->expected));
+    if (const auto& part = scanner_.part(); part && part->number == picture.source.growth.sweep) {
+        notice_.showNotice(NoticeBar::Kind::Warning,
+                           tr("%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected.")
+                                   .arg(name)
+                                   .arg(part->received)
+                                   .arg(part->expected) +
+                               (scanner_.connected() ? " " + tr("The next sweep replaces it.") : QString()));
+        endNote_ = notice_.text();
+        return;
+    }
     const int expected = picture.source.growth.expectedLines;
     if (warnings.isEmpty() && expected == 0)
         return notice_.showNotice(NoticeBar::Kind::Done,

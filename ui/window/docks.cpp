@@ -14,8 +14,11 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLayout>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QStatusBar>
 #include <QStyle>
 #include <QToolButton>
 
@@ -172,7 +175,20 @@ void Docks::setTableHeight() {
     window_.resizeDocks({table}, {wanted}, Qt::Vertical);
 }
 
-/// Under the settings of edges one panel gets the larger part; more of them get equal parts.
+/// Px of height that the dock needs so that its panel does not scroll.
+int Docks::neededHeight(const QDockWidget& dock) const {
+    const auto* area = qobject_cast<const QScrollArea*>(dock.widget());
+    if (area == nullptr) area = dock.widget()->findChild<const QScrollArea*>();
+    if (area == nullptr) return dock.minimumSizeHint().height();
+    const QLayout& content = *area->widget()->layout();
+    const int wide = usualWidth(dock) - area->verticalScrollBar()->sizeHint().width();
+    constexpr int kBorder = 8; // px, of the dock
+    return kBorder + dock.titleBarWidget()->sizeHint().height() +
+           (content.hasHeightForWidth() ? content.totalHeightForWidth(wide) : content.totalSizeHint().height());
+}
+
+/// Under the settings of edges one panel gets the larger part; more of them get equal parts. Where all have room, none scrolls while
+/// another has an empty part. The card of a target, which comes later, needs its part.
 void Docks::shareHeight() {
     QList<QDockWidget*> places;
     for (QDockWidget* dock : openAtRight()) {
@@ -181,12 +197,18 @@ void Docks::shareHeight() {
     }
     if (places.size() < 2) return;
     const bool two = places.size() == 2;
-    QList<int> heights;
-    for (const QDockWidget* place : places) {
+    QDockWidget* targets = named(kTargets).widget;
+    int left = window_.statusBar()->y() - window_.centralWidget()->y();
+    QList<int> heights, needed;
+    for (QDockWidget* place : places) {
         const double share = !two ? 1.0 / places.size() : place == places.front() ? 1.0 - kPanelHeight : kPanelHeight;
         heights << static_cast<int>(share * window_.height());
+        const bool hasCard = place == targets || (!targets->isHidden() && window_.tabifiedDockWidgets(targets).contains(place));
+        needed << (hasCard ? std::max(heights.back(), neededHeight(*place)) : neededHeight(*place));
+        left -= needed.back();
     }
-    window_.resizeDocks(places, heights, Qt::Vertical);
+    needed.back() += left;
+    window_.resizeDocks(places, left >= 0 ? needed : heights, Qt::Vertical);
 }
 
 /// A tab says the title already: the row below it names its button.

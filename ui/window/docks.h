@@ -76,6 +76,7 @@ private:
     void stack();
     void stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise);
     void showTitles();
+    [[nodiscard]] int neededHeight(const QDockWidget& dock) const;
     void shareHeight();
     [[nodiscard]] bool tableIsBelow(); ///< the table of rocks is below the views
     void setTableHeight();

@@ -6,6 +6,7 @@
 #include "ui/controllers/targets/targets.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/scale_plate.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int kLabelWide = 210, kLabelHigh = 28; // px, of the label of a target on a rock
 constexpr int kRing = 14;                        // px around it
+constexpr int kNarrow = 420;                     // px of the cloud's width
 
 /// True if the plates on this side cover the place, or would cover it.
 bool isCovered(const CloudView& cloud, const QRect& label, bool atRight) {
@@ -78,7 +80,8 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& c
             for (int n = over.count() - 1; n >= 0; --n) { // the lowest first: those above it get the rest
                 auto* legend = qobject_cast<ViewPlate*>(over.itemAt(n)->widget());
                 if (legend == nullptr || legend->isHidden()) continue;
-                legend->fitInto(height);
+                const bool covers = cloud.width() < kNarrow && qobject_cast<EdgeLegend*>(legend) != nullptr; // while the images are first
+                legend->fitInto(covers ? 0 : height);
                 height -= legend->sizeHint().height() + over.spacing();
             }
             over.activate();

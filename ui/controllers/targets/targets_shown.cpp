@@ -184,10 +184,15 @@ void Targets::show() {
         if (now != nullptr) known << edgeText(*now);
         if (target.locked) known.prepend(tr("locked")); // first: the end of a long row is cut
         QString words = known.join("   ");
-        if (!target.note.empty()) words += "   " + shownName(exactText(target.note), 80);
+        const QString note = target.note.empty() ? QString() : "   " + shownName(exactText(target.note), 80);
+        words += note;
         const QString first = words; // shortened in the list
         if (const QString place = now != nullptr ? briefPositionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
-        lines.push_back({words, first + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown});
+        QStringList shortened; // the class of its edge and the second row last
+        if (!note.isEmpty()) shortened << note;
+        if (!target.name.empty()) shortened << "  " + shownName(exactText(target.name));
+        if (const rocks::Rock* rock = around(target.cell).rock) shortened << "   " + tr("rock %1").arg(rock->label);
+        lines.push_back({words, first + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened});
     }
     rocks_.setNames(names);
     panel_.showTargets(lines);

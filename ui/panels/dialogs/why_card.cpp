@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -199,28 +199,36 @@ void WhyCard::showPlain(const QString& sentence) {
     plain_->setHidden(sentence.isEmpty());
 }
 
-void WhyCard::showCell(const QString& words, const QVector<QPoint>& places) {
+void WhyCard::showCell(const QString& words, const QVector<QPoint>& places, const QVector<QPoint>& others) {
     cell_->setText(words);
     places_ = places;
+    others_ = others;
 }
 
-/// In the corner of the views that covers the fewest of the cell's places; in a small window, where all of them cover the cell in the
-/// cloud, over the panels. A card that is open moves only if it covers that one.
+/// In the corner of the views, or next to the cell in an image, where it covers the cell in the fewest of them, above all not in the cloud;
+/// where each place covers it there, over the panels. Of equal places the one that covers fewer targets. A card that is open moves only if
+/// it covers the cell and can do better.
 void WhyCard::placeNextToCell() {
-    constexpr int kFirst = 100, kPanels = 10; // more than the images
+    constexpr int kInCloud = 10000, kPanels = 3000, kInImage = 1000, kOnLabel = 500, kLabelWide = 210, kLabelHigh = 28;
     const QRect views = viewsOf(*parentWidget()), window = parentWidget()->frameGeometry();
     const auto covered = [&](const QPoint& at) {
         const QRect card = QRect(at, size()).adjusted(-kRing, -kRing - kTitleBar, kRing, kRing);
         int count = at.x() + width() > views.right() ? kPanels : 0;
-        for (int n = 0; n < places_.size(); ++n) count += !card.contains(places_[n]) ? 0 : n == 0 ? kFirst : 1;
-        return count;
+        for (int n = 0; n < places_.size(); ++n) {
+            const QRect label(places_[n] - QPoint(0, kLabelHigh), QSize(kLabelWide, kLabelHigh));
+            count += card.contains(places_[n]) ? (n == 0 ? kInCloud : kInImage) : n == 0 && card.intersects(label) ? kOnLabel : 0;
+        }
+        return count + static_cast<int>(std::ranges::count_if(others_, [&](const QPoint& other) { return card.contains(other); }));
     };
-    if (isVisible() && covered(pos()) < kFirst) return;
     const int right = views.right() - width() - kAround, left = views.left() + kAround, beyond = window.right() - width() - kAround;
     const int top = views.top() + kAround + kTitleBar, bottom = std::max(top, views.bottom() - height() - kAround);
-    const std::array corners{QPoint(right, top),   QPoint(left, top),   QPoint(right, bottom),
-                             QPoint(left, bottom), QPoint(beyond, top), QPoint(beyond, bottom)};
-    move(*std::ranges::min_element(corners, {}, covered)); // the first of equal ones
+    std::vector<QPoint> tried{{right, top}, {left, top}, {right, bottom}, {left, bottom}, {beyond, top}, {beyond, bottom}};
+    for (int n = 1; n < places_.size(); ++n) {
+        const int next = std::min(places_[n].x() + kRing + 1, right);
+        tried.insert(tried.end(), {{next, top}, {next, bottom}});
+    }
+    const QPoint best = *std::ranges::min_element(tried, {}, covered); // the first of equal ones
+    if (!isVisible() || (covered(pos()) >= kInImage && covered(best) < covered(pos()))) move(best);
 }
 
 void WhyCard::showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers) {

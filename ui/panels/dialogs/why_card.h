@@ -38,8 +38,8 @@ public:
 
     /// The answer in one sentence without terms, above the rest; empty: none.
     void showPlain(const QString& sentence);
-    /// Which cell is explained, and where it is on the screen: the card does not cover it.
-    void showCell(const QString& words, const QVector<QPoint>& places);
+    /// Which cell is explained, and where it and the `others` that are marked are on the screen: the card does not cover it.
+    void showCell(const QString& words, const QVector<QPoint>& places, const QVector<QPoint>& others = {});
     void showExplanation(const QString& text) { showExplanation(text, {}, {}); }
     /// Shows the verdict, the picture and the numbers; each may be empty.
     void showExplanation(const QString& verdict, const edges::EdgeProfile& profile, const QString& numbers);
@@ -67,7 +67,7 @@ private:
     QLabel *plain_, *cell_, *verdict_, *title_, *numbers_, *below_;
     QPushButton* beside_;
     ProfileView* picture_;
-    QVector<QPoint> places_; // of the cell, on the screen
+    QVector<QPoint> places_, others_; // of the cell and of targets, on the screen
 };
 
 } // namespace edgescan::ui

@@ -105,7 +105,8 @@ bool RockTable::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// Each column shows its whole head and content, and has its part of the width that is left. A table with less room scrolls.
+/// Each column shows its whole head and content, and has its part of the width that is left. A table with less room scrolls; its columns in
+/// sight end at its border, so that no head is cut there.
 void RockTable::fitColumns() {
     QHeaderView* heads = table_->horizontalHeader();
     if (heads->count() > kSizeColumn)
@@ -117,10 +118,17 @@ void RockTable::fitColumns() {
     heads->setMinimumHeight(std::max(row > kRowHeight ? row : 0, twoLines)); // also what the style leaves for the arrow
     std::vector<int> widths;
     for (int n = 0; n < heads->count(); ++n) widths.push_back(std::max(heads->sectionSizeHint(n), content.sizeHintForColumn(n)));
-    int left = table_->viewport()->width();
-    for (const int width : widths) left -= width;
-    for (int n = 0; n < heads->count(); ++n)
-        heads->resizeSection(n, widths[static_cast<std::size_t>(n)] + std::max(0, left) / heads->count());
+    int left = table_->viewport()->width(), inSight = 0;
+    for (; inSight < heads->count(); ++inSight) {
+        const int width = widths[static_cast<std::size_t>(heads->logicalIndex(inSight))];
+        if (width > left) break;
+        left -= width;
+    }
+    for (int place = 0; place < heads->count(); ++place) {
+        const int n = heads->logicalIndex(place), more = place < inSight ? left / (inSight - place) : 0;
+        left -= more;
+        heads->resizeSection(n, widths[static_cast<std::size_t>(n)] + more);
+    }
 }
 
 /// In a narrow panel the parts are one below the other, and in a low one the rows come first.

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QRegularExpression>
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,11 @@ const std::vector<rocks::RockColumn>& columns() {
         return shown;
     }();
     return kShown;
+}
+
+/// The first rocks and the nearest are asked for first; of each other number the largest.
+bool isCountedUp(const rocks::RockColumn& column) {
+    return column.key == std::string_view("rock") || column.key == std::string_view("distance_m");
 }
 
 } // namespace
@@ -109,6 +115,7 @@ QVariant RockTableModel::headerData(int section, Qt::Orientation orientation, in
     if (orientation != Qt::Horizontal) return {};
     const rocks::RockColumn& column = columns()[static_cast<std::size_t>(section)];
     if (role == Qt::DisplayRole) return narrow_ ? briefly(QObject::tr(column.title)) : inTwoLines(QObject::tr(column.title));
+    if (role == Qt::InitialSortOrderRole) return isCountedUp(column) ? Qt::AscendingOrder : Qt::DescendingOrder;
     if (role == Qt::ToolTipRole) return QObject::tr(column.title) + "\n" + QObject::tr(column.help);
     return {};
 }

@@ -84,7 +84,8 @@ QString SizeCurveView::caption() const {
 QRectF SizeCurveView::plot() const {
     const double left = fontMetrics().horizontalAdvance("100 %") + 10.0;
     const QString above = caption();
-    return QRectF(QPointF(left, (above.isEmpty() ? 0 : heightOf(above)) + kText / 2.0 + 2.0),
+    // Above 100 % is the number of the largest rock, where nothing else is drawn.
+    return QRectF(QPointF(left, (above.isEmpty() ? 0 : heightOf(above)) + kText + 6.0),
                   QPointF(width() - 10.0, height() - 2.0 * kText - 8.0));
 }
 
@@ -205,7 +206,7 @@ void SizeCurveView::drawCurve(QPainter& painter) const {
         const bool atTop = mark.share >= 1.0;
         const double wide = painter.fontMetrics().horizontalAdvance(text);
         const double x = std::min(at.x() + 6, width() - wide - 4);
-        const QRectF place(x, atTop ? at.y() + 3 : at.y() + 1, wide + 2, kText + 3);
+        const QRectF place(x, atTop ? at.y() - kText - 5 : at.y() + 1, wide + 2, kText + 3);
         const auto crosses = [&](const QRectF& other) { return other.intersects(place); };
         if (std::ranges::any_of(written, crosses)) continue; // the panel shows this number too
         written.push_back(place);

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -21,23 +22,44 @@ namespace {
 // Of a list before it scrolls: a target has two lines, and its card stays in sight at 1280 x 768.
 constexpr int kMostTargets = 4, kMostWithMeasures = 3, kMostMeasures = 2;
 
-/// So that the panel has one scroll bar instead of three. `constant`: as high as `most` of its lines, so that one more line moves nothing
-/// below the list. Its own bar follows from the number of lines alone: a bar that comes with the height changes the width, the width the
-/// wrapped lines, and these the height, without end.
-void fitHeight(QListWidget& list, int most, bool constant) {
-    list.setVerticalScrollBarPolicy(list.count() > most ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
-    int high = 0, tallest = list.fontMetrics().height();
+/// So that the panel has one scroll bar instead of three: whole lines, `most` of them, and more where `free` px of the panel are empty.
+/// `constant`: at least as high as `most` lines, so that one more line moves nothing below the list. Its own bar makes its lines no lower,
+/// so that what has no room without the bar has none with it.
+void fitHeight(QListWidget& list, int most, bool constant, int free) {
+    int high = 0, tallest = list.fontMetrics().height(), shown = 0;
+    std::vector<int> lines;
     for (int n = 0; n < list.count(); ++n) {
-        const int line = list.visualItemRect(list.item(n)).height();
-        tallest = std::max(tallest, line);
-        if (n < most) high += line;
+        lines.push_back(list.visualItemRect(list.item(n)).height());
+        tallest = std::max(tallest, lines.back());
     }
-    if (constant) high = most * tallest;
+    const int room = list.minimumHeight() + free - 2 * list.frameWidth() - 2;
+    for (const int line : lines) {
+        if (shown >= most && high + line > room) break;
+        high += line;
+        ++shown;
+    }
+    list.setVerticalScrollBarPolicy(list.count() > shown ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+    if (constant) high = std::max(high, most * tallest);
+    const int before = list.minimumHeight();
     list.setFixedHeight((list.count() > 0 ? high : tallest) + 2 * list.frameWidth() + 2);
-    if (list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
+    if (list.minimumHeight() != before && list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
 
-/// One row of text of each line is shortened where it has no room, so that it makes no line higher: the first of a target (name and note),
+constexpr int kShortened = Qt::UserRole; // TargetLine::shortened
+
+/// Without the ends of those parts that it can do without.
+QString fittedRow(QString row, const QStringList& shortened, const QFontMetrics& metrics, int room) {
+    for (const QString& part : shortened) {
+        const int over = metrics.horizontalAdvance(row) - room;
+        const auto at = row.indexOf(part);
+        if (over <= 0 || at < 0) continue;
+        const int left = std::max(metrics.horizontalAdvance(part) - over, metrics.horizontalAdvance("   …"));
+        row.replace(at, part.size(), metrics.elidedText(part, Qt::ElideRight, left));
+    }
+    return metrics.elidedText(row, Qt::ElideRight, room);
+}
+
+/// One row of text of each line is shortened where it has no room, so that it makes no line higher: the first of a target (note and name),
 /// the last of a measurement (kind and warning).
 class TargetRows : public QStyledItemDelegate {
 public:
@@ -52,7 +74,8 @@ protected:
         const int margin = list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, list) + 1;
         const int room = list->viewport()->width() - 2 * margin - 2;
         QStringList rows = option->text.split(QChar::LineSeparator); // Qt writes \n so
-        if (row_ == Shortened::First) rows.front() = option->fontMetrics.elidedText(rows.front(), Qt::ElideRight, room);
+        if (row_ == Shortened::First)
+            rows.front() = fittedRow(rows.front(), index.data(kShortened).toStringList(), option->fontMetrics, room);
         if (row_ == Shortened::Last && rows.size() > 1) rows.back() = option->fontMetrics.elidedText(rows.back(), Qt::ElideRight, room);
         option->text = rows.join(QChar::LineSeparator);
     }
@@ -143,15 +166,43 @@ void TargetsPanel::fill(QListWidget& list, std::vector<TargetLine>& shown, const
         const TargetLine& line = lines[static_cast<std::size_t>(n)];
         list.item(n)->setText(line.words);
         list.item(n)->setToolTip(line.tip);
+        list.item(n)->setData(kShortened, line.shortened);
         if (line.chosen) chosen = n;
     }
     list.setCurrentRow(chosen);
     fit(list);
+    if (chosen >= 0) list.scrollToItem(list.item(chosen));
+}
+
+/// Px of the dock that nothing needs; negative: the panel scrolls.
+int TargetsPanel::freeHeight() const {
+    const QWidget* dock = parentWidget(); // the part of a scroll area that is seen
+    return dock == nullptr || !isVisible() ? 0 : dock->height() - layout()->heightForWidth(width());
+}
+
+void TargetsPanel::fitLists() {
+    for (QListWidget* list : {targets_, measures_}) {
+        if (!list->isHidden()) fit(*list);
+    }
 }
 
 void TargetsPanel::fit(QListWidget& list) {
     const bool ofTargets = &list == targets_;
-    fitHeight(list, !ofTargets ? kMostMeasures : shownMeasures_.empty() ? kMostTargets : kMostWithMeasures, ofTargets);
+    fitHeight(list, !ofTargets ? kMostMeasures : shownMeasures_.empty() ? kMostTargets : kMostWithMeasures, ofTargets, freeHeight());
+}
+
+/// The card, the notes and the dock leave another height to the lists.
+bool TargetsPanel::event(QEvent* event) {
+    const bool done = QWidget::event(event);
+    if ((event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) && !std::exchange(fits_, true))
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                fits_ = false;
+                fitLists();
+            },
+            Qt::QueuedConnection);
+    return done;
 }
 
 /// Another width has other lines. Return in the list of targets asks for the name.

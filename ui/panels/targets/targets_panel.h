@@ -21,6 +21,7 @@ struct TargetLine {
     QString words;
     QString tip;
     bool chosen = false;
+    QStringList shortened{}; ///< parts of the first row that lose letters, in this order, where it has no room
     bool operator==(const TargetLine&) const = default;
 };
 
@@ -56,7 +57,10 @@ signals:
     void measureRemoved(int place);
 
 private:
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    [[nodiscard]] int freeHeight() const;
+    void fitLists();
     void fit(QListWidget& list);
     void showNewest();
     void showRemarks();
@@ -74,6 +78,7 @@ private:
     QLabel* note_;
     std::vector<TargetLine> shownTargets_, shownMeasures_;
     bool measuring_ = false; // a tool waits for a click
+    bool fits_ = false;      // fitLists() is queued
 };
 
 } // namespace edgescan::ui

@@ -22,7 +22,8 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kForGloves = 48, kArrow = 22; // px
+constexpr int kForGloves = 48, kArrow = 22;    // px
+constexpr int kLow = 260, kLowForGloves = 420; // px of a view: in a lower one the legend is one row
 
 int bitOf(std::size_t n) { return 1 << n; } // EdgeClassBits are in the order of DepthEdge
 
@@ -76,10 +77,10 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
     unfold_->setChecked(true);
     unfold_->setFocusPolicy(Qt::TabFocus);
     connect(unfold_, &QToolButton::toggled, this, [this](bool open) {
+        (low_ ? openLow_ : brief_ ? openInCab_ : openAtDesk_) = open;
         showRows();
         adjustSize();
-        if (brief_) return;
-        openAtDesk_ = open;
+        if (brief_ || low_) return;
         emit unfolded(open);
     });
     for (std::size_t n = 0; n < rows_.size(); ++n) {
@@ -199,7 +200,7 @@ void EdgeLegend::showResult(const edges::Detection& detection) {
 }
 
 void EdgeLegend::showRows() {
-    const bool open = !low_ && unfold_->isChecked();
+    const bool open = unfold_->isChecked();
     for (std::size_t n = 0; n < rows_.size(); ++n) {
         const QString count = rows_[n].count->text();
         const bool counts = !count.isEmpty() && count != "0"; // the rows add up to the total
@@ -207,7 +208,7 @@ void EdgeLegend::showRows() {
         for (QWidget* each : {static_cast<QWidget*>(rows_[n].box), static_cast<QWidget*>(rows_[n].count)}) each->setVisible(shown);
     }
     byClass_->setVisible(known_ && !brief_ && open);
-    unfold_->setVisible(known_ && !low_);
+    unfold_->setVisible(known_ && (!low_ || canOpen()));
     unfold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);
     unfold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     covered_->setVisible(isCovered_ && (open || !brief_));
@@ -224,13 +225,23 @@ void EdgeLegend::showCovered(bool on) {
     adjustSize();
 }
 
+/// One row because a target has no room otherwise: what the operator opened by hand in that state is open.
+void EdgeLegend::showFold() {
+    const QSignalBlocker quiet(unfold_);
+    unfold_->setChecked(low_ ? openLow_ && canOpen() : brief_ ? openInCab_ : openAtDesk_);
+}
+
+int EdgeLegend::leastOpen() const { return brief_ ? kLowForGloves : kLow; }
+
+bool EdgeLegend::canOpen() const { return parentWidget() != nullptr && parentWidget()->height() >= leastOpen(); }
+
 void EdgeLegend::fitInto(int height) {
-    constexpr int kLow = 260, kLowForGloves = 420, kForOthers = 140; // px
-    const int least = brief_ ? kLowForGloves : kLow;
-    const bool low = height < least, roomy = height >= least + kForOthers;
+    constexpr int kForOthers = 140; // px
+    const bool low = height < leastOpen(), roomy = height >= leastOpen() + kForOthers;
     if (low == low_ && roomy == roomy_) return;
     low_ = low;
     roomy_ = roomy;
+    showFold();
     showRows();
     adjustSize();
 }
@@ -252,7 +263,8 @@ void EdgeLegend::placeHead() {
 
 void EdgeLegend::setBrief(bool on) {
     brief_ = on;
-    unfold_->setChecked(!on && openAtDesk_);
+    openInCab_ = false;
+    showFold();
     const int side = on ? kForGloves : kArrow;
     unfold_->setFixedSize(side, side);
     unfold_->setAutoRaise(!on);

@@ -53,6 +53,9 @@ private:
     };
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
     void showRows();
+    void showFold();
+    [[nodiscard]] int leastOpen() const; ///< px of a view's height
+    [[nodiscard]] bool canOpen() const;
     void placeHead();
     void paintSwatches();
     void addOthers(QGridLayout& grid);
@@ -71,7 +74,7 @@ private:
     std::array<bool, kEdgeClasses> offered_{}; // the classes of the method
     bool known_ = false;                       // the counts of the classes are known
     bool brief_ = false, low_ = false, roomy_ = true;
-    bool openAtDesk_ = true;
+    bool openAtDesk_ = true, openInCab_ = false, openLow_ = false; // what the operator left, with room and in one row
     bool isCovered_ = false, isFilled_ = false, isMissing_ = false;
     QLabel* covered_ = nullptr;
     QToolButton* unfold_ = nullptr; // on: the rows are shown

@@ -349,7 +349,7 @@ void ImageView::drawMarks(QPainter& painter) {
     for (const QWidget* each : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (each->isVisible()) plates.emplace_back(each->geometry());
     }
-    tags_ = drawScreenMarks(painter, rect(), screenMarks_, plates, {});
+    tags_ = drawScreenMarks(painter, rect(), screenMarks_, plates, texts_);
 }
 
 void ImageView::drawDragged(QPainter& painter) const {
@@ -358,10 +358,12 @@ void ImageView::drawDragged(QPainter& painter) const {
     strokeTwice(painter, dark(3.0), light(Qt::DashLine), [&] { painter.drawPolygon(pixels); });
 }
 
-void ImageView::drawTexts(QPainter& painter) const {
+void ImageView::drawTexts(QPainter& painter) {
     const QRect inner = rect().adjusted(11, 8 + topTaken_, -11, -8);
+    std::vector<QRectF> texts;
     if (picture_.empty()) drawLabel(painter, inner, Qt::AlignCenter, note_);
-    drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_);
+    for (const QRect& text : drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_)) texts.emplace_back(text);
+    if (std::exchange(texts_, texts) != texts && !screenMarks_.empty()) update(); // the tags avoid them
 }
 
 } // namespace edgescan::ui

@@ -143,7 +143,7 @@ private:
     void drawTrail(QPainter& painter) const;
     void drawOutline(QPainter& painter) const;
     void drawTip(QPainter& painter) const;
-    void drawTexts(QPainter& painter) const;
+    void drawTexts(QPainter& painter);
     void drawDragged(QPainter& painter) const;
     void offerFit();
     void pointAt(std::optional<QPoint> cell);
@@ -163,6 +163,7 @@ private:
     CellMarks marks_;
     ScreenMarks screenMarks_; // as drawn last
     std::vector<MarkTag> tags_;
+    std::vector<QRectF> texts_; // as drawn last
     DragTool tool_ = DragTool::Move;
     QPolygonF way_; // path of a selecting drag, in cells
     std::vector<QLine> outline_;
