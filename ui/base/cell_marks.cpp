@@ -332,7 +332,7 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
         Tags tags(painter, place, taken, rings);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
             if (seen(target->place.at)) // a tag without its mark would name another place
-                tags.place({false, target->cell}, target->place.at, kMarkRing + kTagOffset, kRingReach, target->tag, target->active,
+                tags.place({false, target->cell}, target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active,
                            target->brief);
         }
         for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) { // the chosen one first
