@@ -45,7 +45,7 @@
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; otras celdas: puntos llevados a la cuadrícula del escaneo posterior</translation></message>
 <message><source>one scan with two settings</source><translation>un escaneo con dos ajustes</translation></message>
 <message><source>lined up by their poses</source><translation>alineados por sus poses</translation></message>
-<message><source>no pose: lined up by given positions of the scanner</source><translation>sin pose: alineados por posiciones dadas del escáner</translation></message>
+<message><source>lined up by given positions of the scanner, not in the mine grid</source><translation>alineados por posiciones dadas del escáner, no en la cuadrícula de la mina</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sin pose: alineados por sus superficies</translation></message>
 <message><source>not resolved</source><translation>no resuelto</translation></message>
 <message><source>sweep %1</source><translation>barrido %1</translation></message>

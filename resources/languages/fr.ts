@@ -45,7 +45,7 @@
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; autres cellules : points déplacés sur la grille du scan le plus récent</translation></message>
 <message><source>one scan with two settings</source><translation>un scan avec deux réglages</translation></message>
 <message><source>lined up by their poses</source><translation>alignés par leurs poses</translation></message>
-<message><source>no pose: lined up by given positions of the scanner</source><translation>pas de pose : alignés par des positions données du scanner</translation></message>
+<message><source>lined up by given positions of the scanner, not in the mine grid</source><translation>alignés par des positions données du scanner, pas dans la grille de la mine</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>pas de pose : alignés par leurs surfaces</translation></message>
 <message><source>not resolved</source><translation>non résolu</translation></message>
 <message><source>sweep %1</source><translation>balayage %1</translation></message>

@@ -45,7 +45,7 @@
 <message><source>%1; other cells: points moved to the grid of the later scan</source><translation>%1; outras células: pontos levados para a grade da varredura posterior</translation></message>
 <message><source>one scan with two settings</source><translation>uma varredura com dois ajustes</translation></message>
 <message><source>lined up by their poses</source><translation>alinhados pelas suas poses</translation></message>
-<message><source>no pose: lined up by given positions of the scanner</source><translation>sem pose: alinhados por posições dadas do scanner</translation></message>
+<message><source>lined up by given positions of the scanner, not in the mine grid</source><translation>alinhados por posições dadas do scanner, não na grade da mina</translation></message>
 <message><source>no pose: lined up by their surfaces</source><translation>sem pose: alinhados pelas suas superfícies</translation></message>
 <message><source>not resolved</source><translation>não resolvido</translation></message>
 <message><source>sweep %1</source><translation>varredura %1</translation></message>

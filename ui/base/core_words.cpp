@@ -61,7 +61,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "%1; other cells: points moved to the grid of the later scan"),
     QT_TRANSLATE_NOOP("QObject", "one scan with two settings"),
     QT_TRANSLATE_NOOP("QObject", "lined up by their poses"),
-    QT_TRANSLATE_NOOP("QObject", "no pose: lined up by given positions of the scanner"),
+    QT_TRANSLATE_NOOP("QObject", "lined up by given positions of the scanner, not in the mine grid"),
     QT_TRANSLATE_NOOP("QObject", "no pose: lined up by their surfaces"),
     // An angle.
     QT_TRANSLATE_NOOP("QObject", "not resolved"),

@@ -61,8 +61,9 @@ Rgb tinted(std::uint8_t gray, const Rgb& colour) {
 std::string registrationText(const Scan& later, const RegistrationResult& how) {
     if (how.by == RegistrationBasis::OneScan) return "one scan with two settings";
     std::string text = how.by == RegistrationBasis::Surfaces ? "no pose: lined up by their surfaces"
-                       : later.placement                     ? "lined up by their poses"
-                                         : "no pose: lined up by given positions of the scanner"; // of a simulation or --poses-3dtk
+                       : later.placement
+                           ? "lined up by their poses"
+                           : "lined up by given positions of the scanner, not in the mine grid"; // of a simulation or --poses-3dtk
     return text + (how.sameCells ? "" : "; other cells: points moved to the grid of the later scan");
 }
 
