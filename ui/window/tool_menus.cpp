@@ -83,16 +83,13 @@ Command measureMenu(Viewer& v) {
     Measures& measures = v.measures;
     Selection& selection = v.selection;
     const auto usual = [&](const char* text, const char* keys, Tool wanted) {
-        return tool(
-            v, text, keys, [&views, wanted] { views.setTool(wanted); }, [&views, wanted] { return views.tool() == wanted; });
+        const auto start = [&v, &views, wanted] {
+            v.rocks.useTool(RockTool::None); // its clicks pin nothing
+            views.setTool(wanted);
+        };
+        return tool(v, text, keys, start,
+                    [&views, wanted] { return views.tool() == wanted && (wanted != Tool::Pin || views.pinsOnClick()); });
     };
-    const auto pin = tool(
-        v, "&Pin", "P",
-        [&v, &views] {
-            v.rocks.useTool(RockTool::None);
-            views.setTool(Tool::Pin);
-        },
-        [&views] { return views.tool() == Tool::Pin && views.pinsOnClick(); });
     const auto measure = [&](const char* text, const char* keys, inspect::MeasureKind kind) {
         return tool(
             v, text, keys, [&measures, kind] { measures.start(kind); }, [&measures, kind] { return measures.kind() == kind; });
@@ -102,7 +99,7 @@ Command measureMenu(Viewer& v) {
         if (const inspect::PinnedTarget* target = v.targets.active()) v.targets.remove(target->number);
     };
     return submenu("&Measure", {
-                                   pin,
+                                   usual("&Pin", "P", Tool::Pin),
                                    measure("&Distance", "U", inspect::MeasureKind::Distance),
                                    measure("&Vertical", "V", inspect::MeasureKind::Vertical),
                                    measure("&Angle", "A", inspect::MeasureKind::Angle),

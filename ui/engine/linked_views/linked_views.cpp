@@ -12,10 +12,11 @@
 namespace edgescan::ui {
 namespace {
 
-/// The same measurement, perhaps with another place in the mine.
+/// The same measurement of the same file, perhaps with another place in the mine.
 bool sameRanges(const Scan& a, const Scan& b) {
     const auto equal = [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-    return a.lines() == b.lines() && a.beams() == b.beams() && std::ranges::equal(a.rangeMm.cells, b.rangeMm.cells, equal);
+    return a.name == b.name && a.lines() == b.lines() && a.beams() == b.beams() &&
+           std::ranges::equal(a.rangeMm.cells, b.rangeMm.cells, equal);
 }
 
 QString openSomething() { return LinkedViews::tr("Open a scan: Ctrl+O, or drop a file here"); }

@@ -8,7 +8,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QResizeEvent>
 #include <QScrollArea>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
@@ -191,30 +190,28 @@ void TargetsPanel::fit(QListWidget& list) {
     fitHeight(list, !ofTargets ? kMostMeasures : shownMeasures_.empty() ? kMostTargets : kMostWithMeasures, ofTargets, freeHeight());
 }
 
-/// The card, the notes and the dock leave another height to the lists.
+void TargetsPanel::fitSoon() {
+    if (std::exchange(fits_, true)) return;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            fits_ = false;
+            fitLists();
+        },
+        Qt::QueuedConnection);
+}
+
+/// The card, the notes and the dock leave another height to the lists. While the panel scrolls, only the dock is resized.
 bool TargetsPanel::event(QEvent* event) {
     const bool done = QWidget::event(event);
-    if ((event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) && !std::exchange(fits_, true))
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                fits_ = false;
-                fitLists();
-            },
-            Qt::QueuedConnection);
+    if (event->type() == QEvent::ParentChange && parentWidget() != nullptr) parentWidget()->installEventFilter(this);
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize || event->type() == QEvent::Show) fitSoon();
     return done;
 }
 
 /// Another width has other lines. Return in the list of targets asks for the name.
 bool TargetsPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize &&
-        static_cast<QResizeEvent*>(event)->size().width() != static_cast<QResizeEvent*>(event)->oldSize().width()) {
-        for (QListWidget* list : {targets_, measures_}) {
-            if (watched == list->viewport())
-                QMetaObject::invokeMethod(
-                    this, [this, list] { fit(*list); }, Qt::QueuedConnection);
-        }
-    }
+    if (event->type() == QEvent::Resize) fitSoon();
     if (watched == targets_ && event->type() == QEvent::KeyPress && targets_->currentRow() >= 0) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Return || key == Qt::Key_Enter) {

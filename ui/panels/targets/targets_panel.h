@@ -61,6 +61,7 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     [[nodiscard]] int freeHeight() const;
     void fitLists();
+    void fitSoon();
     void fit(QListWidget& list);
     void showNewest();
     void showRemarks();
