@@ -713,9 +713,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
 <message><source>click the rock at one side</source><translation>haga clic en la roca de un lado</translation></message>
 <message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
+<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clic pasó por una abertura: su superficie está %1 m detrás de la roca que la rodea.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
-<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clic pasó por una abertura: su superficie está %1 m detrás de la roca que la rodea.</translation></message>
 <message><source>Click Again</source><translation>Hacer clic otra vez</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>No se vio un paso libre entre estos dos lados, que distan %1 m en profundidad: haga clic en el borde cercano de la garganta en cada lado.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Más allá, esta garganta se estrecha hasta %1 m.</translation></message>
@@ -1676,6 +1676,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
+<message><source>&amp;Pin</source><translation>&amp;Fijar</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distancia</translation></message>
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Á&amp;ngulo</translation></message>

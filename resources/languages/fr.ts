@@ -713,9 +713,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
 <message><source>click the rock at one side</source><translation>cliquez la roche d'un côté</translation></message>
 <message><source>click the rock at the other side</source><translation>cliquez la roche de l'autre côté</translation></message>
+<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Ce clic est passé par une ouverture : sa surface est à %1 m derrière les blocs qui l'entourent.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
-<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Ce clic est passé par une ouverture : sa surface est à %1 m derrière les blocs qui l'entourent.</translation></message>
 <message><source>Click Again</source><translation>Cliquer à nouveau</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Aucun passage libre n'a été vu entre ces deux côtés, éloignés de %1 m en profondeur : cliquez le bord proche du goulot de chaque côté.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Plus loin, ce goulot se resserre à %1 m.</translation></message>
@@ -1676,6 +1676,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Mesurer</translation></message>
+<message><source>&amp;Pin</source><translation>É&amp;pingler</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distance</translation></message>
 <message><source>&amp;Vertical</source><translation>&amp;Verticale</translation></message>
 <message><source>&amp;Angle</source><translation>&amp;Angle</translation></message>

@@ -713,9 +713,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
 <message><source>click the rock at one side</source><translation>clique na rocha de um lado</translation></message>
 <message><source>click the rock at the other side</source><translation>clique na rocha do outro lado</translation></message>
+<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clique passou por uma abertura: a superfície está %1 m atrás da rocha em volta dela.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
-<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clique passou por uma abertura: a superfície está %1 m atrás da rocha em volta dela.</translation></message>
 <message><source>Click Again</source><translation>Clicar de novo</translation></message>
 <message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Não se viu passagem livre entre estes dois lados, que distam %1 m em profundidade: clique na borda próxima da garganta em cada lado.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Mais adiante, esta garganta estreita-se até %1 m.</translation></message>
@@ -1676,6 +1676,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>
 <message><source>&amp;Measure</source><translation>&amp;Medir</translation></message>
+<message><source>&amp;Pin</source><translation>&amp;Fixar</translation></message>
 <message><source>&amp;Distance</source><translation>&amp;Distância</translation></message>
 <message><source>&amp;Vertical</source><translation>&amp;Vertical</translation></message>
 <message><source>&amp;Angle</source><translation>Â&amp;ngulo</translation></message>

@@ -30,6 +30,10 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
     return Measures::tr(inspect::traitsOf(kind).label) + ": " + all.value(static_cast<int>(picked));
 }
 
+QString throughWords(double behindM) {
+    return Measures::tr("This click went through an opening: its surface is %1 m behind the rock around it.").arg(behindM, 0, 'f', 2);
+}
+
 } // namespace
 
 Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
@@ -106,7 +110,7 @@ void Measures::pick(const inspect::MeantCell& click) {
 void Measures::warnAboutThrough(std::uint32_t cell) {
     const double behindM = inspect::seenThroughM(*views_.shown()->detection->scan, cell);
     if (behindM <= 0.0) return;
-    notice_.showHint(tr("This click went through an opening: its surface is %1 m behind the rock around it.").arg(behindM, 0, 'f', 2));
+    notice_.showHint(throughWords(behindM));
     if (picked_.size() < inspect::traitsOf(*kind_).cells)
         notice_.offer(tr("Click Again"), [this] {
             notice_.endPassing();
@@ -148,7 +152,9 @@ void Measures::offerNarrower() {
     const auto found = std::ranges::find(known.measures, *newThroat_, [](const auto& each) { return each.first; });
     if (found == known.measures.end()) return;
     newThroat_.reset();
-    if (!found->second || !found->second->narrowsOn() || !isOnScreen(*known.picture)) return;
+    if (!found->second || !isOnScreen(*known.picture)) return;
+    if (found->second->clickBehindM > 0.0) return notice_.showHint(throughWords(found->second->clickBehindM)); // the ends may be others
+    if (!found->second->narrowsOn()) return;
     notice_.showHint(tr("Farther along, this throat narrows to %1 m.").arg(found->second->narrowerM, 0, 'f', 3));
     notice_.offer(tr("Measure There"), [this, of = known.picture, ends = found->second->narrowerEnds] {
         if (isOnScreen(*of)) keep(inspect::MeasureKind::Throat, {ends.begin(), ends.end()}, {});

@@ -190,8 +190,8 @@ void Targets::show() {
         if (const QString place = now != nullptr ? briefPositionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
         QStringList shortened; // the class of its edge and the second row last
         if (!note.isEmpty()) shortened << note;
-        if (!target.name.empty()) shortened << "  " + shownName(exactText(target.name));
         if (const rocks::Rock* rock = around(target.cell).rock) shortened << "   " + tr("rock %1").arg(rock->label);
+        if (!target.name.empty()) shortened << "  " + shownName(exactText(target.name));
         lines.push_back({words, first + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened});
     }
     rocks_.setNames(names);

@@ -44,15 +44,17 @@ void fitHeight(QListWidget& list, int most, bool constant, int free) {
     if (list.minimumHeight() != before && list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
 
+constexpr int kLettersOfName = 10;       // with the two blanks before it
 constexpr int kShortened = Qt::UserRole; // TargetLine::shortened
 
-/// Without the ends of those parts that it can do without.
+/// Without the ends of those parts that it can do without. Of the last one, a name, the beginning stays.
 QString fittedRow(QString row, const QStringList& shortened, const QFontMetrics& metrics, int room) {
     for (const QString& part : shortened) {
         const int over = metrics.horizontalAdvance(row) - room;
         const auto at = row.indexOf(part);
         if (over <= 0 || at < 0) continue;
-        const int left = std::max(metrics.horizontalAdvance(part) - over, metrics.horizontalAdvance("   …"));
+        const QString least = part.left(part == shortened.back() ? kLettersOfName : 3) + "…";
+        const int left = std::max(metrics.horizontalAdvance(part) - over, metrics.horizontalAdvance(least));
         row.replace(at, part.size(), metrics.elidedText(part, Qt::ElideRight, left));
     }
     return metrics.elidedText(row, Qt::ElideRight, room);
