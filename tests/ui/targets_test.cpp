@@ -521,7 +521,7 @@ private slots:
         QCOMPARE(card.words(), QString("Vertical plane."));
         QTest::mouseClick(card.findChild<QPushButton*>("section-fit"), Qt::LeftButton);
         QTRY_COMPARE(outside->text(), QString());
-        QCOMPARE(card.words(), QString("Vertical plane. Green points are edges."));
+        QCOMPARE(card.words(), QString("Green points are edges. Vertical plane."));
     }
 
     void theCardSaysWhatIsKnownAndWhatItWas() {

@@ -35,7 +35,8 @@ SectionCard::SectionCard(QWidget* parent)
     })->setAutoRepeat(true);
     addButton(*foot, "section-fit", tr("Fit"), {}, [this] { plot_->zoomToFit(); });
     outside_->setObjectName("section-outside");
-    foot->addWidget(outside_, 1); // next to Fit, not over the lines
+    outside_->setMinimumHeight(2 * outside_->fontMetrics().lineSpacing() + 2); // the buttons are lower
+    foot->addWidget(outside_, 1);                                              // next to Fit, not over the lines
     foot->addWidget(export_);
     addButton(*foot, "section-close", tr("Close"), {}, [this] { hide(); }); // a cab has no frame to close it by
     connect(plot_, &SectionPlot::viewChanged, this, &SectionCard::showView);
@@ -68,7 +69,7 @@ void SectionCard::setWords(const QString& words) {
 
 /// What the plot shows now. The words become no lower: the plot would move.
 void SectionCard::showView() {
-    words_->setText(plot_->showsEdges() ? about_ + ' ' + tr("Green points are edges.") : about_);
+    words_->setText(plot_->showsEdges() ? tr("Green points are edges.") + ' ' + about_ : about_);
     words_->setMinimumHeight(std::max(words_->minimumHeight(), words_->heightForWidth(words_->width())));
     const std::size_t count = plot_->outside();
     outside_->setText(count > 0 ? tr("%1 points are outside: Fit shows them").arg(countText(count)) : QString());
