@@ -22,6 +22,8 @@ namespace {
 
 constexpr int kLongestLine = 200, kWide = 480, kRemarkLines = 4, kLeastFields = 60;
 
+constexpr int kLettersOfFormat = 20;
+
 QLineEdit* line(const char* name, const QString& text) {
     auto* made = new QLineEdit(text);
     made->setObjectName(name);
@@ -42,6 +44,8 @@ ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
     logo_->setMaxLength(4096);
     logo_->setPlaceholderText(tr("none"));
     format_->setObjectName("report-format");
+    format_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a low screen of a cab is narrower than its texts
+    format_->setMinimumContentsLength(kLettersOfFormat);
     format_->addItem(tr("HTML: any browser opens it and turns the cloud, without a network"), ".html");
     format_->addItem(tr("PDF: pages to print and to file"), ".pdf");
     format_->setCurrentIndex(std::max(0, format_->findData(words.extension)));
