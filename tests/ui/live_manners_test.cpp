@@ -78,6 +78,17 @@ class LiveMannersTest : public QObject {
         return eventually([&on] { return lines(on.window) > 5; });
     }
 
+    /// Shows the window and connects it while the scanner is in the middle of a sweep.
+    static bool connectsInTheMiddle(WindowFixture& on, const scanner::EmulatedScanner& emulated) {
+        if (!on.show()) return false;
+        on.viewer.live.connectTo("127.0.0.1", emulated.port(), sweep());
+        if (!eventually([&on] { return lines(on.window) > 60; })) return false;
+        press(on.window, "live-connect"); // Stop: the emulated scanner waits at this line
+        if (!eventually([&on] { return !on.viewer.engine.behind(); })) return false;
+        on.viewer.live.connectTo("127.0.0.1", emulated.port(), sweep());
+        return true;
+    }
+
     /// What the button offers after Stop, where there are several.
     static QMenu* openSweeps(MainWindow& window) {
         const auto* button = window.viewer().live.panel().findChild<QPushButton*>("live-other");
@@ -277,12 +288,7 @@ private slots:
         QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;
-        QVERIFY(on.show());
-        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
-        QTRY_VERIFY(lines(window) > 60);
-        press(window, "live-connect"); // Stop: the emulated scanner waits at this line
-        QTRY_VERIFY(!window.viewer().engine.behind());
-        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QVERIFY(connectsInTheMiddle(on, *emulated));
         const ScannerLink& scanner = window.viewer().live.scanner();
         QTRY_VERIFY(scanner.part());
         const int part = scanner.part()->lines;
@@ -307,18 +313,13 @@ private slots:
         QVERIFY2(!sentence.isVisible(), "a row that comes with Hold would move the pictures");
     }
 
-    // After Stop there is no next sweep that would replace the part.
+    // After Stop a next sweep does not come, which would replace the part.
     void theNoteOfAPartEndsWithStop() {
         const auto emulated = scanner(100);
         QVERIFY(emulated);
         WindowFixture on;
         MainWindow& window = on.window;
-        QVERIFY(on.show());
-        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
-        QTRY_VERIFY(lines(window) > 60);
-        press(window, "live-connect"); // Stop: the emulated scanner waits at this line
-        QTRY_VERIFY(!window.viewer().engine.behind());
-        window.viewer().live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QVERIFY(connectsInTheMiddle(on, *emulated));
         const NoticeBar& notice = window.viewer().notice;
         QTRY_VERIFY2(notice.isVisible() && notice.text().contains("The next sweep replaces it."), qPrintable(notice.text()));
         press(window, "live-connect");

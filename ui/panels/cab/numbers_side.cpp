@@ -4,6 +4,7 @@
 #include "ui/base/count_text.h"
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
+#include "ui/panels/cab/fitted_label.h"
 #include "ui/panels/cab/stepper.h"
 #include "ui/panels/cab/swipes.h"
 
@@ -32,69 +33,6 @@ constexpr int kAroundPose = 14;
 constexpr int kSign = 28, kLowSign = 16; // px: of Tune, the lower one above two lines
 constexpr int kLowestPx = 480;           // a lower side has no stepper next to the numbers: Tune has it
 constexpr int kLowPx = 720;              // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
-
-} // namespace
-
-/// One line. It never requests more width than it is given. The font shrinks down to `leastPx`; text that still does not fit is in the tool
-/// tip.
-class FittedLabel : public QLabel {
-public:
-    FittedLabel(int mostPx, int leastPx, QWidget* parent = nullptr);
-
-    void showText(const QString& text);
-    void setMost(int px);
-    [[nodiscard]] QSize minimumSizeHint() const override;
-
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
-private:
-    void fit();
-
-    int mostPx_, leastPx_;
-};
-
-FittedLabel::FittedLabel(int mostPx, int leastPx, QWidget* parent) : QLabel(parent), mostPx_(mostPx), leastPx_(leastPx) {
-    setTextFormat(Qt::PlainText);
-    setMost(mostPx);
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-}
-
-void FittedLabel::showText(const QString& text) {
-    setText(text);
-    fit();
-}
-
-void FittedLabel::setMost(int px) {
-    mostPx_ = px;
-    QFont letters = font();
-    letters.setPixelSize(px);
-    letters.setBold(true);
-    setFont(letters);
-    setMinimumHeight(QFontMetrics(letters).height()); // the widgets below do not move
-    fit();
-}
-
-QSize FittedLabel::minimumSizeHint() const { return {0, minimumHeight()}; }
-
-void FittedLabel::resizeEvent(QResizeEvent* event) {
-    QLabel::resizeEvent(event);
-    fit();
-}
-
-void FittedLabel::fit() {
-    QFont letters = font();
-    letters.setPixelSize(mostPx_);
-    const int wide = QFontMetrics(letters).horizontalAdvance(text());
-    const int room = contentsRect().width();
-    int px = wide > room && wide > 0 ? std::max(leastPx_, mostPx_ * room / wide) : mostPx_;
-    letters.setPixelSize(px);
-    while (px > leastPx_ && QFontMetrics(letters).horizontalAdvance(text()) > room) letters.setPixelSize(--px);
-    if (letters.pixelSize() != font().pixelSize()) setFont(letters);
-    setToolTip(QFontMetrics(letters).horizontalAdvance(text()) > room ? text() : QString());
-}
-
-namespace {
 
 /// What is tapped is underlined.
 void underline(QLabel& label, bool on) {

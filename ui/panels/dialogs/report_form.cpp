@@ -20,9 +20,7 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kLongestLine = 200, kWide = 480, kRemarkLines = 4, kLeastFields = 60;
-
-constexpr int kLettersOfFormat = 20;
+constexpr int kLongestLine = 200, kWide = 480, kRemarkLines = 4, kLeastFields = 60, kLettersOfFormat = 20;
 
 QLineEdit* line(const char* name, const QString& text) {
     auto* made = new QLineEdit(text);

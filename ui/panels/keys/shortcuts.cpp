@@ -73,7 +73,7 @@ QList<KeyedCommand> keyedCommands(const QList<QAction*>& actions) {
 
 QAction& actionOf(const QList<KeyedCommand>& commands, const QString& id) {
     const auto found = std::ranges::find(commands, id, &KeyedCommand::id);
-    if (found == commands.end()) qFatal("there is no command %s", qPrintable(id));
+    if (found == commands.end()) qFatal("no command has the id %s", qPrintable(id));
     return *found->action;
 }
 

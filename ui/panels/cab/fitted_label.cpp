@@ -1,0 +1,50 @@
+// Chooses the size of the letters.
+#include "ui/panels/cab/fitted_label.h"
+
+#include <QFontMetrics>
+
+#include <algorithm>
+
+namespace edgescan::ui {
+
+FittedLabel::FittedLabel(int mostPx, int leastPx, QWidget* parent) : QLabel(parent), mostPx_(mostPx), leastPx_(leastPx) {
+    setTextFormat(Qt::PlainText);
+    setMost(mostPx);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+void FittedLabel::showText(const QString& text) {
+    setText(text);
+    fit();
+}
+
+void FittedLabel::setMost(int px) {
+    mostPx_ = px;
+    QFont letters = font();
+    letters.setPixelSize(px);
+    letters.setBold(true);
+    setFont(letters);
+    setMinimumHeight(QFontMetrics(letters).height()); // the widgets below do not move
+    fit();
+}
+
+QSize FittedLabel::minimumSizeHint() const { return {0, minimumHeight()}; }
+
+void FittedLabel::resizeEvent(QResizeEvent* event) {
+    QLabel::resizeEvent(event);
+    fit();
+}
+
+void FittedLabel::fit() {
+    QFont letters = font();
+    letters.setPixelSize(mostPx_);
+    const int wide = QFontMetrics(letters).horizontalAdvance(text());
+    const int room = contentsRect().width();
+    int px = wide > room && wide > 0 ? std::max(leastPx_, mostPx_ * room / wide) : mostPx_;
+    letters.setPixelSize(px);
+    while (px > leastPx_ && QFontMetrics(letters).horizontalAdvance(text()) > room) letters.setPixelSize(--px);
+    if (letters.pixelSize() != font().pixelSize()) setFont(letters);
+    setToolTip(QFontMetrics(letters).horizontalAdvance(text()) > room ? text() : QString());
+}
+
+} // namespace edgescan::ui
