@@ -717,7 +717,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>Click Again</source><translation>Hacer clic otra vez</translation></message>
-<message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>No se vio un paso libre entre estos dos lados, que distan %1 m en profundidad: haga clic en el borde cercano de la garganta en cada lado.</translation></message>
+<message><source>No opening was seen between these two clicks, which are %1 m apart in depth: click the rock at each side of an opening, or measure a Distance.</source><translation>No se vio una abertura entre estos dos clics, que distan %1 m en profundidad: haga clic en la roca a cada lado de una abertura, o mida una Distancia.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Más allá, esta garganta se estrecha hasta %1 m.</translation></message>
 <message><source>Measure There</source><translation>Medir allí</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
@@ -1483,8 +1483,9 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Right</source><translation>Der.</translation></message>
 <message><source>Top</source><translation>Arriba</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
-<message><source>Without a pose, Top is the top of the range image</source><translation>Sin pose, Arriba es la parte superior de la imagen de distancias</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
+<message><source>Without a pose, Top is the top of the range image</source><translation>Sin pose, Arriba es la parte superior de la imagen de distancias</translation></message>
+<message><source>of image</source><translation>de imagen</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar las imágenes enteras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Encuadrar</translation></message>
 <message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
@@ -1569,14 +1570,16 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Colores de borde para dal&amp;tónicos</translation></message>
+<message><source>&amp;Top of the Range Image</source><translation>Desde arri&amp;ba de la imagen de distancias</translation></message>
+<message><source>&amp;Top</source><translation>Desde arri&amp;ba</translation></message>
+<message><source>Botto&amp;m of the Range Image</source><translation>Desde aba&amp;jo de la imagen de distancias</translation></message>
+<message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Mirar desde</translation></message>
 <message><source>From &amp;Scanner</source><translation>Desde el &amp;escáner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
 <message><source>&amp;Back</source><translation>Desde &amp;atrás</translation></message>
 <message><source>&amp;Right</source><translation>&amp;Derecha</translation></message>
 <message><source>&amp;Left</source><translation>&amp;Izquierda</translation></message>
-<message><source>&amp;Top</source><translation>Desde arri&amp;ba</translation></message>
-<message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vistas guardadas</translation></message>
 <message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>

@@ -717,7 +717,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>Click Again</source><translation>Cliquer à nouveau</translation></message>
-<message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Aucun passage libre n'a été vu entre ces deux côtés, éloignés de %1 m en profondeur : cliquez le bord proche du goulot de chaque côté.</translation></message>
+<message><source>No opening was seen between these two clicks, which are %1 m apart in depth: click the rock at each side of an opening, or measure a Distance.</source><translation>Aucune ouverture n'a été vue entre ces deux clics, éloignés de %1 m en profondeur : cliquez la roche de chaque côté d'une ouverture, ou mesurez une Distance.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Plus loin, ce goulot se resserre à %1 m.</translation></message>
 <message><source>Measure There</source><translation>Mesurer là-bas</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
@@ -1483,8 +1483,9 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Right</source><translation>Droite</translation></message>
 <message><source>Top</source><translation>Haut</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
-<message><source>Without a pose, Top is the top of the range image</source><translation>Sans pose, Haut est le haut de l'image de distances</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
+<message><source>Without a pose, Top is the top of the range image</source><translation>Sans pose, Haut est le haut de l'image de distances</translation></message>
+<message><source>of image</source><translation>d'image</translation></message>
 <message><source>Show the whole images</source><translation>Montrer les images entières</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Agrandi %1 × · Ajuster</translation></message>
 <message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
@@ -1569,14 +1570,16 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Couleurs des arêtes pour dalton&amp;iens</translation></message>
+<message><source>&amp;Top of the Range Image</source><translation>Du ha&amp;ut de l'image de distances</translation></message>
+<message><source>&amp;Top</source><translation>De dess&amp;us</translation></message>
+<message><source>Botto&amp;m of the Range Image</source><translation>Du bas de l'image de dista&amp;nces</translation></message>
+<message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Regarder depuis</translation></message>
 <message><source>From &amp;Scanner</source><translation>Depuis le &amp;scanner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;face</translation></message>
 <message><source>&amp;Back</source><translation>De l'&amp;arrière</translation></message>
 <message><source>&amp;Right</source><translation>De &amp;droite</translation></message>
 <message><source>&amp;Left</source><translation>De &amp;gauche</translation></message>
-<message><source>&amp;Top</source><translation>De dess&amp;us</translation></message>
-<message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vues enregistrées</translation></message>
 <message><source>View &amp;%1</source><translation>Vue &amp;%1</translation></message>

@@ -717,7 +717,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>Click Again</source><translation>Clicar de novo</translation></message>
-<message><source>No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat on each side.</source><translation>Não se viu passagem livre entre estes dois lados, que distam %1 m em profundidade: clique na borda próxima da garganta em cada lado.</translation></message>
+<message><source>No opening was seen between these two clicks, which are %1 m apart in depth: click the rock at each side of an opening, or measure a Distance.</source><translation>Não se viu uma abertura entre estes dois cliques, que distam %1 m em profundidade: clique na rocha em cada lado de uma abertura, ou meça uma Distância.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Mais adiante, esta garganta estreita-se até %1 m.</translation></message>
 <message><source>Measure There</source><translation>Medir ali</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
@@ -1483,8 +1483,9 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Right</source><translation>Dir.</translation></message>
 <message><source>Top</source><translation>Topo</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
-<message><source>Without a pose, Top is the top of the range image</source><translation>Sem pose, Topo é a parte superior da imagem de distâncias</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
+<message><source>Without a pose, Top is the top of the range image</source><translation>Sem pose, Topo é a parte superior da imagem de distâncias</translation></message>
+<message><source>of image</source><translation>da imagem</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar as imagens inteiras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Enquadrar</translation></message>
 <message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
@@ -1569,14 +1570,16 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Cores de borda para dal&amp;tônicos</translation></message>
+<message><source>&amp;Top of the Range Image</source><translation>De Do &amp;topo da imagemcima da imagem de distâncias</translation></message>
+<message><source>&amp;Top</source><translation>De &amp;cima</translation></message>
+<message><source>Botto&amp;m of the Range Image</source><translation>De &amp;baixo da imagem de distâncias</translation></message>
+<message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Olhar de</translation></message>
 <message><source>From &amp;Scanner</source><translation>A partir do s&amp;canner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
 <message><source>&amp;Back</source><translation>De &amp;trás</translation></message>
 <message><source>&amp;Right</source><translation>&amp;Direita</translation></message>
 <message><source>&amp;Left</source><translation>&amp;Esquerda</translation></message>
-<message><source>&amp;Top</source><translation>De &amp;cima</translation></message>
-<message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vistas salvas</translation></message>
 <message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>

@@ -10,6 +10,7 @@
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/numbers_side.h"
 #include "ui/panels/dialogs/place_dialog.h"
+#include "ui/panels/keys/shortcuts.h"
 #include "ui/panels/tuning/warning_button.h"
 #include "ui/window/cab_mode.h"
 
@@ -59,17 +60,15 @@ struct PlaceForm : WindowFixture {
     Placing& placing;
 };
 
-/// The menu of directions says what Top means without a pose.
-bool namesDirections(const QWidget& window) {
-    for (QAction* action : window.actions()) {
-        if (action->shortcut() != QKeySequence("7")) continue;
-        auto* menu = qobject_cast<QMenu*>(action->parent());
-        if (menu == nullptr) return false;
-        emit menu->aboutToShow();
-        const auto* note = menu->findChild<QAction*>("directions-note");
-        return note != nullptr && note->isVisible() && !note->isEnabled();
-    }
-    return false;
+/// The name of this direction in its menu.
+QString nameOf(const QWidget& window, const QString& id) {
+    QAction& action = actionOf(keyedCommands(window.actions()), id);
+    emit qobject_cast<QMenu*>(action.parent())->aboutToShow();
+    return action.text().remove('&');
+}
+bool saysThatTopIsOfTheImage(const QWidget& window) {
+    return nameOf(window, "View/Look from/Top") == "Top of the Range Image" &&
+           nameOf(window, "View/Look from/Bottom") == "Bottom of the Range Image";
 }
 
 } // namespace
@@ -100,7 +99,7 @@ private slots:
         QCOMPARE(on.field("talin-northing_m").text(), QString("5150123.456"));
         QVERIFY(on.placed());
         QVERIFY(on.place() != nullptr);
-        QVERIFY(!namesDirections(on.window));
+        QCOMPARE(nameOf(on.window, "View/Look from/Top"), QString("Top"));
         QCOMPARE(on.place()->originEnhM.x(), 498700.0);
         QVERIFY2(on.placing.dialog()->stateText().contains("E 498765.432, N 5150123.456, RL 287.654"),
                  qPrintable(on.placing.dialog()->stateText()));
@@ -108,7 +107,7 @@ private slots:
         on.placing.dialog()->reject();
         QVERIFY(on.settled());
         QVERIFY(on.place() == nullptr);
-        QVERIFY(namesDirections(on.window));
+        QVERIFY(saysThatTopIsOfTheImage(on.window));
         QVERIFY(!std::filesystem::exists(files::poseSidecar(scan_)));
     }
 

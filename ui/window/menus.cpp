@@ -10,6 +10,7 @@
 #include "ui/panels/dialogs/command_palette.h"
 #include "ui/panels/dialogs/sheets.h"
 #include "ui/panels/keys/key_editing.h"
+#include "ui/panels/keys/shortcuts.h"
 #include "ui/panels/live/live_panel.h"
 #include "ui/panels/live/timeline.h"
 #include "ui/panels/tuning/edge_legend.h"
@@ -113,6 +114,13 @@ std::vector<Command> edgeLook(Viewer& v) {
     };
 }
 
+/// These may be sides of the range image.
+void nameTopAndBottom(const CloudView& cloud, const QList<KeyedCommand>& directions) {
+    const bool ofImage = cloud.topIsOfImage();
+    actionOf(directions, "View/Look from/Top").setText(ofImage ? QObject::tr("&Top of the Range Image") : QObject::tr("&Top"));
+    actionOf(directions, "View/Look from/Bottom").setText(ofImage ? QObject::tr("Botto&m of the Range Image") : QObject::tr("Botto&m"));
+}
+
 Command directions(CloudView& cloud) {
     Command menu = submenu("Loo&k from", {
                                              command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
@@ -124,15 +132,7 @@ Command directions(CloudView& cloud) {
                                              command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
                                              command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
                                          });
-    menu.fill = [&cloud](QMenu& shown) {
-        auto* note = shown.findChild<QAction*>("directions-note");
-        if (note == nullptr) {
-            note = shown.addAction(ViewCube::withoutPose());
-            note->setObjectName("directions-note");
-            note->setEnabled(false);
-        }
-        note->setVisible(cloud.scan() && !cloud.scan()->placement);
-    };
+    menu.fill = [&cloud](QMenu& shown) { nameTopAndBottom(cloud, keyedCommands(shown.actions())); };
     return menu;
 }
 

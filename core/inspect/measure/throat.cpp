@@ -1,6 +1,7 @@
 // Finds rims, sorts pairs of rim cells by length, and checks the space between them.
 #include "core/inspect/measure/throat.h"
 
+#include "core/base/order_statistic.h"
 #include "core/inspect/measure/jumps_along.h"
 #include "core/inspect/measure/near_side.h"
 #include "core/rocks/segmentation/cuts.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -23,6 +25,8 @@ constexpr int kLeastWay = 20;              // cells that are searched for a near
 constexpr int kWidestVoid = 7;             // cells without a range between two surfaces
 constexpr int kFewestOnSurface = 4;        // of a surface: fewer are dust
 constexpr int kMostTried = 4000;           // shortest pairs; if all of these are blocked, the result is empty
+constexpr double kAtEnd = 0.02;            // of a way, where its surfaces are those of its ends
+constexpr double kLeastDepth = 0.25;       // of the width: the least that half of an opening is deep
 
 struct RimCell {
     std::uint32_t cell;
@@ -125,24 +129,34 @@ std::uint32_t rimBefore(const Scan& scan, const CartesianTables& tables, std::ui
     return end;
 }
 
-/// True if no cell was measured in front of the straight line between the two points, or on it.
-bool isFree(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
-    const std::vector<std::uint32_t> cells = rocks::strokeCells({from.cell, to.cell}, scan.lines(), scan.beams());
-    const Eigen::Vector3d sensor = tables.sensor();
-    const Eigen::Vector3d way = to.pointM - from.pointM;
-    for (const std::uint32_t k : cells) {
-        if (k == from.cell || k == to.cell || scan.state[k] != CellState::Valid) continue;
-        const Eigen::Vector3d ray = (tables.point(k) - sensor).normalized();
+/// How far the surfaces of the cells between the two are behind the straight line between them, metres; endless for a cell without a range,
+/// negative for a surface in front of the line.
+std::vector<double> behindLineM(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
+    const Eigen::Vector3d way = to.pointM - from.pointM, off = from.pointM - tables.sensor();
+    std::vector<double> behindM;
+    for (const std::uint32_t k : rocks::strokeCells({from.cell, to.cell}, scan.lines(), scan.beams())) {
+        if (k == from.cell || k == to.cell) continue;
+        if (scan.state[k] != CellState::Valid) {
+            behindM.push_back(std::numeric_limits<double>::infinity());
+            continue;
+        }
+        const Eigen::Vector3d ray = (tables.point(k) - tables.sensor()).normalized();
         // The point of the line nearest to the ray; both start at known points.
-        const Eigen::Vector3d off = from.pointM - sensor;
         const double along = ray.dot(way), square = way.squaredNorm();
         const double det = square - along * along;
         if (det < 1e-12) continue;
         const double t = std::clamp((along * ray.dot(off) - way.dot(off)) / det, 0.0, 1.0);
-        const double passes = ray.dot(off + t * way);
-        if (static_cast<double>(scan.rangeMm[k]) / 1000.0 <= passes && t > 0.02 && t < 0.98) return false;
+        if (t > kAtEnd && t < 1.0 - kAtEnd) behindM.push_back(static_cast<double>(scan.rangeMm[k]) / 1000.0 - ray.dot(off + t * way));
     }
-    return true;
+    return behindM;
+}
+
+/// True if no surface is in front of the straight line between the two points or on it, and half of it is well in front of what is behind:
+/// a hollow of a rock is not an opening.
+bool isOpen(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
+    const std::vector<double> behindM = behindLineM(scan, tables, from, to);
+    if (std::ranges::any_of(behindM, [](double each) { return each <= 0.0; })) return false;
+    return behindM.empty() || median(behindM) > kLeastDepth * (to.pointM - from.pointM).norm();
 }
 
 /// The cells that a click and the four clicks next to it mean: that of the click itself first. Empty if nothing was measured there.
@@ -191,7 +205,7 @@ std::optional<std::array<std::uint32_t, 2>> narrowestOf(const Scan& scan, const 
         std::ranges::pop_heap(pairs, longer);
         const Pair pair = pairs.back();
         pairs.pop_back();
-        if (isFree(scan, tables, first[pair.first], second[pair.second]))
+        if (isOpen(scan, tables, first[pair.first], second[pair.second]))
             return std::array{first[pair.first].cell, second[pair.second].cell};
     }
     return std::nullopt;

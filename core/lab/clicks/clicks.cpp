@@ -6,6 +6,7 @@
 #include "core/sim/random.h"
 #include "core/sim/truth/truth.h"
 
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <cmath>
@@ -141,11 +142,11 @@ private:
     [[nodiscard]] Eigen::Vector3d pointAt(Cell at) const {
         return tables_.sensor() + surfaces_.rangeMm(at) / 1000.0 * tables_.direction(at.line, at.beam);
     }
-    /// On another surface, behind the one that was meant.
+    /// On another surface, behind the one that was meant. An end on a surface in front of that is not, however far it is behind its rim.
     [[nodiscard]] bool isBehind(const Click& click, std::uint32_t measured) const {
-        const double nearerMm = 1000.0 * (truePoint(click, measured) - tables_.sensor()).norm();
-        return surfaces_.onFront(click.front, cellOf(measured)) != cellOf(measured) &&
-               static_cast<double>(scan_.rangeMm[measured]) - nearerMm > kBehindMm;
+        const Cell at = cellOf(measured), meant = surfaces_.onFront(click.front, at);
+        const double trueMm = 1000.0 * (truePoint(click, measured) - tables_.sensor()).norm();
+        return meant != at && static_cast<double>(scan_.rangeMm[measured]) - std::max(trueMm, surfaces_.rangeMm(meant)) > kBehindMm;
     }
 
     const Scan& scan_;

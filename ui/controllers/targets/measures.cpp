@@ -134,8 +134,8 @@ void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
     const Scan& scan = *asked.of->detection->scan;
     if (!isOnScreen(*asked.of)) return;
     if (found) return keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);
-    notice_.showHint(tr("No free way was seen between these two sides, which are %1 m apart in depth: click the near border of the throat "
-                        "on each side.")
+    notice_.showHint(tr("No opening was seen between these two clicks, which are %1 m apart in depth: click the rock at each side of an "
+                        "opening, or measure a Distance.")
                          .arg(std::abs(scan.rangeMm[asked.cells[0]] - scan.rangeMm[asked.cells[1]]) / 1000.0, 0, 'f', 2));
 }
 

@@ -197,6 +197,7 @@ void fillFrames(const Scan& scan, const CartesianTables& tables, const std::vect
     out.scannerView = frameOf(forward, towardsRowZero(tables, out, forward).value_or(fallback));
     const Vector3d up = levelled ? Vector3d(Vector3d::UnitZ()) : nearestAxis(out.scannerView.up, Vector3d::Zero());
     out.axes = frameOf(nearestAxis(forward, up), up);
+    out.topIsOfImage = !levelled && !scan.placement;
     if (scan.placement) { // the plan has north on top, the elevations have RL up
         const Eigen::Matrix3d mine = mineAxes(scan);
         out.axes = frameOf(mine.col(1), mine.col(2));

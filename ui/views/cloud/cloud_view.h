@@ -57,6 +57,8 @@ public:
     void setAxes(const std::optional<ViewFrame>& axes) { axes_ = axes; }
     [[nodiscard]] bool axesSet() const { return axes_.has_value(); }
     [[nodiscard]] const ViewFrame& axes() const;
+    /// True if the top of axes() is that of the range image; false without a cloud.
+    [[nodiscard]] bool topIsOfImage() const { return cloud_ && cloud_->topIsOfImage; }
     /// Cells k = line * beams + beam, ascending. Replaces only an index list; setting the same pointer again is free.
     void setEdges(EdgeCells cells);
     void setEdges(std::shared_ptr<const CellIndices> cells) { setEdges(EdgeCells{std::move(cells), {}}); }

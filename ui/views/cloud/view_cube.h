@@ -22,8 +22,6 @@ public:
     enum class Face { Front, Back, Left, Right, Top, Bottom };
     /// Where a face is seen; empty: it points away.
     [[nodiscard]] std::optional<QPointF> middleOf(Face face) const;
-    /// What the names of the faces mean for a scan without a pose.
-    [[nodiscard]] static QString withoutPose();
     /// Off: hidden whatever the size of the view.
     void setWanted(bool on);
     /// Its faces are too small for gloves: hidden.

@@ -196,6 +196,27 @@ TEST(Throat, IsTheNarrowestPairOfASlowVersion) {
     EXPECT_FALSE(narrowestBetween(wall, CartesianTables(wall), cellOf(wall, 20, 20), cellOf(wall, 20, 40)));
 }
 
+TEST(Throat, IsNotAcrossAHollowOfARock) {
+    for (const double deepM : {0.15, 0.6, 4.0}) {
+        const auto hollow = [deepM](const Eigen::Vector3d& d) {
+            const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
+            return (5.0 + (std::abs(x) < 0.5 && std::abs(y) < 0.4 ? deepM : 0.0)) / d.z();
+        };
+        const Scan scan = fineScan(101, 141, hollow);
+        int left = 0, right = 0;
+        for (int j = 1; j < 141; ++j) {
+            const bool was = scan.rangeMm.at(50, j - 1) > 5100.0F, is = scan.rangeMm.at(50, j) > 5100.0F;
+            if (!was && is && j < 70) left = j - 1;
+            if (was && !is && j > 70) right = j;
+        }
+        ASSERT_LT(left, right);
+        const auto a = cellOf(scan, 50, left - 2), b = cellOf(scan, 50, right + 2);
+        const CartesianTables tables(scan);
+        EXPECT_EQ(throatAt(scan, tables, a, b).has_value(), deepM > 0.25) << deepM;
+        EXPECT_EQ(narrowestBetween(scan, tables, a, b).has_value(), deepM > 0.25) << deepM;
+    }
+}
+
 // A plate at 5 m with an opening whose half width depends on the height; clicks on the plate next to its sides, `off` cells off each way.
 struct Clicked {
     double lengthM;
