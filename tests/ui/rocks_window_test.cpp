@@ -143,6 +143,13 @@ private slots:
             QVERIFY(cloud.camera().forward().dot(way.cast<double>().normalized()) > 0.9);
         }
         QVERIFY(moved > 0);
+        // A small rock is seen with what is around it.
+        const auto small = std::ranges::min_element(picture(on).study.rocks, {}, &rocks::Rock::cells);
+        on.viewer.rocks.lookAt(small->label);
+        const double acrossM = static_cast<double>(cloud.geometryOfCloud()->mainBounds.diagonal().norm());
+        QVERIFY2(2.0 * cloud.camera().halfHeight() > 0.06 * acrossM,
+                 qPrintable(QString::number(2.0 * cloud.camera().halfHeight() / acrossM)));
+        on.viewer.rocks.lookAt(picture(on).study.rocks.front().label);
         // The rock of the row is what Isolate takes: nothing else was selected.
         const std::uint32_t label = on.viewer.rockTable.selected().front();
         QVERIFY(on.viewer.selection.cells().empty());

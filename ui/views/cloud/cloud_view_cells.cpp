@@ -18,6 +18,7 @@ void CloudView::keepReady(const std::shared_ptr<const CloudGeometry>& cloud) {
 void CloudView::lookAtCells(const CellIndices& cells) {
     if (!cloud_) return;
     constexpr double kRim = 0.04, kAround = 0.35;
+    constexpr float kLeastShare = 0.06F; // of the cloud: a small rock is recognised by what is around it
     std::array<std::vector<float>, 3> places;
     for (const std::uint32_t k : cells) {
         if (!cloud_->drawable(k)) continue;
@@ -30,7 +31,8 @@ void CloudView::lookAtCells(const CellIndices& cells) {
         least[axis] = quantile(values, kRim);
         most[axis] = quantile(values, 1.0 - kRim);
     }
-    const Eigen::Vector3f around = Eigen::Vector3f::Constant(static_cast<float>(kAround) * std::max(0.1F, (most - least).maxCoeff()));
+    const float sizeM = (most - least).maxCoeff(), leastM = kLeastShare * cloud_->mainBounds.diagonal().norm();
+    const Eigen::Vector3f around = Eigen::Vector3f::Constant(std::max(static_cast<float>(kAround) * sizeM, 0.5F * (leastM - sizeM)));
     const Box3f box(least - around, most + around);
     const FreeBox fits = intoFreeArea(box);
     pose_ = lookingAtFrom(cloud_->sensor.cast<double>(), fits.box, cloud_->axes.up, pose_, fits.aspect);
