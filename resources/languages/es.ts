@@ -1485,7 +1485,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sin pose, Arriba es la parte superior de la imagen de distancias</translation></message>
-<message><source>of image</source><translation>de imagen</translation></message>
+<message><source>Image</source><translation>Imagen</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar las imágenes enteras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Encuadrar</translation></message>
 <message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>

@@ -1485,7 +1485,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sans pose, Haut est le haut de l'image de distances</translation></message>
-<message><source>of image</source><translation>d'image</translation></message>
+<message><source>Image</source><translation>Image</translation></message>
 <message><source>Show the whole images</source><translation>Montrer les images entières</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Agrandi %1 × · Ajuster</translation></message>
 <message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>

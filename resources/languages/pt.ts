@@ -1485,7 +1485,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
 <message><source>Without a pose, Top is the top of the range image</source><translation>Sem pose, Topo é a parte superior da imagem de distâncias</translation></message>
-<message><source>of image</source><translation>da imagem</translation></message>
+<message><source>Image</source><translation>Imagem</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar as imagens inteiras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Enquadrar</translation></message>
 <message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>

@@ -134,7 +134,7 @@ void ViewCube::paintEvent(QPaintEvent* /*event*/) {
         if (each.towardsEye < 0.4) continue; // too narrow for letters
         const bool ofImage = cloud_->topIsOfImage() && (each.face == Face::Top || each.face == Face::Bottom);
         QStringList lines{QObject::tr(cubeFaces()[static_cast<std::size_t>(each.face)].name)};
-        if (ofImage) lines << tr("of image", "a face of the cube of directions");
+        if (ofImage) lines.prepend(tr("Image"));
         for (QString& line : lines) line = painter.fontMetrics().elidedText(line, Qt::ElideRight, static_cast<int>(2 * kHalf));
         const QRectF room(*middleOf(each.face) - QPointF(kHalf, kHalf), QSizeF(2 * kHalf, 2 * kHalf));
         painter.setPen(QColor(0xe8, 0xe8, 0xe8));
