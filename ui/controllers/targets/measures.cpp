@@ -8,7 +8,6 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace edgescan::ui {
@@ -126,17 +125,14 @@ void Measures::keepPicked() {
         clicked.push_back(click.clicked);
     }
     if (kind_ != inspect::MeasureKind::Throat) return keep(*kind_, std::move(cells), std::move(clicked));
-    throats_.ask({views_.shown(), std::move(cells), std::move(clicked)});
+    throats_.ask({views_.shown(), std::move(clicked)});
 }
 
 void Measures::takeThroat(const ThroatAsked& asked, const Throat& found) {
     show();
-    const Scan& scan = *asked.of->detection->scan;
     if (!isOnScreen(*asked.of)) return;
     if (found) return keep(inspect::MeasureKind::Throat, {found->ends.begin(), found->ends.end()}, asked.clicked);
-    notice_.showHint(tr("No opening was seen between these two clicks, which are %1 m apart in depth: click the rock at each side of an "
-                        "opening, or measure a Distance.")
-                         .arg(std::abs(scan.rangeMm[asked.cells[0]] - scan.rangeMm[asked.cells[1]]) / 1000.0, 0, 'f', 2));
+    notice_.showHint(tr("No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock."));
 }
 
 /// Of another scan the cells have no meaning; a sweep may have grown.

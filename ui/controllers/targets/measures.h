@@ -48,7 +48,7 @@ private:
     using Throat = std::optional<inspect::Throat>; // empty: no free way
     struct ThroatAsked {
         std::shared_ptr<const Picture> of;
-        std::vector<std::uint32_t> cells, clicked;
+        std::vector<std::uint32_t> clicked;
     };
     void pick(const inspect::MeantCell& click);
     void warnAboutThrough(std::uint32_t cell);
