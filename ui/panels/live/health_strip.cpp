@@ -85,9 +85,9 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(badge_, notFollowing ? StateBadge::Sign::Waiting : signOf(health.liveness),
           !notFollowing              ? coreWords(health.badge)
           : picture == Picture::Held ? tr("HELD")
-          : narrow                   ? tr("ANOTHER PICTURE")
-                                     : tr("CONNECTED, another picture is shown"),
+                                     : tr("ANOTHER PICTURE"),
           !brief_ || !inHead);
+    if (notFollowing && picture != Picture::Held) badge_->setToolTip(tr("CONNECTED, another picture is shown"));
     // Another picture counts the lines of its own sweep.
     const bool heldNarrow = narrow && notFollowing && picture == Picture::Held;
     QString lines = coreWords(health.lines);
