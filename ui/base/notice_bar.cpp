@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -75,9 +76,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     more_->setToolTip(tr("Shows the next of the notes that were not closed"));
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
-    // Each button has its place at one of the two ends, whichever others are shown.
-    for (QWidget* each : std::initializer_list<QWidget*>{more_, sign_, line_, text_, folder_, action_, copy, unfold_, close})
-        line->addWidget(each);
+    for (QWidget* each : std::initializer_list<QWidget*>{copy, close}) line->addWidget(each);
     keepUnfoldPlace();
     hide();
     leaves_.setParent(this);
@@ -330,8 +329,16 @@ void NoticeBar::resizeEvent(QResizeEvent* event) {
     offerMore();
 }
 
-/// Large buttons have no room to spare.
+/// Each button has its place at one of the two ends, whichever others are shown. Large buttons have no room to spare: those before the
+/// action, which usually is the widest, are next to the text in a narrow window.
 void NoticeBar::keepUnfoldPlace() {
+    auto* close = findChild<QToolButton*>("notice-close");
+    std::vector<QWidget*> order{more_, sign_, line_, text_, folder_, action_, copy_, unfold_, close};
+    if (large_) order = {sign_, line_, text_, unfold_, more_, action_, folder_, copy_, close};
+    for (QWidget* each : order) {
+        layout()->removeWidget(each);
+        layout()->addWidget(each);
+    }
     QSizePolicy place = unfold_->sizePolicy();
     place.setRetainSizeWhenHidden(!large_);
     unfold_->setSizePolicy(place);
