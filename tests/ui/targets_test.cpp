@@ -524,7 +524,7 @@ private slots:
         QCOMPARE(card.words(), QString("Green points are edges. Vertical plane."));
     }
 
-    // Neither the label of a length nor the number of a rock is on a line, and none of them is on the other.
+    // Neither the label of a length nor the number of a rock is on a line, and they are not on each other.
     void theLabelsOfASectionAreOffItsLines() {
         auto section = std::make_shared<inspect::Section>();
         inspect::SectionLine line, over;

@@ -77,7 +77,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
     for (QWidget* each : std::initializer_list<QWidget*>{copy, close}) line->addWidget(each);
-    keepUnfoldPlace();
+    placeButtons();
     hide();
     leaves_.setParent(this);
     leaves_.setObjectName("notice-leaves");
@@ -331,7 +331,7 @@ void NoticeBar::resizeEvent(QResizeEvent* event) {
 
 /// Each button has its place at one of the two ends, whichever others are shown. Large buttons have no room to spare: those before the
 /// action, which usually is the widest, are next to the text in a narrow window.
-void NoticeBar::keepUnfoldPlace() {
+void NoticeBar::placeButtons() {
     auto* close = findChild<QToolButton*>("notice-close");
     std::vector<QWidget*> order{more_, sign_, line_, text_, folder_, action_, copy_, unfold_, close};
     if (large_) order = {sign_, line_, text_, unfold_, more_, action_, folder_, copy_, close};
@@ -349,7 +349,7 @@ bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 void NoticeBar::setBrief(bool on) {
     copy_->setVisible(!on);
     large_ = on;
-    keepUnfoldPlace();
+    placeButtons();
     showFolder();
     line_->setLines(on ? 2 : 1);
     layout()->setContentsMargins(10, on ? 2 : 4, 6, on ? 0 : 4);

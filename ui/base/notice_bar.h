@@ -90,7 +90,7 @@ private:
     void fitLine(int room);
     void leave();
     void showFolder();
-    void keepUnfoldPlace();
+    void placeButtons();
     void openPath(const QString& path);
 
     Kind kind_ = Kind::Done;
