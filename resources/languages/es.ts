@@ -288,8 +288,8 @@
 <message><source>Undone: %1.</source><translation>Deshecho: %1.</translation></message>
 <message><source>It is back.</source><translation>Está de nuevo.</translation></message>
 <message><source>Redo</source><translation>Rehacer</translation></message>
-<message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Más</translation></message>
+<message><source>Less</source><translation>Menos</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Doble clic: en lugar de la nube, y de vuelta</translation></message>
 <message><source>All views again</source><translation>Todas las vistas de nuevo</translation></message>
 <message><source>This view alone</source><translation>Esta vista sola</translation></message>
@@ -490,7 +490,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminó.</translation></message>
-<message><source>It is held on the screen; Follow shows the next one.</source><translation>Está retenido en la pantalla. Seguir muestra el siguiente.</translation></message>
+<message><source>Follow shows the next sweep.</source><translation>Seguir da el siguiente.</translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
 <message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Aún no hay una vista %1: Ctrl+%1 guarda la actual.</translation></message>
@@ -647,8 +647,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
-<message><source>▲ partial: %1/%2</source><translation>▲ parcial: %1/%2</translation></message>
-<message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 líneas</translation></message>
+<message><source>▲ up to line %1 of %2</source><translation>▲ hasta la línea %1 de %2</translation></message>
+<message><source>▲ up to line %1</source><translation>▲ hasta la línea %1</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de la imagen anterior; se está calculando de nuevo</translation></message>
 <message><source>being computed …</source><translation>en cálculo …</translation></message>
 <message><source>No rock was found here: choose Pin to set a target.</source><translation>Aquí no hay ninguna roca: elija Fijar para poner un objetivo.</translation></message>
@@ -1143,8 +1143,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Show %1</source><translation>Mostrar: %1</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
-<message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
 <message><source>not known</source><translation>desconocido</translation></message>
+<message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconocido (se supone 0.18°)</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sin encoder; las líneas se ubican según el paso del motor</translation></message>
 <message><source>not known (spin assumed)</source><translation>desconocido (se supone spin)</translation></message>
@@ -1613,7 +1613,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Grabar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar el último minuto</translation></message>
 <message><source>S&amp;weep…</source><translation>&amp;Barrido…</translation></message>
-<message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar la imagen al final del barrido</translation></message>
+<message><source>&amp;Hold Picture at End of First Sweep</source><translation>Co&amp;ngelar la imagen al final del primer barrido</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Car&amp;peta de grabaciones…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproducir o pausar</translation></message>
 <message><source>Next Line</source><translation>Línea siguiente</translation></message>
@@ -1643,6 +1643,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Recorrido</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Cambiar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Acerca de EdgeScan</translation></message>
+<message><source>up to line %1</source><translation>hasta la línea %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 celdas de borde</translation></message>
 <message><source>by class</source><translation>por clase</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 puntos</translation></message>

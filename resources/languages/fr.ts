@@ -288,8 +288,8 @@
 <message><source>Undone: %1.</source><translation>Annulé : %1.</translation></message>
 <message><source>It is back.</source><translation>C'est de retour.</translation></message>
 <message><source>Redo</source><translation>Rétablir</translation></message>
-<message><source>Less</source><translation>Moins</translation></message>
 <message><source>More</source><translation>Plus</translation></message>
+<message><source>Less</source><translation>Moins</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Double-clic : à la place du nuage, et retour</translation></message>
 <message><source>All views again</source><translation>Toutes les vues à nouveau</translation></message>
 <message><source>This view alone</source><translation>Cette vue seule</translation></message>
@@ -490,7 +490,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 s'est terminé.</translation></message>
-<message><source>It is held on the screen; Follow shows the next one.</source><translation>Il est figé à l'écran. Suivre montre le suivant.</translation></message>
+<message><source>Follow shows the next sweep.</source><translation>Suivre montre le suivant.</translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
 <message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>
@@ -647,8 +647,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
-<message><source>▲ partial: %1/%2</source><translation>▲ partiel : %1/%2</translation></message>
-<message><source>▲ partial: %1 lines</source><translation>▲ partiel : %1 lignes</translation></message>
+<message><source>▲ up to line %1 of %2</source><translation>▲ jusqu'à la ligne %1 sur %2</translation></message>
+<message><source>▲ up to line %1</source><translation>▲ jusqu'à la ligne %1</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ de l'image précédente ; nouveau calcul en cours</translation></message>
 <message><source>being computed …</source><translation>calcul en cours …</translation></message>
 <message><source>No rock was found here: choose Pin to set a target.</source><translation>Il n'y a pas de bloc ici : choisissez Épingler pour poser une cible.</translation></message>
@@ -1143,8 +1143,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Show %1</source><translation>Montrer : %1</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
-<message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
 <message><source>not known</source><translation>inconnu</translation></message>
+<message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>inconnu (0.18° supposé)</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0 : pas de codeur ; les lignes sont placées selon le pas du moteur</translation></message>
 <message><source>not known (spin assumed)</source><translation>inconnu (spin supposé)</translation></message>
@@ -1613,7 +1613,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Enregistrer</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conserver la dernière minute</translation></message>
 <message><source>S&amp;weep…</source><translation>&amp;Balayage…</translation></message>
-<message><source>&amp;Hold Picture at End of Sweep</source><translation>&amp;Figer l'image à la fin du balayage</translation></message>
+<message><source>&amp;Hold Picture at End of First Sweep</source><translation>&amp;Figer l'image à la fin du premier balayage</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>&amp;Dossier des enregistrements…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Lire ou mettre en pause</translation></message>
 <message><source>Next Line</source><translation>Ligne suivante</translation></message>
@@ -1643,6 +1643,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Visite</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Changer les touches…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>À &amp;propos d'EdgeScan</translation></message>
+<message><source>up to line %1</source><translation>jusqu'à la ligne %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 cellules d'arête sur %2</translation></message>
 <message><source>by class</source><translation>par classe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 points sur %2</translation></message>

@@ -288,8 +288,8 @@
 <message><source>Undone: %1.</source><translation>Desfeito: %1.</translation></message>
 <message><source>It is back.</source><translation>Está de volta.</translation></message>
 <message><source>Redo</source><translation>Refazer</translation></message>
-<message><source>Less</source><translation>Menos</translation></message>
 <message><source>More</source><translation>Mais</translation></message>
+<message><source>Less</source><translation>Menos</translation></message>
 <message><source>Double-click: in exchange for the cloud, and back</source><translation>Duplo clique: no lugar da nuvem, e de volta</translation></message>
 <message><source>All views again</source><translation>Todas as vistas de novo</translation></message>
 <message><source>This view alone</source><translation>Só esta vista</translation></message>
@@ -490,7 +490,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminou.</translation></message>
-<message><source>It is held on the screen; Follow shows the next one.</source><translation>Está retida na tela. Seguir mostra a seguinte.</translation></message>
+<message><source>Follow shows the next sweep.</source><translation>Seguir mostra a próxima.</translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
 <message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Ainda não há vista %1: Ctrl+%1 salva a atual.</translation></message>
@@ -647,8 +647,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
-<message><source>▲ partial: %1/%2</source><translation>▲ parcial: %1/%2</translation></message>
-<message><source>▲ partial: %1 lines</source><translation>▲ parcial: %1 linhas</translation></message>
+<message><source>▲ up to line %1 of %2</source><translation>▲ até a linha %1 de %2</translation></message>
+<message><source>▲ up to line %1</source><translation>▲ até a linha %1</translation></message>
 <message><source>▲ of the picture before; being computed again</source><translation>▲ da imagem anterior; em novo cálculo</translation></message>
 <message><source>being computed …</source><translation>em cálculo …</translation></message>
 <message><source>No rock was found here: choose Pin to set a target.</source><translation>Nenhuma rocha aqui: escolha Fixar para marcar um alvo.</translation></message>
@@ -1143,8 +1143,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Show %1</source><translation>Mostrar: %1</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
-<message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
 <message><source>not known</source><translation>desconhecido</translation></message>
+<message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
 <message><source>not known (0.18° assumed)</source><translation>desconhecido (supõe-se 0.18°)</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sem encoder; as linhas são posicionadas pelo passo do motor</translation></message>
 <message><source>not known (spin assumed)</source><translation>desconhecido (supõe-se spin)</translation></message>
@@ -1613,7 +1613,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Record</source><translation>&amp;Gravar</translation></message>
 <message><source>&amp;Keep Last Minute</source><translation>&amp;Conservar o último minuto</translation></message>
 <message><source>S&amp;weep…</source><translation>V&amp;arredura…</translation></message>
-<message><source>&amp;Hold Picture at End of Sweep</source><translation>Co&amp;ngelar a imagem no fim da varredura</translation></message>
+<message><source>&amp;Hold Picture at End of First Sweep</source><translation>Co&amp;ngelar a imagem no fim da primeira varredura</translation></message>
 <message><source>Recordings &amp;Folder…</source><translation>Pasta das gra&amp;vações…</translation></message>
 <message><source>P&amp;lay or Pause</source><translation>&amp;Reproduzir ou pausar</translation></message>
 <message><source>Next Line</source><translation>Próxima linha</translation></message>
@@ -1643,6 +1643,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Tour</source><translation>&amp;Passeio</translation></message>
 <message><source>&amp;Change Keys…</source><translation>&amp;Alterar teclas…</translation></message>
 <message><source>&amp;About EdgeScan</source><translation>&amp;Sobre o EdgeScan</translation></message>
+<message><source>up to line %1</source><translation>até a linha %1</translation></message>
 <message><source>%1 of %2 edge cells</source><translation>%1 de %2 células de borda</translation></message>
 <message><source>by class</source><translation>por classe</translation></message>
 <message><source>%1 of %2 points</source><translation>%1 de %2 pontos</translation></message>

@@ -2,7 +2,9 @@
 #include "tests/ui/sized_window.h"
 #include "ui/base/notice_bar.h"
 #include "ui/panels/live/live_panel.h"
+#include "ui/panels/start/tour.h"
 #include "ui/window/cab_mode.h"
+#include "ui/window/first_tour.h"
 #include "ui/window/pane_places.h"
 #include "ui/window/theme.h"
 #include "ui/window/tool_bar.h"
@@ -145,7 +147,7 @@ private slots:
         QVERIFY(on.viewer.measures.picked().empty() && on.viewer.measures.kind());
     }
 
-    // Notice, view shown alone, selection, card of the target: each takes one press, in images first too, which stays.
+    // Note, tour, view shown alone, selection, card of the target: each takes one press, in images first too, which stays.
     void theOthersEndInTheirOrder() {
         for (const bool imagesFirst : {false, true}) {
             for (int n = 0; n < 3; ++n) {
@@ -155,6 +157,8 @@ private slots:
                 on.window.places().setImagesFirst(imagesFirst);
                 QVERIFY(pinned(on));
                 on.viewer.selection.select({1, 2, 3});
+                startTour(on.window);
+                const auto& tour = *on.window.findChild<Tour*>("tour");
                 on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "a note");
                 QTest::keyClick(&on.window, Qt::Key_W);
                 const auto card = [&] {
@@ -167,7 +171,9 @@ private slots:
                 press(view);
                 QVERIFY(!card() && on.viewer.notice.isVisible());
                 press(view);
-                QVERIFY(!on.viewer.notice.isVisible() && !on.viewer.selection.cells().empty());
+                QVERIFY(!on.viewer.notice.isVisible() && tour.isVisible());
+                press(view);
+                QVERIFY(!tour.isVisible() && !on.viewer.selection.cells().empty());
                 press(view);
                 QVERIFY(on.viewer.selection.cells().empty() && on.viewer.targets.active() != nullptr);
                 press(view);

@@ -304,6 +304,14 @@ private slots:
             view_->setCrosshair(QPoint(150, 30));
             QVERIFY(grab(*view_) != ring);
         }
+        view_->setTitle("gray levels of a scan");
+        const auto under = view_->cellAt({30, 16}); // the title
+        QVERIFY(under);
+        view_->setMarkedCell(under);
+        const QPointF middle = port_->toPixel(QPointF(*under) + QPointF(0.5, 0.5), view_->size());
+        const QImage titled = grab(*view_);
+        for (const QPointF& at : {middle, middle + QPointF(7.0, 0.0), middle - QPointF(7.0, 0.0)})
+            QVERIFY2(qGray(titled.pixel((at * view_->devicePixelRatioF()).toPoint())) > 200, "the ring is under the title");
         view_->setTitle("gray");
         view_->setNote("preview");
         view_->setBox(QRect(20, 100, 60, 30));

@@ -28,6 +28,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLayout>
 #include <QMenu>
 #include <QScreen>
 #include <QScrollArea>
@@ -76,6 +77,7 @@ private slots:
                  qPrintable(QString("%1 x %2").arg(on.window.width()).arg(on.window.height())));
         QVERIFY(on.window.width() >= std::min(screen.width(), 1280));
         if (screen.width() > 1700) QVERIFY2(on.window.width() != 1600, "it follows the screen");
+        if (screen.width() <= 1600) QCOMPARE(on.window.frameGeometry().size(), screen.size()); // xvfb-run -s "-screen 0 1280x800x24"
         QVERIFY2(on.window.minimumSizeHint().width() <= 853 && on.window.minimumSizeHint().height() <= 533,
                  qPrintable(QString("%1 x %2").arg(on.window.minimumSizeHint().width()).arg(on.window.minimumSizeHint().height())));
         // A window size stored on a larger screen is reduced.
@@ -466,6 +468,44 @@ private slots:
                                                  .arg(edges->height())
                                                  .arg(ofRocks->height())),
                                   8000);
+    }
+
+    // Nor while the panel of targets has one.
+    void theSettingsOfEdgesHaveWhatTheTargetsDoNotNeed() {
+        for (const QSize size : {QSize(1900, 1040), QSize(1700, 1010)}) {
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_));
+            resizeTo(on.window, size);
+            const auto* edges = on.viewer.panel.findChild<QScrollArea*>();
+            on.viewer.views.pin(on.picture().detection->edges->front());
+            QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.active() != nullptr; }));
+            const TargetsPanel& panel = on.viewer.targetsPanel;
+            const auto emptyPart = [&] { return panel.parentWidget()->height() - panel.layout()->heightForWidth(panel.width()); };
+            QTRY_VERIFY2(edges->verticalScrollBar()->maximum() == 0 || emptyPart() < 8,
+                         qPrintable(QString("%1: %2").arg(edges->verticalScrollBar()->maximum()).arg(emptyPart())));
+        }
+    }
+
+    // A panel that scrolls ends with a whole row before it is scrolled.
+    void theCardOfATargetEndsWithAWholeRow() {
+        for (const int high : {720, 735, 750, 768, 800}) {
+            WindowFixture on;
+            QVERIFY(on.showWith(bare_));
+            resizeTo(on.window, {1280, high});
+            on.viewer.views.pin(on.picture().detection->edges->front());
+            QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.active() != nullptr; }));
+            const QWidget* seen = on.viewer.targetsPanel.parentWidget();
+            QStringList cut;
+            const auto look = [&] {
+                cut.clear();
+                for (const auto* row : on.viewer.targetsPanel.card().findChildren<QLabel*>()) {
+                    const QRect place(row->mapTo(seen, QPoint()), row->size());
+                    if (row->isVisible() && place.top() < seen->height() && place.bottom() >= seen->height()) cut << row->text();
+                }
+                return cut.isEmpty();
+            };
+            QTRY_VERIFY2(look(), qPrintable(cut.join('\n')));
+        }
     }
 
     // Below the views it shows rows in a window of any height, and a height that the operator dragged stays.

@@ -4,6 +4,7 @@
 #include "core/scanner/emulator/telegram.h"
 #include "tests/support/simulated_bell.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/base/elided_label.h"
 #include "ui/base/notice_bar.h"
 #include "ui/base/pane.h"
 #include "ui/panels/dialogs/place_dialog.h"
@@ -543,6 +544,34 @@ private slots:
         window.cab().set(false);
     }
 
+    // The first whole sweep is held; after Follow, sweep after sweep is shown until Hold. A note is about one sweep.
+    void followGoesOnThroughTheEndsOfSweeps() {
+        const auto emulated = scanner(300);
+        QVERIFY(emulated);
+        WindowFixture on;
+        on.window.resize(1280, 800);
+        QVERIFY(on.show());
+        ScannerLink& link = on.viewer.live.scanner();
+        on.viewer.live.connectTo("127.0.0.1", emulated->port(), sweep());
+        QTRY_VERIFY(link.connected() && !link.following() && on.viewer.notice.isVisible());
+        const auto* line = static_cast<const ElidedLabel*>(on.viewer.notice.findChild<QLabel*>("notice-line"));
+        QTRY_VERIFY2(line->shown().contains(" lines. Follow shows the next sweep."), qPrintable(line->shown()));
+        const std::size_t earlier = on.viewer.notice.earlier();
+        press(on.window, "live-follow");
+        std::set<int> sweeps;
+        QVERIFY(eventually([&] {
+            sweeps.insert(on.picture().source.growth.sweep);
+            return sweeps.size() >= 4;
+        }));
+        QVERIFY(link.following() && on.viewer.notice.earlier() <= earlier + 1);
+        press(on.window, "live-hold");
+        QTRY_VERIFY(!on.viewer.engine.behind()); // a picture was under way
+        const auto held = on.picture().source.growth.sweep;
+        QTest::qWait(1000); // more than two sweeps
+        QCOMPARE(on.picture().source.growth.sweep, held);
+        link.disconnectScanner();
+    }
+
     void aPinOnAHeldPictureComesBackByUndo() {
         const auto emulated = scanner(200);
         QVERIFY(emulated);
@@ -860,6 +889,18 @@ private slots:
         QTRY_VERIFY(menu->isVisible() && QApplication::focusWidget() != nullptr && menu->isAncestorOf(QApplication::focusWidget()));
         const auto fields = menu->findChildren<QAbstractSpinBox*>();
         QVERIFY(fields.size() == 4 && fields[0]->hasFocus());
+        const auto type = [&](QAbstractSpinBox& field, const QString& text) {
+            field.setFocus();
+            field.selectAll();
+            QTest::keyClicks(&field, text);
+            fields[0]->setFocus();
+            fields[0]->selectAll();
+        };
+        QCOMPARE(fields[3]->text(), QString("not known")); // counts of an encoder
+        type(*fields[3], "12.5");
+        QCOMPARE(panel.sweep().ticksPerDeg.value_or(0.0), 12.5);
+        type(*fields[3], "0");
+        QVERIFY(fields[3]->text() == "not known" && !panel.sweep().ticksPerDeg);
         QTest::keyClicks(fields[0], "240");
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         QVERIFY2(fields[1]->hasFocus() && menu->isVisible(), "Tab goes to the next field");
@@ -938,18 +979,22 @@ private slots:
         press(on.window, "live-record");
         const QRegularExpression counted("It begins with the sweep under way: ([0-9]+) lines of it came before Record\\.$");
         QTRY_VERIFY2(counted.match(on.viewer.notice.text()).hasMatch(), qPrintable(on.viewer.notice.text()));
+        QTRY_VERIFY(on.viewer.notice.findChild<QToolButton*>("notice-folder")->isVisible());
         const int said = counted.match(on.viewer.notice.text()).captured(1).toInt();
         QVERIFY2(said >= before && said <= lines(on.window), qPrintable(QString("%1 from %2").arg(said).arg(before)));
         QList<QUrl> places;
+        QString first;
         const Meanwhile looked([&] {
             auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
             if (dialog == nullptr) return false;
             places = dialog->sidebarUrls();
+            first = dialog->directory().absolutePath();
             dialog->reject();
             return true;
         });
         on.viewer.files.ask();
         QVERIFY(looked.done() && places.contains(QUrl::fromLocalFile(folder)));
+        QCOMPARE(first, QDir(folder).absolutePath()); // no scan was opened yet
         on.viewer.live.scanner().disconnectScanner();
         // The notice opens it.
         auto* open = on.viewer.notice.findChild<QToolButton*>("notice-action");

@@ -43,6 +43,9 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include <map>
+#include <set>
+
 using namespace edgescan;
 using namespace edgescan::ui;
 
@@ -143,6 +146,46 @@ private slots:
         step();
         QVERIFY(notice.isVisible());
         QCOMPARE(notice.earlier(), std::size_t{0});
+    }
+
+    // A button is at the same place of every note that has it, whichever others are shown.
+    void theButtonsOfNotesKeepTheirPlaces() {
+        for (const QSize size : {QSize(1024, 768), QSize(1280, 800)}) {
+            WindowFixture on;
+            on.window.resize(size);
+            QVERIFY(on.showWith(bell_));
+            NoticeBar& notice = on.viewer.notice;
+            notice.hide();
+            const QString longText = QString("a sentence that is long enough for lines ").repeated(20);
+            std::map<QString, std::set<int>> places; // px from the end of the bar that each is at
+            const auto look = [&] {
+                QApplication::processEvents();
+                QRect words;
+                for (const auto* each : notice.findChildren<QLabel*>()) words = each->isVisible() ? words.united(each->geometry()) : words;
+                for (const auto* each : notice.findChildren<QToolButton*>()) {
+                    const QRect at = each->geometry();
+                    const bool isLeft = each->objectName() == "notice-earlier";
+                    if (each->isVisible()) places[each->objectName()].insert(isLeft ? at.left() : notice.width() - at.right());
+                    QVERIFY(!each->isVisible() || !words.intersects(at));
+                }
+            };
+            for (const QString& words : {QString("short"), longText}) {
+                notice.showNotice(NoticeBar::Kind::Warning, words);
+                look();
+                notice.offer("Open", [] {});
+                look();
+                notice.offer("Does this look right?", [] {});
+                look();
+                notice.unfold(true);
+                look();
+                notice.showSaved(QString::fromStdString((folder_ / "page.html").string()));
+                look();
+            }
+            QCOMPARE(places.size(), std::size_t{6});
+            for (const auto& [name, ends] : places)
+                QVERIFY2(ends.size() == 1,
+                         qPrintable(QString("%1: %2 and %3 of %4").arg(name).arg(*ends.begin()).arg(*ends.rbegin()).arg(size.width())));
+        }
     }
 
     // Close ends one note, and the number of notes is in sight.

@@ -335,6 +335,7 @@ private slots:
             const QStringList shown = on.viewer.origin.lines();
             QVERIFY2(shown.front().startsWith("OLD") && shown.back().endsWith(width < 1000 ? " 08:12:05 UTC" : "2026-11-19 08:12:05 UTC"),
                      qPrintable(shown.join('\n')));
+            if (shown.size() == 2) QVERIFY2(shown.front() == "OLD PICTURE" || shown.front().endsWith("14 east"), qPrintable(shown.front()));
             QVERIFY(on.viewer.origin.geometry().right() <= on.viewer.origin.parentWidget()->width());
         }
     }

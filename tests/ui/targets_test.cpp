@@ -524,6 +524,42 @@ private slots:
         QCOMPARE(card.words(), QString("Green points are edges. Vertical plane."));
     }
 
+    // Neither the label of a length nor the number of a rock is on a line, and they are not on each other.
+    void theLabelsOfASectionAreOffItsLines() {
+        auto section = std::make_shared<inspect::Section>();
+        inspect::SectionLine line, over;
+        for (int n = 0; n <= 200; ++n) {
+            line.push_back({{0.01 * n, 0.2 * std::sin(0.03 * n)}, {}, static_cast<std::uint32_t>(n)});
+            line.back().rock = n > 40 && n < 70 ? 1 : 0;
+        }
+        for (int n = 0; n <= 200; ++n) over.push_back({{0.01 * n, 0.25}, {}, static_cast<std::uint32_t>(1000 + n)});
+        section->lines = {line, over};
+        SectionPlot plot;
+        plot.resize(640, 420);
+        plot.setVisible(true);
+        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        plot.show(section, {}, {}, {{0, 0}, 1});
+        const auto covers = [&](const QRectF& box, const inspect::SectionLine& of) {
+            return std::ranges::any_of(of, [&](const inspect::SectionVertex& each) { return box.contains(plot.placeOf(each.atM)); });
+        };
+        const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> lengths{{{0.5, 0.2}, {0.56, 0.2}},
+                                                                               {{0.0, 0.0}, {2.0, 0.0}},
+                                                                               {{0.45, 0.2}, {0.65, 0.2}},
+                                                                               {{1.9, 0.25}, {2.0, 0.25}},
+                                                                               {{1.5, 0.25}, {1.5, -0.2}}};
+        for (const auto& [from, to] : lengths) {
+            plot.setEnds(from, to);
+            plot.setLength("1.234 m ± 0.012 m");
+            plot.grab();
+            QCOMPARE(plot.tags().size(), std::size_t{1});
+            const QRectF label = plot.tags().front(), number = plot.numberPlace();
+            QVERIFY(!number.isNull() && !covers(number, line) && !covers(number, over) && !label.intersects(number));
+            QVERIFY(QRectF(plot.rect()).contains(label) && QRectF(plot.rect()).contains(number));
+            const QLineF drawn(plot.placeOf(plot.ends()[0]->atM), plot.placeOf(plot.ends()[1]->atM));
+            for (double along = 0.0; along <= 1.0; along += 0.01) QVERIFY(!label.contains(drawn.pointAt(along)));
+        }
+    }
+
     void theCardSaysWhatIsKnownAndWhatItWas() {
         WindowFixture on;
         QVERIFY(showWith(on, boxes_));

@@ -59,7 +59,7 @@ std::vector<FlowLayout::Line> FlowLayout::lines(int width) const {
         line.width += (line.items.empty() ? 0 : spacing()) + needed;
         line.items.push_back(item);
     };
-    if (lastStays_)
+    if (atEnd_)
         lines = linesFromEnd(shown, width);
     else
         std::ranges::for_each(shown, add);
@@ -129,12 +129,12 @@ void FlowLayout::setGeometry(const QRect& rect) {
     const QRect inner = rect.marginsRemoved(contentsMargins());
     int y = inner.top();
     for (const Line& line : lines(inner.width())) {
-        int x = inner.left();
+        const bool fills = std::ranges::any_of(line.items, [](QLayoutItem* item) { return grows(*item); });
+        int x = inner.left() + (atEnd_ && !fills ? std::max(0, inner.width() - line.width) : 0);
         for (QLayoutItem* item : line.items) {
             const int wide = widthIn(line, *item, inner.width());
             const int high = heightOf(*item, wide);
-            if (lastStays_ && item == items_.back()) x = std::max(x, inner.right() + 1 - wide);
-            item->setGeometry(QRect(x, lastStays_ ? y : y + (line.height - high) / 2, wide, high));
+            item->setGeometry(QRect(x, atEnd_ ? y : y + (line.height - high) / 2, wide, high));
             x += wide + spacing();
         }
         y += line.height + spacing() / 2;

@@ -13,9 +13,9 @@ public:
     explicit FlowLayout(QWidget* parent = nullptr);
     ~FlowLayout() override;
 
-    /// The last widget ends at the right end of its line, and all are at the top of theirs: the last one stays where it is while those
-    /// before it come and go, or grow. Lines are filled from the last one on.
-    void keepLastInPlace() { lastStays_ = true; }
+    /// Lines are filled from the last widget on and end at the right, and all widgets are at the top of theirs: the last ones stay where
+    /// they are while those before them come and go, or grow.
+    void keepAtEnd() { atEnd_ = true; }
     void addItem(QLayoutItem* item) override;
     [[nodiscard]] int count() const override { return static_cast<int>(items_.size()); }
     [[nodiscard]] QLayoutItem* itemAt(int index) const override;
@@ -37,7 +37,7 @@ private:
     [[nodiscard]] static int widthIn(const Line& line, QLayoutItem& item, int width);
 
     std::vector<QLayoutItem*> items_;
-    bool lastStays_ = false;
+    bool atEnd_ = false;
 };
 
 } // namespace edgescan::ui

@@ -60,7 +60,7 @@ void drawTipAt(QPainter& painter, const QRect& place, const QPoint& at, const QS
 
 namespace {
 
-void drawPlate(QPainter& painter, const QRect& place, const PictureFrame& frame) {
+QRect drawPlate(QPainter& painter, const QRect& place, const PictureFrame& frame) {
     constexpr int kFlags = static_cast<int>(Qt::AlignHCenter | Qt::AlignTop) | Qt::TextWordWrap;
     const QFont usual = painter.font();
     QFont large = usual;
@@ -74,17 +74,19 @@ void drawPlate(QPainter& painter, const QRect& place, const PictureFrame& frame)
     more.moveTop(words.bottom() + 1);
     painter.setPen(QPen(frame.colour, 2.0));
     painter.setBrush(QColor(27, 29, 31));
-    painter.drawRect((more.isEmpty() ? words : words.united(more)).adjusted(-12, -6, 12, 6));
+    const QRect plate = (more.isEmpty() ? words : words.united(more)).adjusted(-12, -6, 12, 6);
+    painter.drawRect(plate);
     painter.setPen(Qt::white);
     painter.drawText(more, kFlags, frame.more);
     painter.setFont(large);
     painter.drawText(words, kFlags, frame.words);
+    return plate;
 }
 
 } // namespace
 
-void drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame) {
-    if (!frame.colour.isValid()) return;
+QRect drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame) {
+    if (!frame.colour.isValid()) return {};
     constexpr int kBorder = 4, kHatch = 32; // px
     painter.save();
     painter.setClipRect(place);
@@ -98,8 +100,9 @@ void drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame&
     }
     painter.setPen(QPen(frame.colour, kBorder, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter.drawRect(place.adjusted(kBorder / 2, kBorder / 2, -kBorder / 2, -kBorder / 2));
-    if (!frame.words.isEmpty()) drawPlate(painter, place, frame);
+    const QRect plate = frame.words.isEmpty() ? QRect() : drawPlate(painter, place, frame);
     painter.restore();
+    return plate;
 }
 
 } // namespace edgescan::ui

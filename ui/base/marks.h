@@ -37,6 +37,7 @@ struct PictureFrame {
     QString more{};  ///< below them in usual letters
     bool operator==(const PictureFrame&) const = default;
 };
-void drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame);
+/// Returns the box with the words; null if there are none.
+QRect drawPictureFrame(QPainter& painter, const QRect& place, const PictureFrame& frame);
 
 } // namespace edgescan::ui

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace edgescan::ui {
 namespace {
@@ -48,7 +49,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(folder_, &QToolButton::clicked, this, [this] { openPath(folderOf_); });
     auto* line = new FlowLayout(this); // in a narrow window the buttons are below the text
     line->setContentsMargins(10, 4, 6, 4);
-    line->keepLastInPlace(); // Close
+    line->keepAtEnd();
     QFont bold = sign_->font();
     bold.setBold(true);
     sign_->setFont(bold);
@@ -68,22 +69,15 @@ NoticeBar::NoticeBar(QWidget* parent)
         used_ = true;
         if (onAction_) onAction_();
     });
-    line->addWidget(sign_);
-    line->addWidget(line_);
-    line->addWidget(text_);
     unfold_->setObjectName("notice-unfold");
     unfold_->setCheckable(true);
     connect(unfold_, &QToolButton::toggled, this, &NoticeBar::unfold);
-    line->addWidget(unfold_);
     more_->setObjectName("notice-earlier");
     more_->setToolTip(tr("Shows the next of the notes that were not closed"));
     more_->hide();
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
-    line->addWidget(more_);
-    line->addWidget(action_); // usually the widest: in a narrow window those before it are next to the text
-    line->addWidget(folder_);
-    line->addWidget(copy);
-    line->addWidget(close);
+    for (QWidget* each : std::initializer_list<QWidget*>{copy, close}) line->addWidget(each);
+    placeButtons();
     hide();
     leaves_.setParent(this);
     leaves_.setObjectName("notice-leaves");
@@ -230,16 +224,16 @@ void NoticeBar::showSaved(const QString& path, const QString& content, const QSt
               path.size() > end.size() + 2 ? words("…/" + end) : QString(), true, false, isPage ? file.absolutePath() : QString()});
 }
 
-/// In a cab only the page itself is opened.
+/// In a cab only the file itself is opened.
 void NoticeBar::showFolder() { folder_->setHidden(folderOf_.isEmpty() || large_); }
 
 void NoticeBar::openPath(const QString& path) {
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path))) showHint(tr("No program of this computer opened %1.").arg(path));
 }
 
-void NoticeBar::offer(const QString& label, std::function<void()> action) {
+void NoticeBar::offer(const QString& label, std::function<void()> action, const QString& folder) {
     action_->setText(label);
-    folderOf_.clear();
+    folderOf_ = folder;
     showFolder();
     onAction_ = std::move(action);
     used_ = false;
@@ -278,7 +272,11 @@ void NoticeBar::leave() {
 
 void NoticeBar::unfold(bool on) {
     unfold_->setChecked(on);
+    // As wide with each of its words.
+    unfold_->setText(on ? tr("More") : tr("Less"));
+    const int other = unfold_->sizeHint().width();
     unfold_->setText(on ? tr("Less") : tr("More"));
+    unfold_->setMinimumWidth(std::max(other, unfold_->sizeHint().width()));
     text_->setVisible(on);
     line_->setVisible(!on);
     offerMore();
@@ -313,8 +311,8 @@ void NoticeBar::offerMore() {
     if (offering_) return;
     const QScopedValueRollback<bool> once(offering_, true); // to show it places the bar again, which may have another width then
     for (int n = 0; n < 2; ++n) {
-        // Measured without the button, so that it does not cause itself.
-        const bool shares = !unfold_->isHidden() && unfold_->y() == line_->y();
+        // Measured without the button where it has no place of its own, so that it does not cause itself.
+        const bool shares = large_ && !unfold_->isHidden() && unfold_->y() == line_->y();
         const int room = line_->width() + (shares ? unfold_->width() + layout()->spacing() : 0);
         fitLine(room);
         const bool offered = unfolded() || line_->text() != text_->text().simplified() || !line_->fits(room);
@@ -331,11 +329,27 @@ void NoticeBar::resizeEvent(QResizeEvent* event) {
     offerMore();
 }
 
+/// Each button has its place at one of the two ends, whichever others are shown. Large buttons have no room to spare: those before the
+/// action, which usually is the widest, are next to the text in a narrow window.
+void NoticeBar::placeButtons() {
+    auto* close = findChild<QToolButton*>("notice-close");
+    std::vector<QWidget*> order{more_, sign_, line_, text_, folder_, action_, copy_, unfold_, close};
+    if (large_) order = {sign_, line_, text_, unfold_, more_, action_, folder_, copy_, close};
+    for (QWidget* each : order) {
+        layout()->removeWidget(each);
+        layout()->addWidget(each);
+    }
+    QSizePolicy place = unfold_->sizePolicy();
+    place.setRetainSizeWhenHidden(!large_);
+    unfold_->setSizePolicy(place);
+}
+
 bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 
 void NoticeBar::setBrief(bool on) {
     copy_->setVisible(!on);
     large_ = on;
+    placeButtons();
     showFolder();
     line_->setLines(on ? 2 : 1);
     layout()->setContentsMargins(10, on ? 2 : 4, 6, on ? 0 : 4);

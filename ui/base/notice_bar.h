@@ -41,8 +41,8 @@ public:
     /// Reports that a file was written, with its content ("12 points", may be empty), a button that opens it (a page) or its
     /// folder, of a page a second one for the folder, and `more` sentences.
     void showSaved(const QString& path, const QString& content = {}, const QString& more = {});
-    /// Adds a button to the notice, until the next notice.
-    void offer(const QString& label, std::function<void()> action);
+    /// Adds a button to the notice, until the next notice, and one that opens the `folder` of a written file.
+    void offer(const QString& label, std::function<void()> action, const QString& folder = {});
     /// Adds a button that takes back the newest step of the stack; the notice passes with the next step.
     void offerUndo(QUndoStack& stack);
     /// Names what the newest step of the stack removed, with a button that brings it back, and `more` sentences.
@@ -76,7 +76,7 @@ private:
         QString brief{};    // for the line; empty: the text
         bool saved = false; // it names a written file
         bool waits = false; // its button was not pressed
-        QString folder{};   // of a written page, which a second button opens; empty: no such button
+        QString folder{};   // of a written file, which a second button opens; empty: no such button
     };
     void showNote(const Note& note, bool passes = false);
     void paintKind();
@@ -90,6 +90,7 @@ private:
     void fitLine(int room);
     void leave();
     void showFolder();
+    void placeButtons();
     void openPath(const QString& path);
 
     Kind kind_ = Kind::Done;

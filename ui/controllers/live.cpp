@@ -162,7 +162,8 @@ void Live::connectScanner() {
         notice_.showSaved(path, {},
                           linesBefore == 0 ? QString()
                                            : tr("It begins with the sweep under way: %1 lines of it came before Record.").arg(linesBefore));
-        notice_.offer(tr("Open"), [this, path] { files_.open({path}); });
+        notice_.offer(
+            tr("Open"), [this, path] { files_.open({path}); }, QFileInfo(path).absolutePath());
     });
 }
 
@@ -303,6 +304,7 @@ void Live::reportSweepEnd() {
     const bool grew = std::exchange(growingStream_, growing ? stream : 0) == stream;
     if (growing || !grew || stream != scanner_.stream()) return;
     const Scan& scan = *picture.detection->scan;
+    notice_.withdraw({endNote_}); // of the sweep before
     QStringList warnings;
     for (const std::string& warning : scan.warnings) warnings << coreSentence(warning);
     const QString name = scanName(scan.name);
@@ -326,7 +328,7 @@ void Live::reportSweepEnd() {
     const bool isWhole =
         warnings.isEmpty() || (scan.lines() == expected && countCells(scan)[static_cast<std::size_t>(CellState::Lost)] == 0);
     warnings.prepend(isWhole ? tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) : tr("%1 has ended.").arg(name));
-    if (scanner_.connected() && !scanner_.following()) warnings.front() += " " + tr("It is held on the screen; Follow shows the next one.");
+    if (scanner_.connected() && !scanner_.following()) warnings.front() += " " + tr("Follow shows the next sweep.");
     notice_.showNotice(warnings.size() == 1 ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, warnings.join('\n'));
     endNote_ = notice_.text();
 }

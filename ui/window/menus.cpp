@@ -234,32 +234,32 @@ Command scanMenu(Viewer& v, QMainWindow& window) {
     const auto stepScan = [&files, &live](int by) { // of the recording, else of the folder
         if (!live.timeline().stepSweep(by)) files.step(by);
     };
-    return submenu(
-        "&Scan",
-        {
-            command("&Next Scan", "PgDown", [stepScan] { stepScan(1); }),
-            command("Pre&vious Scan", "PgUp", [stepScan] { stepScan(-1); }),
-            command("&Add a Scan as a Layer…", "", [&v] { v.layers.ask(); }),
-            kLine,
-            linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
-            linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
-            linked(command("S&weep…", "", [&live] { live.panel().askSweep(); }), connected),
-            habit(toggle("&Hold Picture at End of Sweep", "", "live/hold", true, [&live](bool on) { live.scanner().setHoldAtEnd(on); })),
-            command("Recordings &Folder…", "", [&live] { live.askRecordingFolder(); }),
-            kLine,
-            linked(command("P&lay or Pause", "Space", [&live] { live.timeline().togglePlay(); }), playable),
-            step("Next Line", "Right", 1),
-            step("Previous Line", "Left", -1),
-            step("Ten Lines Forward", "Shift+Right", 10),
-            step("Ten Lines Back", "Shift+Left", -10),
-            kLine,
-            linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }), followStraightening),
-            command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
-            placeCommand(v, window),
-            calibrateCommand(v, window),
-            command("Does This Look &Right?", "", [&v] { v.opening.show(); }),
-            command("&Properties…", "", showProperties),
-        });
+    return submenu("&Scan", {
+                                command("&Next Scan", "PgDown", [stepScan] { stepScan(1); }),
+                                command("Pre&vious Scan", "PgUp", [stepScan] { stepScan(-1); }),
+                                command("&Add a Scan as a Layer…", "", [&v] { v.layers.ask(); }),
+                                kLine,
+                                linked(command("&Record", "Ctrl+R", [&live] { live.record(!live.scanner().recording()); }), connected),
+                                linked(command("&Keep Last Minute", "Ctrl+K", [&live] { live.keepLastMinute(); }), connected),
+                                linked(command("S&weep…", "", [&live] { live.panel().askSweep(); }), connected),
+                                habit(toggle("&Hold Picture at End of First Sweep", "", "live/hold", true,
+                                             [&live](bool on) { live.scanner().setHoldAtEnd(on); })),
+                                command("Recordings &Folder…", "", [&live] { live.askRecordingFolder(); }),
+                                kLine,
+                                linked(command("P&lay or Pause", "Space", [&live] { live.timeline().togglePlay(); }), playable),
+                                step("Next Line", "Right", 1),
+                                step("Previous Line", "Left", -1),
+                                step("Ten Lines Forward", "Shift+Right", 10),
+                                step("Ten Lines Back", "Shift+Left", -10),
+                                kLine,
+                                linked(toggle("&Straighten Beams", "", nullptr, false, [&files](bool on) { files.straighten(on); }),
+                                       followStraightening),
+                                command("&How the Scan Is Read…", "", [&files] { files.askReading(); }),
+                                placeCommand(v, window),
+                                calibrateCommand(v, window),
+                                command("Does This Look &Right?", "", [&v] { v.opening.show(); }),
+                                command("&Properties…", "", showProperties),
+                            });
 }
 
 Command edgesMenu(Viewer& v, QMainWindow& window) {

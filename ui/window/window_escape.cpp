@@ -23,9 +23,11 @@ void MainWindow::escape() {
         viewer_.notice.showHint(tr("Cancelled; what was on the screen stays."));
         return;
     }
-    if (leaveTool() || endTour(*this) || viewer_.explanation.closeCard()) return;
+    if (leaveTool() || viewer_.explanation.closeCard()) return;
     if (viewer_.notice.isVisible())
         viewer_.notice.closeShown();
+    else if (endTour(*this))
+        return;
     else if (viewer_.livePanel.closeAddress())
         return;
     else if (maximised_ != nullptr && !cab_->on())

@@ -166,7 +166,10 @@ void MainWindow::remember() {
 void MainWindow::restoreLayout() {
     const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
     const QSize title(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
-    resize(usualWindow({screen.topLeft(), screen.size() - title}));
+    const QSize usual = usualWindow({screen.topLeft(), screen.size() - title});
+    const bool fills = usual == screen.size() - title;
+    resize(fills ? screen.size() : usual);
+    if (fills) setWindowState(windowState() | Qt::WindowMaximized);
     restoreGeometry(viewer_.preferences.bytes("window/geometry"));
     restoreState(viewer_.preferences.bytes("window/state"));
     images_->restoreState(viewer_.preferences.bytes("window/images"));

@@ -181,9 +181,9 @@ QString Rocks::remark() const {
         const Growth& growth = engine_.picture()->source.growth;
         const int lines = picture_->labels.lines;
         if (growth.expectedLines > lines)
-            words << tr("▲ partial: %1/%2").arg(lines).arg(growth.expectedLines);
+            words << tr("▲ up to line %1 of %2").arg(lines).arg(growth.expectedLines);
         else if (growth.growing)
-            words << tr("▲ partial: %1 lines").arg(lines);
+            words << tr("▲ up to line %1").arg(lines);
         if (!growth.growing && ofAnotherPicture()) // of a sweep that grows the number of lines says it
             words << tr("▲ of the picture before; being computed again");
     }

@@ -124,8 +124,10 @@ QString Preferences::folder(const QString& kind) const {
         if (!place.isEmpty() && QFileInfo(place).isDir()) return place;
     }
     // A dialog takes a folder that does not exist as the name of a file.
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+    for (const QString& place : {recordingFolder(), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)}) {
+        if (QFileInfo(place).isDir()) return place;
+    }
+    return QDir::homePath();
 }
 
 QString Preferences::recordingFolder() const {

@@ -36,7 +36,8 @@ public:
     void forgetRecentFile(const QString& path);
 
     /// The last folder used for a kind of file: "scans", "exports" (all that is made of a scan), "presets", "sessions". If that folder is
-    /// missing: that of the exports, of the scans, else the user's documents. During this run it works even if settings are not stored.
+    /// missing: that of the exports, of the scans, of new recordings, else the user's documents. During this run it works even if settings
+    /// are not stored.
     [[nodiscard]] QString folder(const QString& kind) const;
     void keepFolder(const QString& kind, const QString& path);
     /// Of new recordings; it may not exist yet.

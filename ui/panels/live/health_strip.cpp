@@ -79,15 +79,16 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     };
     // A fault of the scanner has priority over the picture's relation to it.
     const bool notFollowing = health.liveness == files::Liveness::Live && picture != Picture::Follows;
+    const bool other = notFollowing && picture == Picture::Other; // its pose is in the status line
     // The badge at the head of a cab says the same.
     const bool inHead =
         notFollowing ? picture == Picture::Held : picture == Picture::Follows || health.liveness == files::Liveness::Stopped;
     badge(badge_, notFollowing ? StateBadge::Sign::Waiting : signOf(health.liveness),
           !notFollowing              ? coreWords(health.badge)
           : picture == Picture::Held ? tr("HELD")
-          : narrow                   ? tr("ANOTHER PICTURE")
-                                     : tr("CONNECTED, another picture is shown"),
+                                     : tr("ANOTHER PICTURE"),
           !brief_ || !inHead);
+    if (other) badge_->setToolTip(tr("CONNECTED, another picture is shown"));
     // Another picture counts the lines of its own sweep.
     const bool heldNarrow = narrow && notFollowing && picture == Picture::Held;
     QString lines = coreWords(health.lines);
@@ -105,7 +106,7 @@ void HealthStrip::showHealth(const files::LiveHealth& health, Picture picture, c
     badge(window_, signOf(health.window), coreWords(health.contamination), !brief_ || health.window != files::Condition::Good);
     // A device without faults has no badge.
     badge(device_, signOf(health.device), coreWords(health.deviceState), health.device != files::Condition::Good);
-    showText(pose_, health.lines.empty() || brief_ ? std::string() : health.pose);
+    showText(pose_, health.lines.empty() || brief_ || other ? std::string() : health.pose);
     showText(end_, narrow && notFollowing ? std::string() : health.end);
     // While nothing is wrong with it, the recording is shown next to its button; in a cab, which has no room there, here.
     const bool recordsWell = health.recorded == files::Condition::Good;

@@ -75,7 +75,8 @@ void ScannerLink::connectTo(const scanner::ConnectionSettings& scanner, const sc
     feed_ = std::make_shared<files::LiveFeed>(scanner, sweep, [news] { *news = true; });
     timer_.start();
     emit connectedChanged(true);
-    follow(true);
+    throughEnds_ = false;
+    setFollowing(true);
     tick();
 }
 
@@ -88,7 +89,8 @@ std::optional<int> ScannerLink::useSweep(const scanner::SweepSettings& sweep) {
     part_.reset();
     posted_ = {};
     *news_ = true;
-    if (!following_) follow(true);
+    throughEnds_ = false;
+    setFollowing(true);
     return gone;
 }
 
@@ -171,6 +173,11 @@ std::vector<scanner::SweepState> ScannerLink::others() const {
 }
 
 void ScannerLink::follow(bool on) {
+    throughEnds_ = on;
+    setFollowing(on);
+}
+
+void ScannerLink::setFollowing(bool on) {
     const bool wanted = on && feed_ != nullptr;
     if (wanted == following_) return;
     following_ = wanted;
@@ -246,7 +253,7 @@ void ScannerLink::showFinal(const scanner::SweepState& sweep) {
     const bool part = beganBefore(sweep.progress);
     part_ = part ? std::optional(sweep.progress) : std::nullopt;
     post(sweep, false);
-    if (holdAtEnd_ && !part) follow(false);
+    if (holdAtEnd_ && !throughEnds_ && !part) setFollowing(false);
 }
 
 void ScannerLink::post(const scanner::SweepState& sweep, bool growing) {

@@ -50,11 +50,11 @@ public:
     /// Writes the last minute to its own file.
     void keepRecent(const QString& path);
 
-    /// Off: the picture does not change while the scanner continues.
+    /// Of the operator. On: the picture follows sweep after sweep. Off: it does not change while the scanner continues.
     void follow(bool on);
     [[nodiscard]] bool following() const { return following_; }
-    /// On: following ends with the sweep, so that the next sweep does not replace the picture. A part of a sweep is not held: the next
-    /// sweep replaces it.
+    /// On: until the operator chose to follow, following ends with the first whole sweep of the connection, so that the next one does not
+    /// replace the picture. A part of a sweep is not held: the next sweep replaces it.
     void setHoldAtEnd(bool on) { holdAtEnd_ = on; }
     /// The newest finished sweep, where it is only a part because the scanner was in the middle of it when EdgeScan connected.
     [[nodiscard]] const std::optional<scanner::SweepProgress>& part() const { return part_; }
@@ -86,6 +86,7 @@ signals:
 
 private:
     void tick();
+    void setFollowing(bool on);
     void showStopped();
     void takeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows);
     void hold(const scanner::SweepState& sweep);
@@ -106,6 +107,7 @@ private:
 
     bool following_ = false;
     bool holdAtEnd_ = true;
+    bool throughEnds_ = false; // the operator chose to follow
     bool heldAtStop_ = false;
     bool recording_ = false;
     bool recordingClosed_ = false;

@@ -133,8 +133,8 @@ QStringList StateBadge::linesIn(int width) const {
         return {some ? shortened(parts.name, metrics, room, where) + parts.between + parts.time
                      : metrics.elidedText(text_, Qt::ElideRight, width)};
     }
-    // Of a state that has no room, what comes after its comma is left out: the strip has it.
-    const QString name = isFile || fits(parts.name) ? parts.name : parts.name.section(',', 0, 0);
+    // Of a state that has no room, what comes after its comma or dot is left out: the strip has it, or the tool tip.
+    const QString name = isFile || fits(parts.name) ? parts.name : parts.name.section(',', 0, 0).section(QStringLiteral(" · "), 0, 0);
     const QString state = isFile ? name.left(name.indexOf(' ') + 1) : QString(); // whole
     QStringList lines{state + shortened(name.mid(state.size()), metrics, width - metrics.horizontalAdvance(state), where)};
     if (fits(parts.time + parts.ago)) return lines << parts.time + parts.ago;

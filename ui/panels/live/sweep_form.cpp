@@ -12,6 +12,20 @@ namespace {
 
 constexpr double kStepNotGiven = -10.00001; // minimum of the box, displayed as text: the step is not given
 
+/// 0 is shown in words.
+class CountBox : public QDoubleSpinBox {
+public:
+    [[nodiscard]] QString textFromValue(double value) const override {
+        return value == 0.0 ? SweepForm::tr("not known") : QDoubleSpinBox::textFromValue(value);
+    }
+    [[nodiscard]] double valueFromText(const QString& text) const override {
+        return text == textFromValue(0.0) ? 0.0 : QDoubleSpinBox::valueFromText(text);
+    }
+    [[nodiscard]] QValidator::State validate(QString& text, int& place) const override {
+        return text == textFromValue(0.0) ? QValidator::Acceptable : QDoubleSpinBox::validate(text, place);
+    }
+};
+
 QDoubleSpinBox* degrees(double least, double most, int decimals) {
     auto* box = new QDoubleSpinBox;
     box->setRange(least, most);
@@ -23,15 +37,14 @@ QDoubleSpinBox* degrees(double least, double most, int decimals) {
 } // namespace
 
 SweepForm::SweepForm(QWidget* parent)
-    : QWidget(parent), lines_(new QSpinBox), step_(degrees(kStepNotGiven, 10, 5)), first_(degrees(-360, 360, 3)),
-      ticks_(new QDoubleSpinBox), axis_(new QComboBox), standing_(new QCheckBox(tr("Does not turn while a line is measured"))) {
+    : QWidget(parent), lines_(new QSpinBox), step_(degrees(kStepNotGiven, 10, 5)), first_(degrees(-360, 360, 3)), ticks_(new CountBox),
+      axis_(new QComboBox), standing_(new QCheckBox(tr("Does not turn while a line is measured"))) {
     lines_->setRange(0, 20000);
     lines_->setSpecialValueText(tr("not known"));
     step_->setSingleStep(0.01);
     step_->setSpecialValueText(tr("not known (0.18° assumed)"));
     ticks_->setRange(-1e7, 1e7);
     ticks_->setDecimals(4);
-    ticks_->setSpecialValueText(QString());
     ticks_->setToolTip(tr("0: no encoder; the lines are placed by the stepper's step"));
     axis_->addItem(tr("not known (spin assumed)"));
     axis_->addItem(tr("spin: about the viewing direction"), static_cast<int>(Axis::Spin));

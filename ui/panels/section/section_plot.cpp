@@ -2,6 +2,7 @@
 #include "ui/panels/section/section_plot.h"
 
 #include "core/rocks/attributes/faces.h"
+#include "ui/base/cell_marks.h"
 #include "ui/base/gestures.h"
 #include "ui/base/marks.h"
 #include "ui/base/themes.h"
@@ -26,6 +27,7 @@ constexpr double kAround = 0.15;       // of what the section is about, shown on
 constexpr double kLeastAroundM = 0.1;
 constexpr int kNamesLeft = 76;      // px: right of the numbers of heights
 constexpr double kNearPlane = 0.05; // share of the distance of two vertices and more: a point beyond is not in the section
+constexpr double kOutline = 7.0;    // px: of the chosen rock
 const QColor kGround(48, 48, 48), kGrid(80, 80, 80), kWords(200, 200, 200), kSurface(170, 170, 170), kEdge(0, 255, 0);
 
 double stepM(double perM) {
@@ -163,8 +165,9 @@ void SectionPlot::paintEvent(QPaintEvent*) {
     drawGrid(painter);
     drawChosen(painter);
     drawLines(painter);
-    drawScales(painter);
-    drawMarks(painter);
+    std::vector<QRectF> texts = drawScales(painter);
+    texts.push_back(numberPlace_ = drawNumber(painter, texts));
+    drawMarks(painter, texts);
 }
 
 void SectionPlot::drawGrid(QPainter& painter) const {
@@ -180,49 +183,89 @@ void SectionPlot::drawGrid(QPainter& painter) const {
     }
 }
 
-/// Over the lines, on a plate: a surface runs through them.
-void SectionPlot::drawScales(QPainter& painter) const {
+/// Over the lines, on a plate: a surface runs through them. Returns the boxes that they cover.
+std::vector<QRectF> SectionPlot::drawScales(QPainter& painter) const {
     const double step = stepM(perM_);
     const QFontMetrics letters = painter.fontMetrics();
     const int decimals = step < 0.1 ? 2 : step < 1 ? 1 : 0;
-    const auto drawNumber = [&](const QPointF& at, double value) {
+    std::vector<QRectF> taken;
+    const auto drawStep = [&](const QPointF& at, double value) {
         const QString words = QString::number(value + 0.0, 'f', decimals) + " m";
         const QRectF plate(at.x() - 2, at.y() - letters.ascent(), letters.horizontalAdvance(words) + 4, letters.height());
         if (plate.right() > width()) return;
+        taken.push_back(plate);
         painter.fillRect(plate, kGround);
         painter.setPen(kWords);
         painter.drawText(at, words);
     };
     for (const double x : stepsIn(-origin_.x() / perM_, (width() - origin_.x()) / perM_, step))
-        drawNumber({placeOf({x, 0.0}).x() + 3, height() - 4.0}, x);
+        drawStep({placeOf({x, 0.0}).x() + 3, height() - 4.0}, x);
     for (const double y : stepsIn(lowestM(), highestM(), step)) {
         const double at = placeOf({0.0, y - heights_.ofOriginM}).y();
         const double above = at - 3 - letters.ascent() >= 0 ? at - 3 : at + letters.ascent() + 1; // the topmost has its words below
-        if (above < height() - letters.height()) drawNumber({4.0, above}, y);
+        if (above < height() - letters.height()) drawStep({4.0, above}, y);
     }
     const QString along = tr("along the section [m]");
     const int right = width() - letters.horizontalAdvance(along) - 4;
-    drawLabel(painter, QRect(right - 8, height() - 2 * letters.height() - 10, width() - right, letters.height() + 6),
-              Qt::AlignRight | Qt::AlignBottom, along);
-    drawLabel(painter, rect().adjusted(kNamesLeft, 10, -8, 0), Qt::AlignLeft | Qt::AlignTop, heights_.name);
+    taken.emplace_back(drawLabel(painter, QRect(right - 8, height() - 2 * letters.height() - 10, width() - right, letters.height() + 6),
+                                 Qt::AlignRight | Qt::AlignBottom, along));
+    taken.emplace_back(drawLabel(painter, rect().adjusted(kNamesLeft, 10, -8, 0), Qt::AlignLeft | Qt::AlignTop, heights_.name));
+    return taken;
 }
 
-/// The outline of the chosen rock, below its line, and its number above its highest point.
+/// The outline of the chosen rock, below its line.
 void SectionPlot::drawChosen(QPainter& painter) const {
-    std::optional<QPointF> top;
-    painter.setPen(QPen(Qt::white, 7.0, Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(Qt::white, kOutline, Qt::SolidLine, Qt::RoundCap));
     for (const inspect::SectionLine& line : section_->lines) {
         for (std::size_t n = 1; n < line.size(); ++n) {
             if (rocks_.chosen == 0 || line[n].rock != rocks_.chosen || line[n - 1].rock != rocks_.chosen) continue;
-            const QPointF here = placeOf(line[n].atM);
-            painter.drawLine(placeOf(line[n - 1].atM), here);
-            if (!top || here.y() < top->y()) top = here;
+            painter.drawLine(placeOf(line[n - 1].atM), placeOf(line[n].atM));
         }
     }
-    if (!top) return;
+}
+
+/// The highest point of the chosen rock that is in sight.
+std::optional<QPointF> SectionPlot::topOfChosen() const {
+    std::optional<QPointF> top;
+    for (const inspect::SectionLine& line : section_->lines) {
+        for (const inspect::SectionVertex& vertex : line) {
+            const QPointF here = placeOf(vertex.atM);
+            const bool isIts = rocks_.chosen != 0 && vertex.rock == rocks_.chosen && isInside(vertex);
+            if (isIts && (!top || here.y() < top->y())) top = here;
+        }
+    }
+    return top;
+}
+
+bool SectionPlot::coversLine(const QRectF& box) const {
+    return std::ranges::any_of(section_->lines, [&](const inspect::SectionLine& line) {
+        for (std::size_t n = 1; n < line.size(); ++n) {
+            const QRectF way = QRectF(placeOf(line[n - 1].atM), placeOf(line[n].atM)).normalized();
+            if (box.intersects(way.adjusted(-kOutline / 2, -kOutline / 2, kOutline / 2, kOutline / 2))) return true;
+        }
+        return false;
+    });
+}
+
+/// The number of the chosen rock: above or below its highest point, as near as it covers neither a line nor the texts. Returns its box.
+QRectF SectionPlot::drawNumber(QPainter& painter, const std::vector<QRectF>& texts) const {
+    const auto top = topOfChosen();
+    if (!top) return {};
+    const QString words = tr("rock %1").arg(rocks_.chosen);
     const QFontMetrics letters = painter.fontMetrics();
-    const QRect place(static_cast<int>(top->x()) - 40, static_cast<int>(top->y()) - letters.height() - 14, 80, letters.height() + 6);
-    drawLabel(painter, place, Qt::AlignHCenter | Qt::AlignBottom, tr("rock %1").arg(rocks_.chosen));
+    QRectF box(0, 0, letters.horizontalAdvance(words) + 12, letters.height() + 6);
+    const double left = std::clamp(top->x() - box.width() / 2, 2.0, std::max(2.0, width() - box.width() - 2));
+    const auto isFree = [&](double y) {
+        box.moveTopLeft({left, y});
+        return QRectF(rect()).contains(box) && !coversLine(box) &&
+               std::ranges::none_of(texts, [&](const QRectF& each) { return each.intersects(box); });
+    };
+    const double above = top->y() - box.height() - kOutline, below = top->y() + kOutline;
+    bool found = false;
+    for (double away = 0.0; !found && away < height(); away += box.height() / 2) found = isFree(above - away) || isFree(below + away);
+    if (!found) box.moveTopLeft({left, std::max(0.0, above)});
+    drawLabel(painter, box.toRect().adjusted(6, 3, -6, -3), Qt::AlignCenter, words);
+    return box;
 }
 
 void SectionPlot::drawLines(QPainter& painter) const {
@@ -260,16 +303,18 @@ bool SectionPlot::showsEdges() const {
            });
 }
 
-void SectionPlot::drawMarks(QPainter& painter) const {
-    const QColor measured(120, 190, 255);
+/// As in the views: the label of the length covers neither its line nor the texts.
+void SectionPlot::drawMarks(QPainter& painter, const std::vector<QRectF>& texts) {
+    ScreenMarks::Measure length;
+    for (const inspect::SectionVertex* end : ends_) length.ends.push_back(placeOf(end->atM));
     if (ends_.size() == 2) {
-        const QLineF length(placeOf(ends_[0]->atM), placeOf(ends_[1]->atM));
-        strokeTwice(painter, QPen(QColor(0, 0, 0, 200), 4.0), QPen(measured, 2.0), [&] { painter.drawLine(length); });
-        if (!length_.isEmpty()) drawTipAt(painter, rect(), length.center().toPoint(), length_);
+        length.lines.emplace_back(length.ends[0], length.ends[1]);
+        length.label = length_;
+        length.labelAt = length.lines.front().center();
     }
-    painter.setPen(QPen(Qt::black, 1.5));
-    painter.setBrush(measured);
-    for (const inspect::SectionVertex* end : ends_) painter.drawEllipse(placeOf(end->atM), 4.0, 4.0);
+    ScreenMarks marks;
+    marks.measures.push_back(length);
+    tags_ = drawScreenMarks(painter, rect(), marks, {}, texts);
     painter.setBrush(Qt::NoBrush);
     if (marked_ != nullptr)
         strokeTwice(painter, QPen(QColor(0, 0, 0, 220), 4.0), QPen(Qt::white, 2.0),

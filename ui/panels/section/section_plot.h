@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/inspect/section/section.h"
+#include "ui/base/cell_marks.h"
 
 #include <Eigen/Geometry>
 
@@ -57,6 +58,10 @@ public:
     /// Shows all of it.
     void zoomToFit();
     [[nodiscard]] const QString& lengthShown() const { return length_; }
+    /// The label of the length, where it was drawn last.
+    [[nodiscard]] const std::vector<MarkTag>& tags() const { return tags_; }
+    /// The number of the chosen rock, where it was drawn last; null: none.
+    [[nodiscard]] const QRectF& numberPlace() const { return numberPlace_; }
     [[nodiscard]] QPointF placeOf(const Eigen::Vector2d& atM) const;
     [[nodiscard]] QSize sizeHint() const override { return {640, 420}; }
 
@@ -83,10 +88,13 @@ private:
     [[nodiscard]] double highestM() const;
     [[nodiscard]] const inspect::SectionVertex* nearest(QPointF place) const;
     void drawGrid(QPainter& painter) const;
-    void drawScales(QPainter& painter) const;
+    std::vector<QRectF> drawScales(QPainter& painter) const;
     void drawLines(QPainter& painter) const;
     void drawChosen(QPainter& painter) const;
-    void drawMarks(QPainter& painter) const;
+    [[nodiscard]] std::optional<QPointF> topOfChosen() const;
+    [[nodiscard]] bool coversLine(const QRectF& box) const;
+    [[nodiscard]] QRectF drawNumber(QPainter& painter, const std::vector<QRectF>& texts) const;
+    void drawMarks(QPainter& painter, const std::vector<QRectF>& texts);
 
     std::shared_ptr<const inspect::Section> section_;
     Eigen::AlignedBox2d aboutM_;
@@ -101,6 +109,8 @@ private:
     const inspect::SectionVertex* marked_ = nullptr; // of section_
     std::vector<const inspect::SectionVertex*> ends_;
     QString length_;
+    std::vector<MarkTag> tags_;
+    QRectF numberPlace_;
 };
 
 } // namespace edgescan::ui

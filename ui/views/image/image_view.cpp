@@ -230,8 +230,9 @@ void ImageView::paintEvent(QPaintEvent* /*event*/) {
     }
     if (!selection_.empty()) drawPyramid(painter, selection_);
     drawMarks(painter);
-    drawPictureFrame(painter, rect(), pictureFrame_);
+    const QRect plate = drawPictureFrame(painter, rect(), pictureFrame_);
     drawTexts(painter);
+    drawRings(painter, plate); // above the texts
     drawTip(painter);
 }
 
@@ -316,7 +317,7 @@ void ImageView::drawTip(QPainter& painter) const {
     drawTipAt(painter, rect(), at, tip_);
 }
 
-void ImageView::drawMarks(QPainter& painter) {
+void ImageView::drawMarks(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     if (!outline_.empty()) drawOutline(painter);
@@ -338,6 +339,12 @@ void ImageView::drawMarks(QPainter& painter) {
                     [&] { painter.drawRect(toPixels(QRectF(boxCells(press_.from, press_.last)))); });
     }
     if (drag_ == Drag::Select && press_.travelled) drawDragged(painter);
+}
+
+/// With the tags, which avoid the texts. `plate`: of the picture's frame.
+void ImageView::drawRings(QPainter& painter, const QRect& plate) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
     if (marked_) drawRing(painter, viewPort_->toPixel(QPointF(*marked_) + QPointF(0.5, 0.5), size())); // below the digits of the marks
     const auto beams = static_cast<std::size_t>(picture_.empty() ? 1 : picture_.image()->width());
     const auto placeOf = [&](std::size_t cell) -> std::optional<MarkPlace> {
@@ -345,7 +352,7 @@ void ImageView::drawMarks(QPainter& painter) {
         return MarkPlace{viewPort_->toPixel(at, size()), false};
     };
     screenMarks_ = screenMarks(marks_, placeOf, width() < kRoomForTags);
-    std::vector<QRectF> plates; // buttons of a cab
+    std::vector<QRectF> plates{QRectF(plate)}; // and buttons of a cab
     for (const QWidget* each : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (each->isVisible()) plates.emplace_back(each->geometry());
     }
@@ -360,10 +367,9 @@ void ImageView::drawDragged(QPainter& painter) const {
 
 void ImageView::drawTexts(QPainter& painter) {
     const QRect inner = rect().adjusted(11, 8 + topTaken_, -11, -8);
-    std::vector<QRectF> texts;
+    texts_.clear();
     if (picture_.empty()) drawLabel(painter, inner, Qt::AlignCenter, note_);
-    for (const QRect& text : drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_)) texts.emplace_back(text);
-    if (std::exchange(texts_, texts) != texts && !screenMarks_.empty()) update(); // the tags avoid them
+    for (const QRect& text : drawLabels(painter, inner, title_, picture_.empty() ? QString() : note_, taken_)) texts_.emplace_back(text);
 }
 
 } // namespace edgescan::ui

@@ -138,7 +138,8 @@ private:
     enum class Drag { None, Pan, WindowLevel, Box, Select };
 
     void drawPyramid(QPainter& painter, Pyramid& pyramid) const;
-    void drawMarks(QPainter& painter);
+    void drawMarks(QPainter& painter) const;
+    void drawRings(QPainter& painter, const QRect& plate);
     void drawLost(QPainter& painter) const;
     void drawTrail(QPainter& painter) const;
     void drawOutline(QPainter& painter) const;
