@@ -299,12 +299,9 @@ void CabMode::showScan() {
     const bool lengthUnknown = growth.sweep >= 0 && growth.expectedLines == 0 && arrived == expected;
     QString facts =
         lengthUnknown ? tr("%1 lines").arg(countText(arrived)) : tr("%1 of %2 lines").arg(countText(arrived), countText(expected));
-    // A line ends between two facts, and in none of them.
-    facts += " " +
-             tr(" · %1 % no return")
-                 .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1)
-                 .trimmed()
-                 .replace(' ', QChar(0x00A0));
+    const double share = static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size()));
+    // A line ends between two facts, and not within the second one.
+    facts += tr(" · %1 % no return").arg(100.0 * share, 0, 'f', 1).replace(' ', QChar(0x00A0)).replace("·\u00a0", "· ");
     for (const QString& warning : warnings) {
         if (warning.startsWith("INCOMPLETE")) facts = tr("✕ INCOMPLETE") + " · " + facts;
     }
