@@ -490,7 +490,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminó.</translation></message>
-<message><source>Follow shows the next sweep.</source><translation>Seguir da el siguiente.</translation></message>
+<message><source>Held. Follow shows the next one.</source><translation>Retenido. Seguir muestra el siguiente.</translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
 <message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Aún no hay una vista %1: Ctrl+%1 guarda la actual.</translation></message>
@@ -630,7 +630,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 no se escribió: dele una de las extensiones %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Hasta entonces no se guardan las ediciones de las rocas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
-<message><source>Split: click the part (wheel: smaller or larger)</source><translation>Dividir: haga clic en la parte (rueda: menor o mayor)</translation></message>
+<message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: haga clic en la parte que es otra roca (rueda: menor o mayor)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace una línea sobre las rocas, o haga clic en la que pertenece a la roca seleccionada</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace una línea donde termina la roca</translation></message>
 <message><source>Region: drag a line around it</source><translation>Región: trace una línea alrededor</translation></message>

@@ -490,7 +490,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 s'est terminé.</translation></message>
-<message><source>Follow shows the next sweep.</source><translation>Suivre montre le suivant.</translation></message>
+<message><source>Held. Follow shows the next one.</source><translation>Figé. Suivre montre le suivant.</translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
 <message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>
@@ -630,7 +630,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 n'a pas été écrit : donnez-lui l'une des extensions %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Les modifications des blocs ne sont pas enregistrées jusque-là.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
-<message><source>Split: click the part (wheel: smaller or larger)</source><translation>Scinder : cliquez sur la partie (molette : plus petite ou plus grande)</translation></message>
+<message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Scinder : cliquez sur la partie qui est un autre bloc (molette : plus petite ou plus grande)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Joindre : tracez une ligne à travers les blocs, ou cliquez celui qui va avec le bloc sélectionné</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Couper : tracez une ligne là où le bloc finit</translation></message>
 <message><source>Region: drag a line around it</source><translation>Région : tracez une ligne autour</translation></message>

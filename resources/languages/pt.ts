@@ -490,7 +490,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminou.</translation></message>
-<message><source>Follow shows the next sweep.</source><translation>Seguir mostra a próxima.</translation></message>
+<message><source>Held. Follow shows the next one.</source><translation>Retida. Seguir mostra a seguinte.</translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
 <message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Ainda não há vista %1: Ctrl+%1 salva a atual.</translation></message>
@@ -630,7 +630,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 was not written: give it one of the endings %2.</source><translation>%1 não foi escrito: dê a ele uma das extensões %2.</translation></message>
 <message><source>%1 Edits of rocks are not stored until then.</source><translation>%1 Até lá as edições das rochas não são guardadas.</translation></message>
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
-<message><source>Split: click the part (wheel: smaller or larger)</source><translation>Dividir: clique na parte (roda: menor ou maior)</translation></message>
+<message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: clique na parte que é outra rocha (roda: menor ou maior)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace uma linha sobre as rochas, ou clique na que pertence à rocha selecionada</translation></message>
 <message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace uma linha onde a rocha termina</translation></message>
 <message><source>Region: drag a line around it</source><translation>Região: trace uma linha em volta</translation></message>

@@ -23,6 +23,7 @@
 #include <QCheckBox>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -106,7 +107,7 @@ private slots:
                         const QString where =
                             QString("%1: \"%2\" at %3, %4 px").arg(language.code, each->text()).arg(width).arg(each->width());
                         QVERIFY2(each->mapTo(side, QPoint(each->width(), 0)).x() <= side->width(), qPrintable(where));
-                        for (const QString& word : each->wordWrap() ? each->text().split(' ') : QStringList(each->text()))
+                        for (const QString& word : each->text().split(each->wordWrap() ? ' ' : '\n'))
                             QVERIFY2(each->fontMetrics().horizontalAdvance(word) <= each->contentsRect().width() + 1, qPrintable(where));
                         QVERIFY2(!each->wordWrap() || each->heightForWidth(each->width()) <= each->height() + 1, qPrintable(where));
                     }
@@ -218,6 +219,28 @@ private slots:
             QVERIFY(!dialog.isVisible());
         }
         on.window.cab().set(false);
+    }
+
+    // A dialog for a file opens without keys: they come by a tap into its name.
+    void theKeysOfAFileComeByATap() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        const Keypad& pad = on.window.cab().keypad();
+        for (const auto mode : {QFileDialog::AcceptSave, QFileDialog::AcceptOpen}) {
+            QFileDialog dialog(&on.window);
+            dialog.setOption(QFileDialog::DontUseNativeDialog);
+            dialog.setAcceptMode(mode);
+            dialog.show();
+            dialog.activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(&dialog));
+            auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
+            name->setFocus();
+            QTest::qWait(100);
+            QVERIFY(!pad.isVisible());
+            QTest::mouseClick(name, Qt::LeftButton);
+            QTRY_VERIFY(pad.isVisible());
+        }
     }
 
     // A dialog as high as the screen stays on it, and the keys are where its field is not.

@@ -632,7 +632,10 @@ private slots:
             }
             badge->showState(StateBadge::Sign::File,
                              QString::fromUtf8("FILE demo of a draw-bell before …the blast · 2026-11-24 09:09:09 UTC"));
-            QCOMPARE(badge->linesIn(badge->width() - 40).front().count(QString::fromUtf8("…")), 1);
+            // Too little of a name is left out: it is the title next to the badge.
+            const QString shown = badge->linesIn(badge->width() - 40).front();
+            QVERIFY2(size.width() < 1280 ? shown == "FILE" : shown.size() > 14 && shown.count(QString::fromUtf8("…")) == 1,
+                     qPrintable(shown));
             QCOMPARE(places(), before);
             head.showWork("Finding rocks: growing, 34 %");
             QCOMPARE(places(), before);

@@ -2,6 +2,7 @@
 #include "core/edges/settings/parameters.h"
 #include "tests/support/folders.h"
 #include "tests/ui/sized_window.h"
+#include "ui/base/count_text.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/language/languages.h"
 #include "ui/base/notice_bar.h"
@@ -147,6 +148,86 @@ private slots:
         QVERIFY(notice.isVisible());
         notice.showHint("Something to read.");
         QVERIFY(!leaves->isActive() && notice.isVisible());
+    }
+
+    // A finger that is on its way to a note, or was on it, does not meet the cloud behind it.
+    void noTapThatIsMeantForANoteReachesTheCloud() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        resizeTo(on.window, {1280, 775});
+        NoticeBar& notice = on.viewer.notice;
+        auto* leaves = notice.findChild<QTimer*>("notice-leaves");
+        on.viewer.views.pin(100 * 240 + 120);
+        press(on.window, "cab-undo");
+        QTRY_VERIFY(notice.isVisible() && leaves->isActive());
+        QTest::qWait(100); // placed
+        const QPoint at = notice.mapTo(&on.window, QPoint(notice.width() / 3, notice.height() - 6));
+        const auto tap = [&] { QTest::mouseClick(on.window.windowHandle(), Qt::LeftButton, Qt::NoModifier, at); };
+        tap();
+        QTest::mouseMove(on.window.windowHandle(), {10, 10}); // a finger leaves no pointer there
+        leaves->start(20);
+        QTest::qWait(400);
+        QVERIFY2(notice.isVisible(), "it was touched just before");
+        QTRY_VERIFY(!notice.isVisible());
+        tap();
+        QTest::qWait(300);
+        tap();
+        QVERIFY(on.viewer.targets.notebook().empty() && !on.viewer.views.pinned());
+        QTRY_VERIFY((tap(), on.viewer.views.pinned())); // later it is one
+    }
+
+    // What was below the small picture a moment ago is not what the finger meant.
+    void noTapThatIsMeantForTheSmallPictureReachesTheCloud() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_) && on.activate());
+        on.window.cab().set(true);
+        resizeTo(on.window, {1280, 775});
+        const CornerPicture& small = on.window.cab().corner();
+        QTRY_VERIFY(small.isVisible());
+        const QPoint at = small.mapTo(&on.window, {small.width() / 2, small.height() - 6});
+        const auto tap = [&] { QTest::mouseClick(on.window.windowHandle(), Qt::LeftButton, Qt::NoModifier, at); };
+        QVERIFY(tapEntry(on.window, "cab-images", SmallEntry));
+        QTRY_VERIFY(!small.isVisible());
+        tap();
+        QVERIFY(on.viewer.targets.notebook().empty() && !on.viewer.views.pinned());
+        QTRY_VERIFY((tap(), on.viewer.views.pinned()));
+        // It became lower: the part that it left is guarded, and it is a button itself.
+        QVERIFY(tapEntry(on.window, "cab-images", SmallEntry));
+        QTRY_VERIFY(small.isVisible());
+        QSignalSpy left(&small, &CornerPicture::uncovered);
+        const int before = small.height();
+        resizeTo(on.window, {1280, 500});
+        QVERIFY(small.height() < before && !left.isEmpty());
+    }
+
+    // While + and − change the settings, the edges are seen in the large range image, and their number between the two buttons.
+    void theLargeRangeImageHasTheEdgesAndTheirNumber() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        QVERIFY(!on.viewer.views.scene().overGray);
+        QVERIFY(tapEntry(on.window, "cab-images", RangeEntry));
+        QTRY_VERIFY(on.viewer.gray.isVisible() && on.viewer.views.scene().overGray);
+        for (const QSize size : {QSize(1280, 775), QSize(853, 480)}) {
+            resizeTo(on.window, size);
+            auto& side = *on.window.findChild<NumbersSide*>();
+            if (!side.mainStepper()->isVisible()) press(on.window, "cab-tune");
+            const auto all = side.findChildren<QLabel*>("stepper-found");
+            const auto found = std::ranges::find_if(all, [](const QLabel* each) { return each->isVisible(); });
+            QVERIFY(found != all.end());
+            const auto words = [&] { return countText(on.picture().detection->edges->size()) + "\nEdges"; };
+            QCOMPARE((*found)->text(), words());
+            QVERIFY((*found)->width() >= (*found)->sizeHint().width());
+            QVERIFY(placeOf(on.window).contains(placeOf(**found)) && !(*found)->visibleRegion().isEmpty());
+            const QString before = (*found)->text();
+            QTest::mouseClick(static_cast<Stepper*>((*found)->parentWidget())->more(), Qt::LeftButton);
+            QVERIFY(on.settled());
+            QTRY_COMPARE((*found)->text(), words());
+            QVERIFY((*found)->text() != before);
+        }
+        QVERIFY(tapEntry(on.window, "cab-images", CloudEntry));
+        QTRY_VERIFY(on.viewer.cloud.isVisible() && !on.viewer.views.scene().overGray);
     }
 
     // While Why waits for a tap, its button is on, as those of the other tools.
@@ -385,8 +466,10 @@ private slots:
         auto* kinds = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         QVERIFY(kinds != nullptr && on.viewer.measures.kind());
         const auto entries = kinds->actions();
-        const auto end = std::ranges::find(entries, QString("End measuring"), &QAction::text);
+        const auto end = std::ranges::find(entries, QString("End measuring: Distance"), &QAction::text);
         QVERIFY(end != entries.end() && (*end)->isVisible());
+        QCOMPARE(end - entries.begin(), 1); // at its place: the rows do not move, and a tap on one of the others means it
+        QCOMPARE(entries[2]->text(), QObject::tr(inspect::measureTraits()[1].label));
         QTest::mouseClick(kinds, Qt::LeftButton, Qt::NoModifier, kinds->actionGeometry(*end).center());
         QTRY_VERIFY(!on.viewer.measures.kind() && !measure.isChecked() && QApplication::activePopupWidget() == nullptr);
         // Why, while a target is chosen.

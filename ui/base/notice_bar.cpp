@@ -32,7 +32,7 @@ constexpr int kLeastText = 200;      // px
 constexpr int kLongName = 28;        // letters of it
 constexpr int kNameEnd = 10;         // letters at each end of a long name
 constexpr double kWholeFrom = 100.0; // kB, of a file's size
-constexpr int kUndoneMs = 8000;
+constexpr int kUndoneMs = 8000, kTouchedMs = 1000;
 constexpr int kNarrow = 480; // px of a bar with large buttons that has no room for the number of notes: Close shows the next one too
 
 } // namespace
@@ -78,6 +78,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(more_, &QToolButton::clicked, this, &NoticeBar::showEarlier);
     for (QWidget* each : std::initializer_list<QWidget*>{copy, close}) line->addWidget(each);
     placeButtons();
+    for (QToolButton* each : findChildren<QToolButton*>()) connect(each, &QToolButton::pressed, this, [this] { touched_.start(); });
     hide();
     leaves_.setParent(this);
     leaves_.setObjectName("notice-leaves");
@@ -204,6 +205,7 @@ void NoticeBar::hideEvent(QHideEvent* event) {
         earlier_.clear();
         more_->hide();
         leaves_.stop();
+        emit left(QRect(mapToGlobal(QPoint()), size()));
     }
     QFrame::hideEvent(event);
 }
@@ -264,8 +266,10 @@ void NoticeBar::showUndone(QUndoStack& stack, bool again) {
 
 void NoticeBar::leave() {
     const QWidget* const focus = QApplication::focusWidget();
-    if (underMouse() || (focus != nullptr && isAncestorOf(focus))) return; // until the next time
+    const bool touched = touched_.isValid() && touched_.elapsed() < kTouchedMs;
+    if (touched || underMouse() || (focus != nullptr && isAncestorOf(focus))) return; // until the next time
     leaves_.stop();
+    emit left(QRect(mapToGlobal(QPoint()), size())); // another note may be there now
     if (kind_ == Kind::Done || passes_) return endPassing();
     bringBack(); // the warning is among the earlier ones then
 }
@@ -320,6 +324,11 @@ void NoticeBar::offerMore() {
         unfold_->setVisible(offered);
         layout()->activate(); // else it would be over the others until the next event
     }
+}
+
+void NoticeBar::mousePressEvent(QMouseEvent* event) {
+    touched_.start();
+    QFrame::mousePressEvent(event);
 }
 
 void NoticeBar::resizeEvent(QResizeEvent* event) {

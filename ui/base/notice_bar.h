@@ -5,7 +5,9 @@
 #include "core/base/result.h"
 #include "ui/base/shown_text.h"
 
+#include <QElapsedTimer>
 #include <QFrame>
+#include <QRegion>
 #include <QStringList>
 #include <QTimer>
 
@@ -63,10 +65,13 @@ public:
 signals:
     /// The operator closed this note.
     void closed(const QString& text);
+    /// The shown note was closed or left by itself: it was at this part of the screen, and a finger may be on its way there.
+    void left(const QRegion& place);
 
 protected:
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
 
 private:
     struct Note {
@@ -112,6 +117,7 @@ private:
     std::function<void()> onAction_;
     QString brief_, folderOf_; // of the shown note
     QTimer leaves_;            // runs while the shown note is one that leaves by itself
+    QElapsedTimer touched_;
 };
 
 } // namespace edgescan::ui

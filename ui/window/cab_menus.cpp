@@ -57,9 +57,13 @@ void CabMode::fillMeasures(QMenu& menu) {
     menu.clear();
     Measures& measures = window_.viewer().measures;
     for (const inspect::MeasureTraits& each : inspect::measureTraits()) {
-        if (each.inViews) menu.addAction(QObject::tr(each.label), &measures, [&measures, kind = each.kind] { measures.start(kind); });
+        if (!each.inViews) continue;
+        const QString name = QObject::tr(each.label);
+        if (measures.kind() == each.kind) // at its place: the other rows do not move
+            menu.addAction(tr("End measuring") + ": " + name, &measures, &Measures::stop);
+        else
+            menu.addAction(name, &measures, [&measures, kind = each.kind] { measures.start(kind); });
     }
-    if (measures.kind()) menu.addAction(tr("End measuring"), &measures, &Measures::stop);
     menu.addSeparator();
     for (const char* section : {"Measure/Section through the Last Measurement", "Measure/Section through the Rock"})
         menu.addAction(&actionOf(keyedCommands(window_.actions()), section));

@@ -73,8 +73,12 @@ CabMode::CabMode(MainWindow& window, QWidget* middle)
     connect(back_, &CornerPicture::reachChanged, this, [this](int reach) {
         if (large_ != Large::Cloud) imageView().setTaken(reach); // no prompt is below it
     });
-    for (CornerPicture* each : {corner_, back_}) connect(each, &QAbstractButton::clicked, this, &CabMode::swap);
+    for (CornerPicture* each : {corner_, back_}) {
+        connect(each, &QAbstractButton::clicked, this, &CabMode::swap);
+        connect(each, &CornerPicture::uncovered, this, &CabMode::noteChangeUnder);
+    }
     connect(keypad_, &Keypad::closedByKey, this, &CabMode::noteChangeUnder);
+    connect(&window.viewer().notice, &NoticeBar::left, this, &CabMode::noteChangeUnder);
     follow();
     nameUndone();
 }
@@ -241,6 +245,7 @@ void CabMode::set(bool on) {
     window_.layout()->activate();
     if (!window_.isMaximized() && !window_.isFullScreen()) window_.resize(size);
     window_.fitScreen();
+    changedPlace_ = {}; // all is new, and no finger is on its way to what was there
     emit changed(on);
 }
 
@@ -294,9 +299,9 @@ void CabMode::showScan() {
     const bool lengthUnknown = growth.sweep >= 0 && growth.expectedLines == 0 && arrived == expected;
     QString facts =
         lengthUnknown ? tr("%1 lines").arg(countText(arrived)) : tr("%1 of %2 lines").arg(countText(arrived), countText(expected));
-    facts +=
-        tr(" · %1 % no return")
-            .arg(100.0 * static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size())), 0, 'f', 1);
+    const double share = static_cast<double>(missing) / std::max<double>(1.0, static_cast<double>(scan.state.cells.size()));
+    // A line ends between two facts, and not within the second one.
+    facts += tr(" · %1 % no return").arg(100.0 * share, 0, 'f', 1).replace(' ', QChar(0x00A0)).replace("·\u00a0", "· ");
     for (const QString& warning : warnings) {
         if (warning.startsWith("INCOMPLETE")) facts = tr("✕ INCOMPLETE") + " · " + facts;
     }

@@ -3,7 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QRect>
+#include <QRegion>
 #include <QTimer>
 
 #include <cstddef>
@@ -81,7 +81,7 @@ private:
     void showSettings();
     void showCorner();
     void swap();
-    void noteChangeUnder(const QRect& place);
+    void noteChangeUnder(const QRegion& place);
     void showCloud();
     void showLarge(Large which);
     [[nodiscard]] ImageView& imageView() const;
@@ -112,7 +112,8 @@ private:
     Large large_ = Large::Cloud, image_ = Large::Range; // image_: in the corner, or the one that was large last
     bool small_ = true;                                 // there is a picture in the corner
     QElapsedTimer sinceChange_;                         // under the finger
-    QRect changedPlace_;                                // of the button that exchanged the views, or of the keys that closed, on the screen
+    QRegion changedPlace_;                              // of what exchanged the views, closed or became smaller, on the screen
+    bool changing_ = false;                             // it is not painted yet
     bool secondTap_ = false;                            // at that place
     bool on_ = false;
 };

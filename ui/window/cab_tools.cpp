@@ -4,6 +4,7 @@
 #include "core/edges/pipeline/methods.h"
 #include "core/edges/settings/parameters.h"
 #include "core/inspect/measure/notebook.h"
+#include "ui/base/count_text.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/cab/cab_frame.h"
 #include "ui/panels/cab/corner_picture.h"
@@ -210,6 +211,8 @@ void CabMode::showSettings() {
         shown.push_back({p.key, QObject::tr(p.label), window_.viewer().panel.valueText(p.key)});
     };
     add(first);
+    if (const auto& picture = window_.viewer().engine.picture())
+        shown.back().found = countText(picture->detection->edges->size()) + '\n' + EdgeLegend::tr("Edges"); // as in the legend
     for (const edges::Parameter& p : edges::parameters()) {
         if (p.usedBy(settings) && !p.several && &p != &first) add(p);
     }

@@ -11,8 +11,10 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -55,10 +57,18 @@ ImageView& CabMode::imageView() const {
     return image_ == Large::Edges ? views.edges() : views.gray();
 }
 
-/// A second tap at this place is meant for the button that was there.
-void CabMode::noteChangeUnder(const QRect& place) {
-    changedPlace_ = place;
+/// A tap at this place is meant for what was there, for a moment after the change is painted: a large cloud takes its time.
+void CabMode::noteChangeUnder(const QRegion& place) {
+    if (!on_ || place.isEmpty()) return;
+    const bool soon = changing_ || (sinceChange_.isValid() && sinceChange_.elapsed() < kSecondTapMs);
+    changedPlace_ = soon ? changedPlace_ + place : place;
     sinceChange_.start();
+    if (!std::exchange(changing_, true)) {
+        QTimer::singleShot(0, this, [this] {
+            changing_ = false;
+            sinceChange_.start();
+        });
+    }
 }
 
 /// Exchanges the large view and the corner: image and cloud.
@@ -66,7 +76,7 @@ void CabMode::swap() {
     const CornerPicture& used = large_ == Large::Cloud ? *corner_ : *back_;
     const QRect place = used.isVisible() ? QRect(used.mapToGlobal(QPoint()), used.size()) : QRect();
     showLarge(large_ == Large::Cloud ? image_ : Large::Cloud);
-    noteChangeUnder(place);
+    noteChangeUnder(place); // also of the other one, which is there now
 }
 
 void CabMode::showLarge(Large which) {
@@ -80,6 +90,7 @@ void CabMode::showLarge(Large which) {
     }
     back_->setParent(&image);
     image.installEventFilter(back_);
+    window_.viewer().views.setOnlyImage(which == Large::Range);
     window_.showAlone(isImage ? static_cast<QWidget*>(&image) : &window_.viewer().views.cloud());
     back_->setVisible(isImage);
     isImage ? zoom_->setOver(image, *back_) : zoom_->setOver(window_.viewer().views.cloud(), *corner_);
@@ -160,7 +171,7 @@ bool CabMode::eventFilter(QObject* watched, QEvent* event) {
         QMetaObject::invokeMethod(this, &CabMode::showCorner, Qt::QueuedConnection); // not while the window is destroyed
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
-    const bool soon = sinceChange_.isValid() && sinceChange_.elapsed() < kSecondTapMs;
+    const bool soon = changing_ || (sinceChange_.isValid() && sinceChange_.elapsed() < kSecondTapMs);
     if (press) {
         const QPoint at = static_cast<QMouseEvent*>(event)->globalPos();
         secondTap_ = soon && changedPlace_.contains(at) && !keypad_->place().contains(at);

@@ -109,7 +109,8 @@ std::vector<Command> edgeLook(Viewer& v) {
     return {
         following(toggle("&Edge Points", "E", "view/edge-points", true, setEdges), legend, &EdgeLegend::edgesRequested),
         following(toggle("Edges &by Class", "C", "view/edge-classes", false, setByClass), legend, &EdgeLegend::byClassRequested),
-        toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setEdgesOverImage(on); }),
+        // A cab always shows them in its large image.
+        ofDesk(toggle("Edges &over Range Image", "O", "view/overlay", false, [&views](bool on) { views.setEdgesOverImage(on); })),
         toggle("&Colour-Blind Edge Colours", "Shift+C", "view/colour-blind", false, setColourBlind),
     };
 }

@@ -26,7 +26,7 @@ QString promptOf(RockTool tool) {
     case RockTool::None:
         return {};
     case RockTool::Split:
-        return Rocks::tr("Split: click the part (wheel: smaller or larger)");
+        return Rocks::tr("Split: click the part that is a rock of its own (wheel: smaller or larger)");
     case RockTool::Join:
         return Rocks::tr("Join: drag a line across the rocks, or click the one that belongs to the selected rock");
     case RockTool::Cut:

@@ -317,8 +317,14 @@ void LinkedViews::setPictureFrame(const PictureFrame& frame) {
 }
 
 void LinkedViews::setEdgesOverImage(bool on) {
-    state_.edgesOverImage = on;
+    edgesAsked_ = on;
+    state_.edgesOverImage = edgesAsked_ || onlyImage_;
     draw();
+}
+
+void LinkedViews::setOnlyImage(bool on) {
+    onlyImage_ = on;
+    setEdgesOverImage(edgesAsked_);
 }
 
 void LinkedViews::setEdgesByClass(bool on) {

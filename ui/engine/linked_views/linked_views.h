@@ -106,7 +106,10 @@ public:
     void setPictureFrame(const PictureFrame& frame);
     /// The caption of a scene is shown once: in the cloud, or in `image` while only that one is on the screen (null: the cloud).
     void setCaptionIn(const ImageView* image);
+    /// As the operator asked.
     void setEdgesOverImage(bool on);
+    /// Also if the operator did not ask for them: no other view shows them.
+    void setOnlyImage(bool on);
     void setEdgesByClass(bool on);
     [[nodiscard]] bool edgesByClass() const { return state_.byClass; }
     /// Replaces the overlay of this name.
@@ -205,7 +208,8 @@ private:
     int framedLines_ = 0;     // the first lines that the view shows, while the view of the whole sweep has them outside
     bool windowKept_ = false;
     bool trueAngles_ = false;
-    std::optional<QRect> box_; // of cells, as dragged
+    bool edgesAsked_ = false, onlyImage_ = false; // over the range image
+    std::optional<QRect> box_;                    // of cells, as dragged
     CellMarks marks_;
     std::optional<TargetMark> explained_;
     std::optional<inspect::MeantCell> byClick_;

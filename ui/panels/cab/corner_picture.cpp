@@ -3,7 +3,7 @@
 
 #include "ui/base/marks.h"
 
-#include <QEvent>
+#include <QHideEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -57,7 +57,9 @@ void CornerPicture::place() {
     const QRect at(room.width() - kFromEdge - width, kFromEdge, width, height + words_);
     if (at.size() != size()) scaled_ = QPixmap();
     const int before = reach();
+    const QRegion left = isVisible() ? QRegion(geometry()) - at : QRegion();
     setGeometry(at);
+    if (!left.isEmpty()) emit uncovered(left.translated(parentWidget()->mapToGlobal(QPoint())));
     if (reach() != before) emit reachChanged(reach());
 }
 
@@ -77,6 +79,11 @@ bool CornerPicture::eventFilter(QObject* watched, QEvent* event) {
 void CornerPicture::changeEvent(QEvent* event) {
     QAbstractButton::changeEvent(event);
     if (event->type() == QEvent::FontChange) place();
+}
+
+void CornerPicture::hideEvent(QHideEvent* event) {
+    QAbstractButton::hideEvent(event);
+    if (!event->spontaneous()) emit uncovered(QRect(mapToGlobal(QPoint()), size()));
 }
 
 void CornerPicture::paintEvent(QPaintEvent* /*event*/) {

@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QPixmap>
 #include <QPoint>
+#include <QRegion>
 #include <QVector>
 
 #include <cstddef>
@@ -39,9 +40,12 @@ public:
 
 signals:
     void reachChanged(int px);
+    /// It became smaller or was hidden: this part of the screen was below it, and a finger may be on its way there.
+    void uncovered(const QRegion& part);
 
 protected:
     void changeEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

@@ -56,11 +56,8 @@ bool isNumber(const QWidget& field) {
     return line != nullptr && number.match(line->text()).hasMatch();
 }
 
-/// In a dialog that opens files.
-bool isOfFiles(const QWidget& field) {
-    const auto* dialog = qobject_cast<const QFileDialog*>(field.window());
-    return dialog != nullptr && dialog->acceptMode() == QFileDialog::AcceptOpen;
-}
+/// Its list needs the room of the keys, and the name of a new file is proposed.
+bool isOfFiles(const QWidget& field) { return qobject_cast<const QFileDialog*>(field.window()) != nullptr; }
 
 /// The next key replaces it: a finger can neither place the text cursor nor mark a part. Several lines stay as they are.
 void selectWhole(QWidget& tapped) {
@@ -121,7 +118,7 @@ bool Keypad::eventFilter(QObject* watched, QEvent* event) {
         const bool comesBack = static_cast<QFocusEvent*>(event)->reason() == Qt::ActiveWindowFocusReason && field == closedFor_;
         if (field == nullptr)
             close();
-        else if (!comesBack && !isOfFiles(*field)) // there a file is tapped, not typed, and the list needs the room
+        else if (!comesBack && !isOfFiles(*field)) // there the keys come by a tap
             openFor(*field);
     } else if (event->type() == QEvent::MouseButtonPress && watched->isWidgetType()) {
         auto* pressed = static_cast<QWidget*>(watched);

@@ -341,6 +341,7 @@ void NumbersSide::showSettings(const std::vector<SteppedSetting>& settings) {
         mainKey_ = settings.front().key;
         main_->showName(settings.front().name);
         main_->showValue(settings.front().value);
+        main_->showFound(settings.front().found);
     }
     fitHeight();
     for (const auto& [key, stepper] : steppers_) {
@@ -357,6 +358,7 @@ void NumbersSide::showSettings(const std::vector<SteppedSetting>& settings) {
             steppers_.emplace_back(each.key, shown);
         }
         shown->showValue(each.value);
+        shown->showFound(each.found);
         const bool first = each.key == mainKey_;
         shown->setMeaning(first ? ofLess_ : QString(), first ? ofMore_ : QString());
     }

@@ -42,6 +42,7 @@ struct TargetNumbers {
 /// One setting. `key`: its key in the parameter table.
 struct SteppedSetting {
     QString key, name, value;
+    QString found{}; ///< between its buttons: the number of edges
 };
 
 /// GUI thread only. Displays the values it is given and signals the operator's choices.

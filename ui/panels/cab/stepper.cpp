@@ -7,12 +7,14 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace edgescan::ui {
 namespace {
 
 constexpr int kButton = 64, kLetters = 24, kValue = 20, kLineGap = 4, kMeaning = 15; // px
+constexpr int kColumns = 4; // two below each of the words, the inner ones for what was found
 constexpr int kFirstRepeatMs = 400, kRepeatMs = 90;
 
 // The steps grow, so that a large change takes few repeats.
@@ -21,12 +23,20 @@ int stepsAfter(int repeats) { return repeats < 12 ? 1 : repeats < 30 ? 5 : 25; }
 } // namespace
 
 Stepper::Stepper(const QString& name, QWidget* parent)
-    : QWidget(parent), head_(new QHBoxLayout), name_(new QLabel), less_(new QToolButton), value_(new QLabel), more_(new QToolButton) {
+    : QWidget(parent), head_(new QHBoxLayout), name_(new QLabel), less_(new QToolButton), value_(new QLabel), found_(new QLabel),
+      more_(new QToolButton) {
     less_->setText(QStringLiteral("−"));
     more_->setText(QStringLiteral("+"));
     less_->setObjectName("less");
     more_->setObjectName("more");
     value_->setObjectName("stepper-value");
+    found_->setObjectName("stepper-found");
+    found_->setAlignment(Qt::AlignCenter);
+    found_->setTextFormat(Qt::PlainText);
+    found_->hide();
+    QFont small = font();
+    small.setPixelSize(kMeaning);
+    found_->setFont(small);
     QFont bold = font();
     bold.setBold(true);
     bold.setPixelSize(kLetters);
@@ -47,9 +57,11 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     words->addWidget(name_);
     words->addWidget(value_);
     head_->addLayout(words, 1);
-    grid->addLayout(head_, 0, 0, 1, 2);
+    grid->addLayout(head_, 0, 0, 1, kColumns);
     grid->addWidget(less_, 1, 0);
-    grid->addWidget(more_, 1, 1);
+    grid->addWidget(found_, 1, 1, 1, 2);
+    grid->addWidget(more_, 1, kColumns - 1);
+    for (const int column : {0, kColumns - 1}) grid->setColumnStretch(column, 1);
     addButton(*less_, -1);
     addButton(*more_, +1);
     showName(name);
@@ -57,7 +69,7 @@ Stepper::Stepper(const QString& name, QWidget* parent)
 
 void Stepper::setMeaning(const QString& ofLess, const QString& ofMore) {
     auto* grid = static_cast<QGridLayout*>(layout());
-    for (const auto& [words, column] : {std::pair(ofLess, 0), std::pair(ofMore, 1)}) {
+    for (const auto& [words, column] : {std::pair(ofLess, 0), std::pair(ofMore, kColumns / 2)}) {
         const QString name = column == 0 ? "meaning-of-less" : "meaning-of-more";
         if (auto* before = findChild<QLabel*>(name)) {
             before->setText(words);
@@ -72,7 +84,7 @@ void Stepper::setMeaning(const QString& ofLess, const QString& ofMore) {
         QFont letters = label->font();
         letters.setPixelSize(kMeaning);
         label->setFont(letters);
-        grid->addWidget(label, 2, column);
+        grid->addWidget(label, 2, column, 1, kColumns / 2);
     }
 }
 
@@ -99,6 +111,15 @@ void Stepper::showName(const QString& name) {
     less_->setAccessibleName(tr("less: %1").arg(name));
     more_->setAccessibleName(tr("more: %1").arg(name));
 }
+
+/// The buttons do not move under a finger because the number has a digit less.
+void Stepper::showFound(const QString& words) {
+    found_->setText(words);
+    found_->setHidden(words.isEmpty());
+    found_->setMinimumWidth(words.isEmpty() ? 0 : std::max(found_->minimumWidth(), found_->sizeHint().width()));
+}
+
+QString Stepper::found() const { return found_->text(); }
 
 void Stepper::showValue(const QString& value) { value_->setText(value); }
 

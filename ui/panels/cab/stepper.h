@@ -22,6 +22,9 @@ public:
     void showName(const QString& name);
     void showValue(const QString& value);
     [[nodiscard]] QString value() const;
+    /// Between the buttons: what the value gave; empty: nothing.
+    void showFound(const QString& words);
+    [[nodiscard]] QString found() const;
     [[nodiscard]] QToolButton* less() const { return less_; }
     [[nodiscard]] QToolButton* more() const { return more_; }
 
@@ -37,6 +40,7 @@ private:
     QLabel* name_;
     QToolButton* less_;
     QLabel* value_;
+    QLabel* found_;
     QToolButton* more_;
     int repeats_ = 0;
 };

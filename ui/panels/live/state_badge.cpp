@@ -72,7 +72,7 @@ int grown(int pixels, const QFontMetrics& letters) {
     return static_cast<int>(std::lround(pixels * std::max(1.0, letters.height() / kUsualLetters)));
 }
 
-constexpr int kLeastLetters = 8;
+constexpr int kLeastLetters = 8, kLeastName = 12;
 constexpr int kThreeLinesPx = 15; // letters: as large as the facts next to it
 
 struct BadgeParts {
@@ -136,7 +136,10 @@ QStringList StateBadge::linesIn(int width) const {
     // Of a state that has no room, what comes after its comma or dot is left out: the strip has it, or the tool tip.
     const QString name = isFile || fits(parts.name) ? parts.name : parts.name.section(',', 0, 0).section(QStringLiteral(" · "), 0, 0);
     const QString state = isFile ? name.left(name.indexOf(' ') + 1) : QString(); // whole
-    QStringList lines{state + shortened(name.mid(state.size()), metrics, width - metrics.horizontalAdvance(state), where)};
+    const int left = width - metrics.horizontalAdvance(state);
+    // Too little of a name is not recognised; it is the title next to it.
+    const bool some = state.isEmpty() || fits(name) || left >= kLeastName * metrics.averageCharWidth();
+    QStringList lines{some ? state + shortened(name.mid(state.size()), metrics, left, where) : state.trimmed()};
     if (fits(parts.time + parts.ago)) return lines << parts.time + parts.ago;
     if (fits(parts.time)) return lines << parts.time;
     if (room_ > 0) return lines << metrics.elidedText(parts.time, Qt::ElideLeft, width); // the seconds stay

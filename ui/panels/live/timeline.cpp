@@ -54,7 +54,7 @@ private:
     std::vector<int> marks_;
 };
 
-TimelineSlider::TimelineSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) { setMinimumWidth(200); }
+TimelineSlider::TimelineSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) { setMinimumWidth(120); }
 
 void TimelineSlider::setMarks(std::vector<int> positions) {
     marks_ = std::move(positions);

@@ -118,11 +118,13 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
 void StartPage::fit() {
     const bool low = forTouch_ && height() < kLow;
     for (QWidget* each : {title_, foot_}) each->setHidden(low);
-    setContentsMargins(0, std::max(low ? 0 : kTop, taken_), 0, 0);
     all_->setContentsMargins(low ? QMargins(12, kAbove, 12, 8) : QMargins(40, kAbove, 40, 20));
     row_->setSpacing(low ? 16 : 40);
     row_->setStretch(1, low ? 2 : 3);
     row_->itemAt(0)->widget()->layout()->setSpacing(low ? 4 : 8);
+    const int wide = all_->parentWidget()->width();
+    const int high = all_->hasHeightForWidth() ? all_->totalHeightForWidth(wide) : all_->totalMinimumSize().height();
+    setContentsMargins(0, std::max(low ? std::clamp(height() - high, 0, kTop) : kTop, taken_), 0, 0);
 }
 
 void StartPage::setTopTaken(int pixels) {
