@@ -846,8 +846,8 @@ private slots:
     void theLargestRockIsThreeTouchesAway() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));
-        on.window.cab().set(true);
         resizeTo(on.window, {1280, 800});
+        on.window.cab().set(true);
         QVERIFY(tool(on.window, "cab-rocks")->findChild<QLabel*>("menu-sign") == nullptr); // a switch
         QVERIFY(!tool(on.window, "cab-rock")->isEnabled());
         press(on.window, "cab-rocks");

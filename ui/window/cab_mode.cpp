@@ -245,7 +245,7 @@ void CabMode::set(bool on) {
     window_.layout()->activate();
     if (!window_.isMaximized() && !window_.isFullScreen()) window_.resize(size);
     window_.fitScreen();
-    changedPlace_ = {}; // all is new, and no finger is on its way to what was there
+    left_.clear(); // all is new, and no finger is on its way to what was there
     emit changed(on);
 }
 

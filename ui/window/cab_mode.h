@@ -82,6 +82,7 @@ private:
     void showCorner();
     void swap();
     void noteChangeUnder(const QRegion& place);
+    void forgetPlaces();
     void showCloud();
     void showLarge(Large which);
     [[nodiscard]] ImageView& imageView() const;
@@ -111,10 +112,13 @@ private:
     QTimer cancelSoon_;
     Large large_ = Large::Cloud, image_ = Large::Range; // image_: in the corner, or the one that was large last
     bool small_ = true;                                 // there is a picture in the corner
-    QElapsedTimer sinceChange_;                         // under the finger
-    QRegion changedPlace_;                              // of what exchanged the views, closed or became smaller, on the screen
-    bool changing_ = false;                             // it is not painted yet
-    bool secondTap_ = false;                            // at that place
+    /// Of what exchanged the views, closed or became smaller.
+    struct LeftPlace {
+        QRegion onScreen;
+        QElapsedTimer since{}; // it is painted; not valid: not painted yet
+    };
+    std::vector<LeftPlace> left_; // within the time of a second tap
+    bool secondTap_ = false;      // at one of these places
     bool on_ = false;
 };
 

@@ -60,15 +60,12 @@ ImageView& CabMode::imageView() const {
 /// A tap at this place is meant for what was there, for a moment after the change is painted: a large cloud takes its time.
 void CabMode::noteChangeUnder(const QRegion& place) {
     if (!on_ || place.isEmpty()) return;
-    const bool soon = changing_ || (sinceChange_.isValid() && sinceChange_.elapsed() < kSecondTapMs);
-    changedPlace_ = soon ? changedPlace_ + place : place;
-    sinceChange_.start();
-    if (!std::exchange(changing_, true)) {
-        QTimer::singleShot(0, this, [this] {
-            changing_ = false;
-            sinceChange_.start();
-        });
-    }
+    left_.push_back({place});
+    QTimer::singleShot(0, this, [this] {
+        for (LeftPlace& each : left_) {
+            if (!each.since.isValid()) each.since.start();
+        }
+    });
 }
 
 /// Exchanges the large view and the corner: image and cloud.
@@ -165,18 +162,23 @@ void CabMode::zoom(double factor) {
     images.zoomAt(images.centre(), factor);
 }
 
+void CabMode::forgetPlaces() {
+    std::erase_if(left_, [](const LeftPlace& each) { return each.since.isValid() && each.since.elapsed() >= kSecondTapMs; });
+}
+
 bool CabMode::eventFilter(QObject* watched, QEvent* event) {
     const bool appears = event->type() == QEvent::Show || event->type() == QEvent::Hide;
     if (watched == notice_ ? appears : watched == cloud_ && event->type() == QEvent::Resize)
         QMetaObject::invokeMethod(this, &CabMode::showCorner, Qt::QueuedConnection); // not while the window is destroyed
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
-    const bool soon = changing_ || (sinceChange_.isValid() && sinceChange_.elapsed() < kSecondTapMs);
+    if (press || event->type() == QEvent::TouchBegin) forgetPlaces();
     if (press) {
         const QPoint at = static_cast<QMouseEvent*>(event)->globalPos();
-        secondTap_ = soon && changedPlace_.contains(at) && !keypad_->place().contains(at);
+        secondTap_ = !keypad_->place().contains(at) &&
+                     std::ranges::any_of(left_, [at](const LeftPlace& each) { return each.onScreen.contains(at); });
     }
-    if (event->type() == QEvent::TouchBegin && soon) {
+    if (event->type() == QEvent::TouchBegin && !left_.empty()) {
         event->ignore(); // Qt sends the mouse event instead
         return true;
     }
