@@ -82,7 +82,7 @@ private:
     void showCorner();
     void swap();
     void noteChangeUnder(const QRegion& place);
-    void forgetPlaces();
+    [[nodiscard]] bool isMeantForWhatLeft(const QPoint& onScreen);
     void showCloud();
     void showLarge(Large which);
     [[nodiscard]] ImageView& imageView() const;

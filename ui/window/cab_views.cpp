@@ -1,6 +1,7 @@
 // The views of cab mode: which one is large, the picture in the corner, and zoom.
 #include "ui/base/notice_bar.h"
 #include "ui/panels/cab/corner_picture.h"
+#include "ui/panels/cab/keypad.h"
 #include "ui/panels/cab/zoom_buttons.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
@@ -12,6 +13,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QTimer>
+#include <QTouchEvent>
 
 #include <algorithm>
 #include <utility>
@@ -162,8 +164,9 @@ void CabMode::zoom(double factor) {
     images.zoomAt(images.centre(), factor);
 }
 
-void CabMode::forgetPlaces() {
+bool CabMode::isMeantForWhatLeft(const QPoint& onScreen) {
     std::erase_if(left_, [](const LeftPlace& each) { return each.since.isValid() && each.since.elapsed() >= kSecondTapMs; });
+    return std::ranges::any_of(left_, [&onScreen](const LeftPlace& each) { return each.onScreen.contains(onScreen); });
 }
 
 bool CabMode::eventFilter(QObject* watched, QEvent* event) {
@@ -172,15 +175,16 @@ bool CabMode::eventFilter(QObject* watched, QEvent* event) {
         QMetaObject::invokeMethod(this, &CabMode::showCorner, Qt::QueuedConnection); // not while the window is destroyed
     const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     const bool follows = event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
-    if (press || event->type() == QEvent::TouchBegin) forgetPlaces();
     if (press) {
         const QPoint at = static_cast<QMouseEvent*>(event)->globalPos();
-        secondTap_ = !keypad_->place().contains(at) &&
-                     std::ranges::any_of(left_, [at](const LeftPlace& each) { return each.onScreen.contains(at); });
+        secondTap_ = !keypad_->place().contains(at) && isMeantForWhatLeft(at);
     }
-    if (event->type() == QEvent::TouchBegin && !left_.empty()) {
-        event->ignore(); // Qt sends the mouse event instead
-        return true;
+    if (event->type() == QEvent::TouchBegin) {
+        const auto points = static_cast<QTouchEvent*>(event)->touchPoints();
+        if (std::ranges::any_of(points, [this](const auto& each) { return isMeantForWhatLeft(each.screenPos().toPoint()); })) {
+            event->ignore(); // Qt sends the mouse event instead
+            return true;
+        }
     }
     return ((press || follows) && secondTap_) || QObject::eventFilter(watched, event);
 }
