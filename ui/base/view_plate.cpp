@@ -19,17 +19,6 @@ constexpr int kLeastContent = 44;  // px of height: a title of two lines
 constexpr int kTextsOfView = 50;   // px: margins of the view, and its texts at the top
 constexpr int kGap = 4, kSide = 8; // px
 
-/// Px of whole rows within this height.
-int wholeRows(const QWidget& content, int most) {
-    if (content.layout() != nullptr) content.layout()->activate();
-    int high = 0;
-    for (const auto* each : content.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-        const int end = each->geometry().bottom() + 1;
-        if (each->isVisibleTo(&content) && end <= most) high = std::max(high, end);
-    }
-    return high < kLeastContent ? most : high;
-}
-
 } // namespace
 
 ViewPlate::ViewPlate(QWidget* parent) : QFrame(parent) { setPalette(viewPalette()); }
@@ -64,7 +53,7 @@ void ViewPlate::fitContent() {
         const int most = std::max(kLeastContent, room_ - kTextsOfView - around.top() - around.bottom() - foot);
         const bool whole = content.height() <= most;
         area_->setFixedSize(content.width() + (whole ? 0 : area_->verticalScrollBar()->sizeHint().width()),
-                            whole ? content.height() : wholeRows(*area_->widget(), most));
+                            std::min(content.height(), most));
         layout()->activate();
     }
     adjustSize();
