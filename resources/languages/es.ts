@@ -637,7 +637,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
 <message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>mayor que la roca: un clic lo une</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 celdas, %2 · rueda: más pequeño o más grande</translation></message>
+<message><source>no smaller and no larger part</source><translation>no hay parte menor ni mayor</translation></message>
+<message><source>wheel: larger (this is the smallest part)</source><translation>rueda: mayor (esta es la parte más pequeña)</translation></message>
+<message><source>wheel: smaller (this is the largest piece)</source><translation>rueda: menor (esta es la pieza más grande)</translation></message>
+<message><source>wheel: smaller or larger</source><translation>rueda: menor o mayor</translation></message>
+<message><source>%1 cells, %2</source><translation>%1 celdas, %2</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>No se dividió nada: haga clic en una roca, en la parte que es una roca aparte.</translation></message>
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Las rocas aún se están calculando: divida de nuevo cuando estén aquí.</translation></message>
 <message><source>split of a rock</source><translation>división de una roca</translation></message>

@@ -637,7 +637,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
 <message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>plus grand que le bloc : un clic le joint</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 cellules, %2 · molette : plus petit ou plus grand</translation></message>
+<message><source>no smaller and no larger part</source><translation>aucune partie plus petite ni plus grande</translation></message>
+<message><source>wheel: larger (this is the smallest part)</source><translation>molette : plus grand (c'est la plus petite partie)</translation></message>
+<message><source>wheel: smaller (this is the largest piece)</source><translation>molette : plus petit (c'est la plus grande pièce)</translation></message>
+<message><source>wheel: smaller or larger</source><translation>molette : plus petit ou plus grand</translation></message>
+<message><source>%1 cells, %2</source><translation>%1 cellules, %2</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Rien n'a été scindé : cliquez sur un bloc, sur la partie qui est un bloc à part.</translation></message>
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Les blocs sont encore en cours de calcul : scindez à nouveau quand ils seront là.</translation></message>
 <message><source>split of a rock</source><translation>scission d'un bloc</translation></message>

@@ -637,7 +637,11 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
 <message><source>a click splits it off</source><translation>um clique o separa</translation></message>
 <message><source>larger than the rock: a click joins it</source><translation>maior que a rocha: um clique o une</translation></message>
-<message><source>%1 cells, %2 · wheel: smaller or larger</source><translation>%1 células, %2 · roda: menor ou maior</translation></message>
+<message><source>no smaller and no larger part</source><translation>não há parte menor nem maior</translation></message>
+<message><source>wheel: larger (this is the smallest part)</source><translation>roda: maior (esta é a menor parte)</translation></message>
+<message><source>wheel: smaller (this is the largest piece)</source><translation>roda: menor (esta é a maior peça)</translation></message>
+<message><source>wheel: smaller or larger</source><translation>roda: menor ou maior</translation></message>
+<message><source>%1 cells, %2</source><translation>%1 células, %2</translation></message>
 <message><source>Nothing was split: click on a rock, on the part that is a rock of its own.</source><translation>Nada foi dividido: clique em uma rocha, na parte que é uma rocha à parte.</translation></message>
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>As rochas ainda estão sendo calculadas: divida de novo quando estiverem aqui.</translation></message>
 <message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>

@@ -178,7 +178,7 @@ private slots:
         QVERIFY(window.viewer().origin.sign() == StateBadge::Sign::Good);
         window.viewer().files.open({QString::fromStdString(bell_)});
         QTRY_VERIFY(on.picture().detection->scan->path == bell_);
-        QTRY_VERIFY2(badge.text().contains("another picture") && badge.sign() != StateBadge::Sign::Good, qPrintable(badge.text()));
+        QTRY_VERIFY2(badge.text().contains("ANOTHER PICTURE") && badge.sign() != StateBadge::Sign::Good, qPrintable(badge.text()));
         QVERIFY2(window.viewer().origin.text().startsWith("FILE bell"), qPrintable(window.viewer().origin.text()));
         press(window, "live-follow");
         QTRY_COMPARE(badge.text(), QString("LIVE"));

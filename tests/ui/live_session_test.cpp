@@ -190,6 +190,7 @@ private slots:
         QVERIFY(connectAndRecord(on, **scanner, home));
         QTRY_VERIFY(!on.viewer.live.scanner().following());
         press(on, "live-follow");
+        on.viewer.live.scanner().setHoldAtEnd(true);
         QTRY_VERIFY(on.viewer.engine.picture()->source.growth.sweep == 1 && !on.viewer.live.scanner().following() && on.settled());
         QCOMPARE(lines(on), kLines);
         clickCell(on, 40, 200);

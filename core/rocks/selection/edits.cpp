@@ -20,7 +20,7 @@ std::vector<std::uint32_t> firstCells(const Segmentation& segments) {
     return first;
 }
 
-void addFirstCells(const std::vector<std::uint32_t>& group, const std::vector<std::uint32_t>& firstCell, Edit& join) {
+void addFirstCells(std::span<const std::uint32_t> group, const std::vector<std::uint32_t>& firstCell, Edit& join) {
     for (const std::uint32_t n : group) {
         if (firstCell[n] != UINT32_MAX) join.cells.push_back(firstCell[n]);
     }
@@ -87,6 +87,12 @@ std::optional<Edit> joinOf(const Segmentation& segments, const RegionMap& map, s
     addFirstCells(others, firstCells(segments), join);
     join.cells.push_back(last);
     return join;
+}
+
+std::optional<Edit> joinOfSegments(const Segmentation& segments, std::span<const std::uint32_t> group) {
+    Edit join{EditKind::Join, {}};
+    addFirstCells(group, firstCells(segments), join);
+    return join.cells.size() < 2 ? std::nullopt : std::optional(std::move(join));
 }
 
 NestedPieces nestedPieces(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k, std::size_t mostLarger) {

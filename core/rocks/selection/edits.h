@@ -46,6 +46,9 @@ struct Edit {
 /// outside the joined one. Empty for fewer than two regions.
 [[nodiscard]] std::optional<Edit> joinOf(const Segmentation& segments, const RegionMap& map, std::span<const std::uint32_t> cells);
 
+/// These segments are one rock; it names the first cell of each. Empty for fewer than two segments with a cell.
+[[nodiscard]] std::optional<Edit> joinOfSegments(const Segmentation& segments, std::span<const std::uint32_t> group);
+
 /// Smaller pieces are not useful as rocks.
 inline constexpr std::uint32_t kFewestSplit = 50;
 

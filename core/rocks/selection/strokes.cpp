@@ -4,6 +4,7 @@
 #include "core/rocks/segmentation/equal_runs.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace edgescan::rocks {
 namespace {
@@ -58,7 +59,7 @@ bool joins(const Edit& edit, const Segmentation& segments, const std::vector<std
 /// The pieces of the part at `k` as it was before edits joined it, the part itself last. Empty: no edit joined anything to it.
 struct JoinedPart {
     std::vector<NestedPiece> pieces;
-    std::vector<Edit> unjoined;
+    std::vector<Edit> unjoined, others;
 };
 std::optional<JoinedPart> joinedPartAt(const Segmentation& segments, const std::vector<std::uint32_t>& region, double level,
                                        std::uint32_t k, std::span<const Edit> edits) {
@@ -84,6 +85,7 @@ std::optional<JoinedPart> joinedPartAt(const Segmentation& segments, const std::
         const auto isOther = [&](std::uint32_t cell) { return groupAt(cell) != groupAt(edit.cells.front()); };
         if (!loses || std::ranges::any_of(edit.cells, isOther)) part.unjoined.push_back(std::move(edit));
     }
+    part.others = std::move(others);
     return part;
 }
 
@@ -98,6 +100,7 @@ WheelPieces wheelPiecesAt(const Segmentation& segments, const MergeTree& tree, d
     if (auto joined = joinedPartAt(segments, all.pieces[all.region].segments, level, k, edits)) {
         split = joined->pieces.size() - 1;
         family.unjoined = std::move(joined->unjoined);
+        family.others = std::move(joined->others);
         joined->pieces.insert(joined->pieces.end(), all.pieces.begin() + static_cast<std::ptrdiff_t>(all.region), all.pieces.end());
         all = {std::move(joined->pieces), split + 1};
     }
@@ -108,6 +111,20 @@ WheelPieces wheelPiecesAt(const Segmentation& segments, const MergeTree& tree, d
         family.nested.pieces.push_back(std::move(all.pieces[n]));
     }
     return family;
+}
+
+std::optional<std::vector<Edit>> editsOfSplit(const Segmentation& segments, const WheelPieces& wheel, std::size_t piece) {
+    if (piece > wheel.split || !wheel.unjoined) return std::nullopt;
+    if (piece == wheel.split) return wheel.unjoined;
+    const NestedPiece& split = wheel.nested.pieces[piece];
+    std::vector<std::uint32_t> rest;
+    std::ranges::set_difference(wheel.nested.pieces[wheel.nested.region].segments, split.segments, std::back_inserter(rest));
+    std::vector<Edit> edits = wheel.others;
+    for (const auto& join : {joinOfSegments(segments, rest), joinOfSegments(segments, split.segments)}) {
+        if (join) edits.push_back(*join);
+    }
+    edits.push_back(split.edit); // the two are apart: the later edit is valid
+    return edits;
 }
 
 } // namespace edgescan::rocks

@@ -25,10 +25,15 @@ struct WheelPieces {
     /// piece
     std::size_t split = 0;
     std::optional<std::vector<Edit>> unjoined{}; ///< all edits, without what joins the part `split` to the others; empty: nothing does
+    std::vector<Edit> others{};                  ///< with `unjoined`: the edits that join nothing of the region
 };
 /// At most `mostLarger` pieces are larger than the region. Without pieces if the cell does not belong to a segment. `edits`: those that the
 /// tree was made with.
 [[nodiscard]] WheelPieces wheelPiecesAt(const Segmentation& segments, const MergeTree& tree, double level, std::uint32_t k,
                                         std::span<const Edit> edits, std::size_t mostLarger = 8);
+
+/// All edits after the piece with this index is split off a region that edits joined: the piece is one rock, and what is left of the region
+/// is another. Empty if no edit joined the region, or for the region and larger pieces: the piece's own edit is added then.
+[[nodiscard]] std::optional<std::vector<Edit>> editsOfSplit(const Segmentation& segments, const WheelPieces& wheel, std::size_t piece);
 
 } // namespace edgescan::rocks

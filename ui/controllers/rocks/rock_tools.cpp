@@ -82,7 +82,12 @@ void Rocks::showPiece(const QObject* from) {
     QString does = tr("the whole piece as it is");
     if (piece_ < family_.nested.region) does = tr("a click splits it off");
     if (piece_ > family_.nested.region) does = tr("larger than the rock: a click joins it");
-    const QString tip = tr("%1 cells, %2 · wheel: smaller or larger").arg(countText(piece.cells), does);
+    const bool smallest = piece_ == 0, largest = piece_ + 1 == family_.nested.pieces.size();
+    const QString wheel = smallest && largest ? tr("no smaller and no larger part")
+                          : smallest          ? tr("wheel: larger (this is the smallest part)")
+                          : largest           ? tr("wheel: smaller (this is the largest piece)")
+                                              : tr("wheel: smaller or larger");
+    const QString tip = tr("%1 cells, %2").arg(countText(piece.cells), does) + QStringLiteral(" · ") + wheel;
     views_.setOutline(outline.sides, std::move(outline.cells));
     tip_.show(familyCell_, tip, from);
 }
@@ -96,13 +101,13 @@ void Rocks::splitAt(std::size_t cell) {
     choosePieceAt(cell);
     const bool isLarger = piece_ > family_.nested.region;
     rocks::Edit edit = family_.nested.pieces[piece_].edit;
-    const auto unjoined = piece_ == family_.split ? family_.unjoined : std::nullopt;
+    auto joinedSplit = rocks::editsOfSplit(*picture_->study.segmentation, family_, piece_);
     useTool(RockTool::None);
-    if (unjoined) { // all edits of these rocks but the joins: a later one is not in it
+    if (joinedSplit) { // all edits of these rocks but the joins: a later one is not in it
         if (picture_->study.edits != edits_)
             return notice_.showHint(tr("The rocks are still being computed: split again when they are here."));
         select({cell});
-        return pushEdits(stepName("split of a rock"), *unjoined);
+        return pushEdits(stepName("split of a rock"), std::move(*joinedSplit));
     }
     if (edit.cells.empty()) {
         notice_.showHint(tr(

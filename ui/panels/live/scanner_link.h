@@ -55,7 +55,10 @@ public:
     [[nodiscard]] bool following() const { return following_; }
     /// On: until the operator chose to follow, following ends with the first whole sweep of the connection, so that the next one does not
     /// replace the picture. A part of a sweep is not held: the next sweep replaces it.
-    void setHoldAtEnd(bool on) { holdAtEnd_ = on; }
+    void setHoldAtEnd(bool on) {
+        holdAtEnd_ = on;
+        throughEnds_ = false;
+    }
     /// The newest finished sweep, where it is only a part because the scanner was in the middle of it when EdgeScan connected.
     [[nodiscard]] const std::optional<scanner::SweepProgress>& part() const { return part_; }
     /// The connection ended while the picture was held in the middle of its sweep.

@@ -312,6 +312,43 @@ TEST(RockEdits, AJoinTakesTwoRocksWithAllTheirPieces) {
     EXPECT_EQ(same, pairs);
 }
 
+// A piece of a rock that was joined by hand: a split makes exactly this piece a rock, and all else of the joined one remains one rock,
+// whichever cells the join named.
+TEST(RockEdits, APieceOfAJoinedRockIsSplitOffWhole) {
+    int splits = 0;
+    for (std::uint32_t a = 1; a < plain().map.rocks; ++a) {
+        const std::uint32_t b = a % 2 == 0 ? plain().map.rocks : a + 1;
+        const std::vector<std::uint32_t> clicked{plain().rocks[a - 1].cell, plain().rocks[b - 1].cell};
+        for (const Edit& join : {*joinOf(*plain().segmentation, plain().map, clicked), Edit{EditKind::Join, clicked}}) {
+            const Study joined = studyRocks(sceneInputs(), {}, {join}, &plain());
+            for (const std::uint32_t k : clicked) {
+                const WheelPieces wheel = wheelPiecesAt(*joined.segmentation, *joined.tree, 0, k, joined.edits);
+                ASSERT_TRUE(wheel.unjoined);
+                for (std::size_t n = 0; n < wheel.split; ++n) {
+                    const auto edits = editsOfSplit(*joined.segmentation, wheel, n);
+                    ASSERT_TRUE(edits);
+                    const Study after = studyRocks(sceneInputs(), {}, *edits, &joined);
+                    const std::vector<std::uint32_t>& own = wheel.nested.pieces[n].segments;
+                    const std::vector<std::uint32_t>& all = wheel.nested.pieces[wheel.nested.region].segments;
+                    std::set<std::uint32_t> made, rest, outside;
+                    for (std::uint32_t s = 1; s < after.map.regionOfSegment.size(); ++s) {
+                        if (after.segmentation->sums[s].cells == 0) continue;
+                        const bool isOwn = std::ranges::binary_search(own, s);
+                        (isOwn ? made : std::ranges::binary_search(all, s) ? rest : outside).insert(after.map.regionOfSegment[s]);
+                    }
+                    EXPECT_EQ(made.size(), 1U) << a << " and " << b << ", piece " << n;
+                    EXPECT_EQ(rest.size(), 1U) << a << " and " << b << ", piece " << n;
+                    // Apart from the rest, it may be a part of the wall: a region that is no rock.
+                    EXPECT_TRUE(!outside.contains(*made.begin()) || *made.begin() > after.map.rocks);
+                    EXPECT_NE(*made.begin(), *rest.begin());
+                    ++splits;
+                }
+            }
+        }
+    }
+    EXPECT_GT(splits, 10);
+}
+
 TEST(RockEdits, WhatAnEditChangedIsKnown) {
     const auto changes = [](const Study& before, const Study& after) {
         return regionChanges(*before.segmentation, before.map, *after.segmentation, after.map);
