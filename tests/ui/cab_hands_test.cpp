@@ -25,6 +25,7 @@
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -385,6 +386,9 @@ private slots:
         QTest::mouseClick(pose, Qt::LeftButton, Qt::NoModifier, QPoint(20, pose->height() / 2));
         const auto* dialog = on.window.findChild<QDialog*>("place-dialog");
         QTRY_VERIFY(dialog != nullptr && dialog->isVisible());
+        // On a low screen its buttons are in sight.
+        const QSize least = dialog->layout()->totalMinimumSize();
+        QVERIFY2(least.width() < 833 && least.height() < 420, qPrintable(QString("%1 x %2").arg(least.width()).arg(least.height())));
         on.window.cab().set(false);
     }
 

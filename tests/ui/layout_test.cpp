@@ -470,22 +470,6 @@ private slots:
                                   8000);
     }
 
-    // Nor while the panel of targets has one.
-    void theSettingsOfEdgesHaveWhatTheTargetsDoNotNeed() {
-        for (const QSize size : {QSize(1900, 1040), QSize(1700, 1010)}) {
-            WindowFixture on;
-            QVERIFY(on.showWith(bare_));
-            resizeTo(on.window, size);
-            const auto* edges = on.viewer.panel.findChild<QScrollArea*>();
-            on.viewer.views.pin(on.picture().detection->edges->front());
-            QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.active() != nullptr; }));
-            const TargetsPanel& panel = on.viewer.targetsPanel;
-            const auto emptyPart = [&] { return panel.parentWidget()->height() - panel.layout()->heightForWidth(panel.width()); };
-            QTRY_VERIFY2(edges->verticalScrollBar()->maximum() == 0 || emptyPart() < 8,
-                         qPrintable(QString("%1: %2").arg(edges->verticalScrollBar()->maximum()).arg(emptyPart())));
-        }
-    }
-
     // A panel that scrolls ends with a whole row before it is scrolled.
     void theCardOfATargetEndsWithAWholeRow() {
         for (const int high : {720, 735, 750, 768, 800}) {

@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <utility>
 
 namespace edgescan::ui {
@@ -69,12 +68,6 @@ Docks::Docks(QMainWindow& window, DockRail& rail, Viewer& viewer)
         QDockWidget &targets = *named(kTargets).widget, &rocks = *named(kRocks).widget;
         const bool inFront = !targets.isHidden() && !targets.visibleRegion().isEmpty();
         if (inFront && window_.tabifiedDockWidgets(&targets).contains(&rocks)) rocks.raise(); // the card of the rock, in place of no target
-    });
-    connect(&viewer.targets, &Targets::cardChanged, this, [this, &viewer] {
-        if (!cardComes_ || viewer.targets.active() == nullptr || !viewer.targets.settled()) return;
-        cardComes_ = false;
-        restacked_ = true; // it has its rows now
-        emit changed();
     });
     connect(&viewer.layers, &Layers::shownChanged, this, [this](bool on) { want(kLayers, on); });
     connect(&viewer.targets, &Targets::pinned, this, [this, &viewer] {
@@ -155,7 +148,6 @@ void Docks::fit(int most) {
         if (dock.widget->isHidden() != open) continue;
         dock.widget->setVisible(open);
         if (open && sideOf(dock) == Side::Right) restacked_ = restacked_ || dock.widget->objectName() != kEdges;
-        if (open && dock.widget->objectName() == kTargets) cardComes_ = true;
     }
     setTableHeight();
     if (std::exchange(restacked_, false)) shareHeight();
@@ -195,7 +187,8 @@ int Docks::neededHeight(const QDockWidget& dock) const {
            (content.hasHeightForWidth() ? content.totalHeightForWidth(wide) : content.totalSizeHint().height());
 }
 
-/// Under the settings of edges one panel gets the larger part; more of them get equal parts. None has an empty part while another scrolls.
+/// Under the settings of edges one panel gets the larger part; more of them get equal parts. Where all have room, none scrolls while
+/// another has an empty part. The card of a target, which comes later, needs its part.
 void Docks::shareHeight() {
     QList<QDockWidget*> places;
     for (QDockWidget* dock : openAtRight()) {
@@ -204,25 +197,18 @@ void Docks::shareHeight() {
     }
     if (places.size() < 2) return;
     const bool two = places.size() == 2;
+    QDockWidget* targets = named(kTargets).widget;
     int left = window_.statusBar()->y() - window_.centralWidget()->y();
     QList<int> heights, needed;
     for (QDockWidget* place : places) {
         const double share = !two ? 1.0 / places.size() : place == places.front() ? 1.0 - kPanelHeight : kPanelHeight;
         heights << static_cast<int>(share * window_.height());
-        needed << neededHeight(*place);
-        for (const QDockWidget* behind : window_.tabifiedDockWidgets(place)) {
-            if (!behind->isHidden()) needed.back() = std::max(needed.back(), neededHeight(*behind));
-        }
+        const bool hasCard = place == targets || (!targets->isHidden() && window_.tabifiedDockWidgets(targets).contains(place));
+        needed << (hasCard ? std::max(heights.back(), neededHeight(*place)) : neededHeight(*place));
         left -= needed.back();
     }
-    if (left < 0) { // the first one has what the others do not need of their parts
-        left += std::accumulate(needed.begin(), needed.end(), 0);
-        for (int n = 1; n < needed.size(); ++n) left -= needed[n] = std::min(needed[n], heights[n]);
-        needed.front() = std::min(left, needed.front());
-        left -= needed.front();
-    }
     needed.back() += left;
-    window_.resizeDocks(places, needed, Qt::Vertical);
+    window_.resizeDocks(places, left >= 0 ? needed : heights, Qt::Vertical);
 }
 
 /// A tab says the title already: the row below it names its button.

@@ -88,7 +88,6 @@ private:
     const QDockWidget* behindTab_ = nullptr; // the operator chose it in a menu while another tab hid it
     std::set<DockLock> locks_;
     bool ofB_ = false;
-    bool cardComes_ = false; // the panel of targets opened before its card was known
     bool restacked_ = false; // docks left or joined a place: each place gets its height again
     int arranged_ = 0;       // width set by setWidths()
     int dragged_ = 0;        // 0: the width follows the window

@@ -69,9 +69,9 @@ PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidge
     setObjectName("place-dialog");
     setWindowTitle(tr("Pose and Mounting"));
     tabs_->setObjectName("place-tabs");
-    tabs_->setUsesScrollButtons(false); // both fit
-    tabs_->addTab(posePage(), tr("Pose"));
-    tabs_->addTab(mountingPage(), tr("Mounting"));
+    tabs_->setUsesScrollButtons(false);               // both fit
+    tabs_->addTab(scrolled(*posePage()), tr("Pose")); // also on a low screen the buttons below are in sight
+    tabs_->addTab(scrolled(*mountingPage()), tr("Mounting"));
     state_->setObjectName("place-state");
     state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     state_->setMinimumHeight(3 * state_->fontMetrics().lineSpacing()); // the fields do not move while numbers are typed
@@ -89,7 +89,9 @@ PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidge
     column->addWidget(buttons);
     const QScreen* at = screen();
     const QSize room = at != nullptr ? at->availableSize() - QSize(20, 60) : QSize(kDialogWide, kDialogHigh);
-    resize(QSize(kDialogWide, kDialogHigh).boundedTo(room));
+    const bool low = room.height() < kDialogHigh; // then its texts have fewer lines
+    if (low) state_->setMinimumHeight(2 * state_->fontMetrics().lineSpacing());
+    resize(QSize(low ? room.width() : kDialogWide, kDialogHigh).boundedTo(room));
     showState({}, false);
 }
 
@@ -117,11 +119,9 @@ QWidget* PlaceDialog::posePage() {
     const auto taken = [this] { emit surveyLineTyped(line_->text(), order_->currentIndex() == 1); };
     connect(take, &QPushButton::clicked, this, taken);
     connect(line_, &QLineEdit::returnPressed, this, taken);
-    auto* fields = new QWidget;
-    auto* form = new QFormLayout(fields);
-    form->setContentsMargins(0, 0, 4, 0);
+    auto* form = new QFormLayout;
     for (const PlaceField& field : poseFields()) addRow(*form, field, pose_);
-    column->addWidget(scrolled(*fields), 1);
+    column->addLayout(form, 1);
     return page;
 }
 
@@ -151,11 +151,9 @@ QWidget* PlaceDialog::mountingPage() {
     connect(keep, &QPushButton::clicked, this, &PlaceDialog::scannerKept);
     connect(forget_, &QPushButton::clicked, this, [this] { emit scannerForgotten(scanner_->currentData().toString()); });
     connect(file, &QPushButton::clicked, this, &PlaceDialog::fileRequested);
-    auto* fields = new QWidget;
-    auto* form = new QFormLayout(fields);
-    form->setContentsMargins(0, 0, 4, 0);
+    auto* form = new QFormLayout;
     for (const PlaceField& field : mountingFields()) addRow(*form, field, mounting_);
-    column->addWidget(scrolled(*fields), 1);
+    column->addLayout(form, 1);
     return page;
 }
 
