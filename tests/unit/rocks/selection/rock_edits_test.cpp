@@ -338,7 +338,7 @@ TEST(RockEdits, APieceOfAJoinedRockIsSplitOffWhole) {
                     }
                     EXPECT_EQ(made.size(), 1U) << a << " and " << b << ", piece " << n;
                     EXPECT_EQ(rest.size(), 1U) << a << " and " << b << ", piece " << n;
-                    // Apart from the rest, it may be a part of the wall: a region that is no rock.
+                    // Apart from the rest, it may be a part of the wall, a region behind the rocks.
                     EXPECT_TRUE(!outside.contains(*made.begin()) || *made.begin() > after.map.rocks);
                     EXPECT_NE(*made.begin(), *rest.begin());
                     ++splits;
