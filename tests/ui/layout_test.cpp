@@ -470,28 +470,6 @@ private slots:
                                   8000);
     }
 
-    // A panel that scrolls ends with a whole row before it is scrolled.
-    void theCardOfATargetEndsWithAWholeRow() {
-        for (const int high : {720, 735, 750, 768, 800}) {
-            WindowFixture on;
-            QVERIFY(on.showWith(bare_));
-            resizeTo(on.window, {1280, high});
-            on.viewer.views.pin(on.picture().detection->edges->front());
-            QVERIFY(eventually([&] { return on.viewer.targets.settled() && on.viewer.targets.active() != nullptr; }));
-            const QWidget* seen = on.viewer.targetsPanel.parentWidget();
-            QStringList cut;
-            const auto look = [&] {
-                cut.clear();
-                for (const auto* row : on.viewer.targetsPanel.card().findChildren<QLabel*>()) {
-                    const QRect place(row->mapTo(seen, QPoint()), row->size());
-                    if (row->isVisible() && place.top() < seen->height() && place.bottom() >= seen->height()) cut << row->text();
-                }
-                return cut.isEmpty();
-            };
-            QTRY_VERIFY2(look(), qPrintable(cut.join('\n')));
-        }
-    }
-
     // Below the views it shows rows in a window of any height, and a height that the operator dragged stays.
     void theRockTableShowsRowsAtEverySize() {
         WindowFixture on;

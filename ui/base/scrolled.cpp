@@ -11,17 +11,10 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kMostFree = 60; // px below the last whole row
-
-class Area : public QScrollArea {
-public:
-    using QScrollArea::setViewportMargins;
-};
-
 class FollowsWidth : public QObject {
 public:
-    FollowsWidth(Area& area, QWidget& panel) : QObject(&area), area_(area), panel_(panel) {
-        for (QObject* each : {static_cast<QObject*>(&area), static_cast<QObject*>(&panel)}) each->installEventFilter(this);
+    FollowsWidth(QScrollArea& area, QWidget& panel) : QObject(&area), area_(area), panel_(panel) {
+        panel.installEventFilter(this);
         follow();
     }
 
@@ -36,32 +29,16 @@ private:
         area_.setMinimumWidth(layout.minimumSize().width() + area_.verticalScrollBar()->sizeHint().width());
         const int height = layout.hasHeightForWidth() ? layout.heightForWidth(panel_.width()) : 0;
         panel_.setMinimumHeight(std::max(height, layout.minimumSize().height()));
-        endWithRow();
-    }
-    /// What is seen before any scrolling ends with a whole row.
-    void endWithRow() {
-        const int room = area_.contentsRect().height();
-        int end = room;
-        if (panel_.minimumHeight() > room) {
-            const auto rows = panel_.findChildren<QWidget*>();
-            const auto cut = [&](const QWidget* row) {
-                const int top = row->mapTo(&panel_, QPoint()).y();
-                return row->isVisibleTo(&panel_) && row->layout() == nullptr && top < end && top + row->height() > end;
-            };
-            for (auto row = std::ranges::find_if(rows, cut); row != rows.end(); row = std::ranges::find_if(rows, cut))
-                end = (*row)->mapTo(&panel_, QPoint()).y();
-        }
-        area_.setViewportMargins(0, 0, 0, room - end <= kMostFree ? room - end : 0);
     }
 
-    Area& area_;
+    QScrollArea& area_;
     QWidget& panel_;
 };
 
 } // namespace
 
 QScrollArea* scrolled(QWidget& panel) {
-    auto* area = new Area;
+    auto* area = new QScrollArea;
     area->setWidget(&panel);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);

@@ -7,7 +7,6 @@ class QWidget;
 namespace edgescan::ui {
 
 /// The area owns the panel. The panel's height is at least that of its texts at its width; otherwise wrapped labels would overlap.
-/// What is seen before any scrolling ends with a whole row.
 [[nodiscard]] QScrollArea* scrolled(QWidget& panel);
 
 } // namespace edgescan::ui
