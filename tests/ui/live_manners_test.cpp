@@ -277,9 +277,9 @@ private slots:
         QVERIFY(on.show());
         on.viewer.live.connectTo("127.0.0.1", emulated->port(), sweep());
         const NoticeBar& notice = on.viewer.notice;
-        QTRY_VERIFY2(notice.isVisible() && notice.text().contains("held on the screen"), qPrintable(notice.text()));
+        QTRY_VERIFY2(notice.isVisible() && notice.text().contains("Held. "), qPrintable(notice.text()));
         press(on.window, "live-follow");
-        QVERIFY2(!notice.isVisible() || !notice.text().contains("held on the screen"), qPrintable(notice.text()));
+        QVERIFY2(!notice.isVisible() || !notice.text().contains("Held. "), qPrintable(notice.text()));
     }
 
     // The scanner is in the middle of a sweep when the connection is made: that part is named, is not held, and the next sweep, which is
