@@ -712,6 +712,7 @@ private slots:
             const QString name = QString::fromStdString(on.picture().detection->scan->name);
             QVERIFY2(window.windowTitle().startsWith(name + " "), qPrintable(window.windowTitle() + " for " + name));
             press(window, "live-follow");
+            window.viewer().live.scanner().setHoldAtEnd(true); // also the next one
         }
         QVERIFY(!window.windowTitle().startsWith("sweep 1 "));
     }
