@@ -770,6 +770,7 @@ private slots:
         QVERIFY2(5 * seen > drawn, qPrintable(QString("%1 of %2 points are in view").arg(seen).arg(drawn)));
         // The first lines of the next sweep are at its side: the view goes there, for the operator asked to follow, and comes back.
         press(window, "live-follow");
+        window.viewer().live.scanner().setHoldAtEnd(true); // also this one
         QTRY_VERIFY(lines(window) > 20 && on.picture().source.growth.growing);
         QVERIFY2(cloud.shareInPicture() >= 0.2, qPrintable(QString::number(cloud.shareInPicture())));
         QTRY_VERIFY_WITH_TIMEOUT(!on.viewer.live.scanner().following() && !on.viewer.engine.behind(), 30000);
