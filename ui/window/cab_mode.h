@@ -82,7 +82,7 @@ private:
     void showCorner();
     void swap();
     void noteChangeUnder(const QRegion& place);
-    [[nodiscard]] bool isMeantForWhatLeft(const QPoint& onScreen);
+    [[nodiscard]] bool isMeantForWhatLeft(const QPoint& onScreen) const;
     void showCloud();
     void showLarge(Large which);
     [[nodiscard]] ImageView& imageView() const;
@@ -116,6 +116,7 @@ private:
     struct LeftPlace {
         QRegion onScreen;
         QElapsedTimer since{}; // it is painted; not valid: not painted yet
+        [[nodiscard]] bool isOver() const;
     };
     std::vector<LeftPlace> left_; // within the time of a second tap
     bool secondTap_ = false;      // at one of these places

@@ -62,6 +62,7 @@ ImageView& CabMode::imageView() const {
 /// A tap at this place is meant for what was there, for a moment after the change is painted: a large cloud takes its time.
 void CabMode::noteChangeUnder(const QRegion& place) {
     if (!on_ || place.isEmpty()) return;
+    std::erase_if(left_, [](const LeftPlace& each) { return each.isOver(); });
     left_.push_back({place});
     QTimer::singleShot(0, this, [this] {
         for (LeftPlace& each : left_) {
@@ -164,9 +165,10 @@ void CabMode::zoom(double factor) {
     images.zoomAt(images.centre(), factor);
 }
 
-bool CabMode::isMeantForWhatLeft(const QPoint& onScreen) {
-    std::erase_if(left_, [](const LeftPlace& each) { return each.since.isValid() && each.since.elapsed() >= kSecondTapMs; });
-    return std::ranges::any_of(left_, [&onScreen](const LeftPlace& each) { return each.onScreen.contains(onScreen); });
+bool CabMode::LeftPlace::isOver() const { return since.isValid() && since.elapsed() >= kSecondTapMs; }
+
+bool CabMode::isMeantForWhatLeft(const QPoint& onScreen) const {
+    return std::ranges::any_of(left_, [&onScreen](const LeftPlace& each) { return !each.isOver() && each.onScreen.contains(onScreen); });
 }
 
 bool CabMode::eventFilter(QObject* watched, QEvent* event) {

@@ -129,11 +129,11 @@ std::uint32_t rimBefore(const Scan& scan, const CartesianTables& tables, std::ui
     return end;
 }
 
-/// How far the surfaces of the cells between the two are behind the straight line between them, metres; endless for a cell without a range,
-/// negative for a surface in front of the line.
-std::vector<double> behindLineM(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
+/// True if no cell was measured in front of the straight line between the two points or on it, and half of the cells between have the next
+/// surface well behind the line: a hollow of a rock is not an opening.
+bool isOpen(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
     const Eigen::Vector3d way = to.pointM - from.pointM, off = from.pointM - tables.sensor();
-    std::vector<double> behindM;
+    std::vector<double> behindM; // the surfaces of these cells, behind the line; endless without a range
     for (const std::uint32_t k : rocks::strokeCells({from.cell, to.cell}, scan.lines(), scan.beams())) {
         if (k == from.cell || k == to.cell) continue;
         if (scan.state[k] != CellState::Valid) {
@@ -146,17 +146,11 @@ std::vector<double> behindLineM(const Scan& scan, const CartesianTables& tables,
         const double det = square - along * along;
         if (det < 1e-12) continue;
         const double t = std::clamp((along * ray.dot(off) - way.dot(off)) / det, 0.0, 1.0);
-        if (t > kAtEnd && t < 1.0 - kAtEnd) behindM.push_back(static_cast<double>(scan.rangeMm[k]) / 1000.0 - ray.dot(off + t * way));
+        if (t <= kAtEnd || t >= 1.0 - kAtEnd) continue;
+        behindM.push_back(static_cast<double>(scan.rangeMm[k]) / 1000.0 - ray.dot(off + t * way));
+        if (behindM.back() <= 0.0) return false;
     }
-    return behindM;
-}
-
-/// True if no surface is in front of the straight line between the two points or on it, and half of it is well in front of what is behind:
-/// a hollow of a rock is not an opening.
-bool isOpen(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to) {
-    const std::vector<double> behindM = behindLineM(scan, tables, from, to);
-    if (std::ranges::any_of(behindM, [](double each) { return each <= 0.0; })) return false;
-    return behindM.empty() || median(behindM) > kLeastDepth * (to.pointM - from.pointM).norm();
+    return behindM.empty() || median(behindM) > kLeastDepth * way.norm();
 }
 
 /// The cells that a click and the four clicks next to it mean: that of the click itself first. Empty if nothing was measured there.

@@ -75,8 +75,7 @@ void ScannerLink::connectTo(const scanner::ConnectionSettings& scanner, const sc
     feed_ = std::make_shared<files::LiveFeed>(scanner, sweep, [news] { *news = true; });
     timer_.start();
     emit connectedChanged(true);
-    throughEnds_ = false;
-    setFollowing(true);
+    setFollowing(true, false);
     tick();
 }
 
@@ -89,8 +88,7 @@ std::optional<int> ScannerLink::useSweep(const scanner::SweepSettings& sweep) {
     part_.reset();
     posted_ = {};
     *news_ = true;
-    throughEnds_ = false;
-    setFollowing(true);
+    setFollowing(true, false);
     return gone;
 }
 
@@ -172,12 +170,10 @@ std::vector<scanner::SweepState> ScannerLink::others() const {
     return others;
 }
 
-void ScannerLink::follow(bool on) {
-    throughEnds_ = on;
-    setFollowing(on);
-}
+void ScannerLink::follow(bool on) { setFollowing(on, on); }
 
-void ScannerLink::setFollowing(bool on) {
+void ScannerLink::setFollowing(bool on, bool throughEnds) {
+    throughEnds_ = throughEnds;
     const bool wanted = on && feed_ != nullptr;
     if (wanted == following_) return;
     following_ = wanted;
@@ -253,7 +249,7 @@ void ScannerLink::showFinal(const scanner::SweepState& sweep) {
     const bool part = beganBefore(sweep.progress);
     part_ = part ? std::optional(sweep.progress) : std::nullopt;
     post(sweep, false);
-    if (holdAtEnd_ && !throughEnds_ && !part) setFollowing(false);
+    if (holdAtEnd_ && !throughEnds_ && !part) setFollowing(false, false);
 }
 
 void ScannerLink::post(const scanner::SweepState& sweep, bool growing) {

@@ -54,7 +54,8 @@ public:
     void follow(bool on);
     [[nodiscard]] bool following() const { return following_; }
     /// On: until the operator chose to follow, following ends with the first whole sweep of the connection, so that the next one does not
-    /// replace the picture. A part of a sweep is not held: the next sweep replaces it.
+    /// replace the picture. A part of a sweep is not held: the next sweep replaces it. Switched on while the picture follows: with this
+    /// sweep.
     void setHoldAtEnd(bool on) {
         holdAtEnd_ = on;
         throughEnds_ = false;
@@ -89,7 +90,7 @@ signals:
 
 private:
     void tick();
-    void setFollowing(bool on);
+    void setFollowing(bool on, bool throughEnds);
     void showStopped();
     void takeStopped(const std::vector<scanner::SweepState>& sweeps, bool shows);
     void hold(const scanner::SweepState& sweep);
