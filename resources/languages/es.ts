@@ -507,7 +507,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>above the scanner [m]</source><translation>sobre el escáner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>No se pudo calcular la sección (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cción</translation></message>
-<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de la última medición: mida primero una distancia entre dos celdas.</translation></message>
+<message><source>A section goes through the two ends of a measurement: measure a distance between two cells first.</source><translation>Una sección pasa por los dos extremos de una medición: mida primero una distancia entre dos celdas.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Seleccione primero una roca: pulse K y haga clic en su cara.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>El plano de la sección no corta ninguna superficie: elija otras dos celdas.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
@@ -1357,6 +1357,7 @@ RL %3 m</translation></message>
 <message><source>Remove All</source><translation>Quitar todos</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>Las posiciones de todos los objetivos como tabla con unidades, para una hoja de cálculo</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos los que están bloqueados</translation></message>
+<message><source>A vertical section through the selected measurement, or through the last one</source><translation>Una sección vertical por la medición seleccionada, o por la última</translation></message>
 <message><source>The selected measurement</source><translation>La medición elegida</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Haga clic en una celda de cualquier vista para fijarla.</translation></message>
 <message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de celdas de borde en cada umbral, del menor al mayor en escala logarítmica. Rayado: el tramo más ancho en que desaparece un quinto de ellas como máximo. La línea vertical es el umbral en uso.</translation></message>
@@ -1488,8 +1489,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Top</source><translation>Arriba</translation></message>
 <message><source>Bottom</source><translation>Abajo</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clic en una cara: mirar la nube desde ahí</translation></message>
-<message><source>Without a pose, Top is the top of the range image</source><translation>Sin pose, Arriba es la parte superior de la imagen de distancias</translation></message>
-<message><source>Image</source><translation>Imagen</translation></message>
+<message><source>Without a pose, up is the scanner's z</source><translation>Sin pose, arriba es el eje z del escáner</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar las imágenes enteras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Encuadrar</translation></message>
 <message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
@@ -1574,16 +1574,14 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordes por &amp;clase</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordes so&amp;bre la imagen de distancias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Colores de borde para dal&amp;tónicos</translation></message>
-<message><source>&amp;Top of the Range Image</source><translation>Desde arri&amp;ba de la imagen de distancias</translation></message>
-<message><source>&amp;Top</source><translation>Desde arri&amp;ba</translation></message>
-<message><source>Botto&amp;m of the Range Image</source><translation>Desde aba&amp;jo de la imagen de distancias</translation></message>
-<message><source>Botto&amp;m</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Mirar desde</translation></message>
 <message><source>From &amp;Scanner</source><translation>Desde el &amp;escáner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
 <message><source>&amp;Back</source><translation>Desde &amp;atrás</translation></message>
 <message><source>&amp;Right</source><translation>&amp;Derecha</translation></message>
 <message><source>&amp;Left</source><translation>&amp;Izquierda</translation></message>
+<message><source>&amp;Top (from Above)</source><translation>Desde arri&amp;ba</translation></message>
+<message><source>Botto&amp;m (from Below)</source><translation>Desde aba&amp;jo</translation></message>
 <message><source>&amp;Isometric</source><translation>Iso&amp;métrica</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vistas guardadas</translation></message>
 <message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
@@ -1691,7 +1689,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensiones a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Por la &amp;superficie</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Ancho de &amp;garganta</translation></message>
-<message><source>Se&amp;ction through the Last Measurement</source><translation>Se&amp;cción por la última medición</translation></message>
+<message><source>Se&amp;ction through the Measurement</source><translation>Se&amp;cción por la medición</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Sección po&amp;r la roca</translation></message>
 <message><source>&amp;Box</source><translation>Rec&amp;uadro</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lazo</translation></message>

@@ -507,7 +507,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>above the scanner [m]</source><translation>au-dessus du scanner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>La coupe n'a pas pu être calculée (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>&amp;Coupe</translation></message>
-<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités de la dernière mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
+<message><source>A section goes through the two ends of a measurement: measure a distance between two cells first.</source><translation>Une coupe passe par les deux extrémités d'une mesure : mesurez d'abord une distance entre deux cellules.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Sélectionnez d'abord un bloc : appuyez sur K et cliquez sur sa face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>Le plan de la coupe ne rencontre aucune surface : choisissez deux autres cellules.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plan vertical, échelle vraie.</translation></message>
@@ -1357,6 +1357,7 @@ RL %3 m</translation></message>
 <message><source>Remove All</source><translation>Tout supprimer</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>Les positions de toutes les cibles en tableau avec unités, pour un tableur</translation></message>
 <message><source>All but those that are locked</source><translation>Toutes sauf celles qui sont verrouillées</translation></message>
+<message><source>A vertical section through the selected measurement, or through the last one</source><translation>Une coupe verticale par la mesure sélectionnée, ou par la dernière</translation></message>
 <message><source>The selected measurement</source><translation>La mesure choisie</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Cliquez sur une cellule dans n'importe quelle vue pour l'épingler.</translation></message>
 <message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Nombre de cellules d'arête à chaque seuil, du plus petit au plus grand sur une échelle logarithmique. Hachuré : le plus large intervalle sur lequel un cinquième d'entre elles au plus disparaît. Le trait vertical est le seuil utilisé.</translation></message>
@@ -1488,8 +1489,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Top</source><translation>Haut</translation></message>
 <message><source>Bottom</source><translation>Bas</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Cliquez sur une face : regarder le nuage de là</translation></message>
-<message><source>Without a pose, Top is the top of the range image</source><translation>Sans pose, Haut est le haut de l'image de distances</translation></message>
-<message><source>Image</source><translation>Image</translation></message>
+<message><source>Without a pose, up is the scanner's z</source><translation>Sans pose, le haut est l'axe z du scanner</translation></message>
 <message><source>Show the whole images</source><translation>Montrer les images entières</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Agrandi %1 × · Ajuster</translation></message>
 <message><source>Locked: %1</source><translation>Verrouillée : %1</translation></message>
@@ -1574,16 +1574,14 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Arêtes par &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>A&amp;rêtes sur l'image de distances</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Couleurs des arêtes pour dalton&amp;iens</translation></message>
-<message><source>&amp;Top of the Range Image</source><translation>Du ha&amp;ut de l'image de distances</translation></message>
-<message><source>&amp;Top</source><translation>De dess&amp;us</translation></message>
-<message><source>Botto&amp;m of the Range Image</source><translation>Du bas de l'image de dista&amp;nces</translation></message>
-<message><source>Botto&amp;m</source><translation>De dess&amp;ous</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Regarder depuis</translation></message>
 <message><source>From &amp;Scanner</source><translation>Depuis le &amp;scanner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;face</translation></message>
 <message><source>&amp;Back</source><translation>De l'&amp;arrière</translation></message>
 <message><source>&amp;Right</source><translation>De &amp;droite</translation></message>
 <message><source>&amp;Left</source><translation>De &amp;gauche</translation></message>
+<message><source>&amp;Top (from Above)</source><translation>De dess&amp;us</translation></message>
+<message><source>Botto&amp;m (from Below)</source><translation>De dess&amp;ous</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrique</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vues enregistrées</translation></message>
 <message><source>View &amp;%1</source><translation>Vue &amp;%1</translation></message>
@@ -1691,7 +1689,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Spans a × b</source><translation>É&amp;tendues a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Le long de la &amp;surface</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Largeur du &amp;goulot</translation></message>
-<message><source>Se&amp;ction through the Last Measurement</source><translation>&amp;Coupe par la dernière mesure</translation></message>
+<message><source>Se&amp;ction through the Measurement</source><translation>&amp;Coupe par la mesure</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Coupe par le &amp;bloc</translation></message>
 <message><source>&amp;Box</source><translation>&amp;Boîte</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Lasso</translation></message>

@@ -507,7 +507,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>above the scanner [m]</source><translation>acima do scanner [m]</translation></message>
 <message><source>The section could not be computed (%1).</source><translation>Não foi possível calcular a secção (%1).</translation></message>
 <message><source>Se&amp;ction</source><translation>Se&amp;cção</translation></message>
-<message><source>A section goes through the two ends of the last measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades da última medição: meça primeiro uma distância entre duas células.</translation></message>
+<message><source>A section goes through the two ends of a measurement: measure a distance between two cells first.</source><translation>Uma secção passa pelas duas extremidades de uma medição: meça primeiro uma distância entre duas células.</translation></message>
 <message><source>Select a rock first: press K and click on its face.</source><translation>Selecione primeiro uma rocha: prima K e clique na sua face.</translation></message>
 <message><source>The plane of the section meets no surface: choose two other cells.</source><translation>O plano da secção não encontra nenhuma superfície: escolha outras duas células.</translation></message>
 <message><source>Vertical plane, true scale.</source><translation>Plano vertical, escala real.</translation></message>
@@ -1357,6 +1357,7 @@ RL %3 m</translation></message>
 <message><source>Remove All</source><translation>Remover todos</translation></message>
 <message><source>The positions of all targets as a table with units, for a spreadsheet</source><translation>As posições de todos os alvos como tabela com unidades, para uma planilha</translation></message>
 <message><source>All but those that are locked</source><translation>Todos menos os que estão bloqueados</translation></message>
+<message><source>A vertical section through the selected measurement, or through the last one</source><translation>Uma secção vertical pela medição selecionada, ou pela última</translation></message>
 <message><source>The selected measurement</source><translation>A medição escolhida</translation></message>
 <message><source>Click a cell in any view to pin it.</source><translation>Clique em uma célula de qualquer vista para fixá-la.</translation></message>
 <message><source>Number of edge cells at every threshold, from the least to the most on a logarithmic scale. Hatched: the widest range over which at most a fifth of them disappears. The vertical line is the threshold in use.</source><translation>Número de células de borda em cada limiar, do menor ao maior em escala logarítmica. Hachurado: o trecho mais largo em que desaparece no máximo um quinto delas. A linha vertical é o limiar em uso.</translation></message>
@@ -1488,8 +1489,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Top</source><translation>Topo</translation></message>
 <message><source>Bottom</source><translation>Base</translation></message>
 <message><source>Click a face: look at the cloud from there</source><translation>Clique numa face: olhar a nuvem dali</translation></message>
-<message><source>Without a pose, Top is the top of the range image</source><translation>Sem pose, Topo é a parte superior da imagem de distâncias</translation></message>
-<message><source>Image</source><translation>Imagem</translation></message>
+<message><source>Without a pose, up is the scanner's z</source><translation>Sem pose, acima é o eixo z do scanner</translation></message>
 <message><source>Show the whole images</source><translation>Mostrar as imagens inteiras</translation></message>
 <message><source>Zoomed %1 × · Fit</source><translation>Ampliado %1 × · Enquadrar</translation></message>
 <message><source>Locked: %1</source><translation>Bloqueado: %1</translation></message>
@@ -1574,16 +1574,14 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Edges &amp;by Class</source><translation>Bordas por &amp;classe</translation></message>
 <message><source>Edges &amp;over Range Image</source><translation>Bordas so&amp;bre a imagem de distâncias</translation></message>
 <message><source>&amp;Colour-Blind Edge Colours</source><translation>Cores de borda para dal&amp;tônicos</translation></message>
-<message><source>&amp;Top of the Range Image</source><translation>De Do &amp;topo da imagemcima da imagem de distâncias</translation></message>
-<message><source>&amp;Top</source><translation>De &amp;cima</translation></message>
-<message><source>Botto&amp;m of the Range Image</source><translation>De &amp;baixo da imagem de distâncias</translation></message>
-<message><source>Botto&amp;m</source><translation>De &amp;baixo</translation></message>
 <message><source>Loo&amp;k from</source><translation>&amp;Olhar de</translation></message>
 <message><source>From &amp;Scanner</source><translation>A partir do s&amp;canner</translation></message>
 <message><source>&amp;Front</source><translation>De &amp;frente</translation></message>
 <message><source>&amp;Back</source><translation>De &amp;trás</translation></message>
 <message><source>&amp;Right</source><translation>&amp;Direita</translation></message>
 <message><source>&amp;Left</source><translation>&amp;Esquerda</translation></message>
+<message><source>&amp;Top (from Above)</source><translation>De &amp;cima</translation></message>
+<message><source>Botto&amp;m (from Below)</source><translation>De &amp;baixo</translation></message>
 <message><source>&amp;Isometric</source><translation>&amp;Isométrica</translation></message>
 <message><source>Sto&amp;red Views</source><translation>&amp;Vistas salvas</translation></message>
 <message><source>View &amp;%1</source><translation>Vista &amp;%1</translation></message>
@@ -1691,7 +1689,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Spans a × b</source><translation>&amp;Extensões a × b</translation></message>
 <message><source>Along S&amp;urface</source><translation>Ao longo da &amp;superfície</translation></message>
 <message><source>Thr&amp;oat Width</source><translation>Largura da &amp;garganta</translation></message>
-<message><source>Se&amp;ction through the Last Measurement</source><translation>Se&amp;cção pela última medição</translation></message>
+<message><source>Se&amp;ction through the Measurement</source><translation>Se&amp;cção pela medição</translation></message>
 <message><source>Section th&amp;rough the Rock</source><translation>Secção pela &amp;rocha</translation></message>
 <message><source>&amp;Box</source><translation>Cai&amp;xa</translation></message>
 <message><source>&amp;Lasso</source><translation>&amp;Laço</translation></message>

@@ -878,7 +878,7 @@ private slots:
         // With Pin, a touch elsewhere is about the place that was touched.
         press(on.window, "cab-pin");
         CloudView& cloud = on.viewer.views.cloud();
-        on.viewer.views.resetView();
+        cloud.viewFromScanner();
         std::optional<QPoint> other;
         for (int n = 0; n < 1600 && !other; ++n) {
             const QPoint at(cloud.width() * (n % 40) / 40, cloud.height() * (n / 40 + 20) / 80);

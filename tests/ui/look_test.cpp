@@ -676,15 +676,28 @@ private slots:
     void aFaceOfTheCubeLooksFromThere() {
         WindowFixture on;
         on.window.resize(1280, 800);
-        QVERIFY(on.showWith(bell_));
+        QVERIFY(on.showWith(bell_) && on.activate());
         ViewCube& cube = on.viewer.viewCube;
         QTRY_VERIFY(cube.isVisible());
+        // From the scanner's side: it is below these rocks, and up is its z.
         on.viewer.cloud.viewIsometric();
-        QTRY_VERIFY(cube.middleOf(ViewCube::Face::Top).has_value());
-        QVERIFY(!cube.middleOf(ViewCube::Face::Bottom));
-        QTest::mouseClick(&cube, Qt::LeftButton, Qt::NoModifier, cube.middleOf(ViewCube::Face::Top)->toPoint());
-        const Eigen::Vector3d up = on.viewer.cloud.geometryOfCloud()->axes.up;
-        QVERIFY(on.viewer.cloud.camera().forward().dot(up) < -0.999);
+        QTRY_VERIFY(cube.middleOf(ViewCube::Face::Bottom).has_value());
+        QVERIFY(!cube.middleOf(ViewCube::Face::Top));
+        QTest::mouseClick(&cube, Qt::LeftButton, Qt::NoModifier, cube.middleOf(ViewCube::Face::Bottom)->toPoint());
+        const auto forward = [&on] { return on.viewer.cloud.camera().forward(); };
+        QVERIFY(forward().z() > 0.999);
+        QVERIFY(on.viewer.cloud.camera().right().dot(on.viewer.cloud.geometryOfCloud()->scannerView.right) > 0.99); // as from the scanner
+        QTest::keyClick(&on.window, Qt::Key_7);
+        QVERIFY(forward().z() < -0.999);
+        // Fit All Views fits what is looked at: the direction stays.
+        on.viewer.cloud.setCamera(zoomed(on.viewer.cloud.camera(), on.viewer.cloud.camera().focus, 3.0));
+        QTest::keyClick(&on.window, Qt::Key_R);
+        QVERIFY(forward().z() < -0.999);
+        on.viewer.cloud.viewFromScanner();
+        const CameraPose first = on.viewer.cloud.camera();
+        on.viewer.cloud.setCamera(zoomed(first, first.focus, 3.0));
+        QTest::keyClick(&on.window, Qt::Key_R);
+        QVERIFY(on.viewer.cloud.camera().position.isApprox(first.position));
         cube.setForGloves(true);
         QVERIFY(!cube.isVisible());
     }

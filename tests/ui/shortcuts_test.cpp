@@ -155,14 +155,14 @@ private slots:
         {
             WindowFixture on(ini);
             const QList<KeyedCommand> all = keyedCommands(on.window.actions());
-            const KeyedCommand top = commandOf(on.window, "View/Look from/Top");
+            const KeyedCommand top = commandOf(on.window, "View/Look from/Top (from Above)");
             const KeyedCommand front = commandOf(on.window, "View/Look from/Front");
             QVERIFY(changeKey(top, QKeySequence(), all, on.preferences));
             QVERIFY(changeKey(front, QKeySequence("7"), all, on.preferences));
             QVERIFY(changeKey(top, QKeySequence("1"), all, on.preferences));
         }
         WindowFixture again(ini);
-        QCOMPARE(commandOf(again.window, "View/Look from/Top").action->shortcut(), QKeySequence("1"));
+        QCOMPARE(commandOf(again.window, "View/Look from/Top (from Above)").action->shortcut(), QKeySequence("1"));
         QCOMPARE(commandOf(again.window, "View/Look from/Front").action->shortcut(), QKeySequence("7"));
     }
 

@@ -452,6 +452,12 @@ private slots:
         on.viewer.notice.hide();
         QTest::keyClick(&on.window, Qt::Key_Escape);
         QVERIFY(!on.viewer.sections.card()->isVisible());
+        // An older measurement that is chosen in the list has its section by the button over the list.
+        QVERIFY(on.viewer.targets.notebook().measures.front().cells != on.viewer.targets.notebook().measures.back().cells);
+        on.viewer.targets.chooseMeasure(0);
+        QTest::mouseClick(on.viewer.targetsPanel.section(), Qt::LeftButton);
+        QTRY_VERIFY(on.viewer.sections.card()->isVisible());
+        QCOMPARE(plot.lengthShown(), gray.marks().measures.front().label);
     }
 
     void aThroatThatNarrowsOnIsMeasuredThereByOneClick() {

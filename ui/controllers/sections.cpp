@@ -79,12 +79,15 @@ std::shared_ptr<const rocks::Study> Sections::study() const {
 void Sections::throughMeasurement() {
     const auto& measures = targets_.notebook().measures;
     if (!engine_.picture() || measures.empty()) {
-        notice_.showHint(tr("A section goes through the two ends of the last measurement: measure a distance between two cells first."));
+        notice_.showHint(tr("A section goes through the two ends of a measurement: measure a distance between two cells first."));
         return;
     }
-    const auto [from, to] = inspect::linksOf(measures.back().kind).front();
-    const std::vector<std::uint32_t> ends{measures.back().cells[from], measures.back().cells[to]};
-    ask(inspect::planeThrough(*engine_.picture()->detection->scan, ends[0], ends[1]), ends);
+    const std::size_t place = targets_.chosenMeasure().value_or(measures.size() - 1);
+    const auto [from, to] = inspect::linksOf(measures[place].kind).front();
+    const std::vector<std::uint32_t> ends{measures[place].cells[from], measures[place].cells[to]};
+    const auto& lines = views_.gray().marks().measures;
+    ask(inspect::planeThrough(*engine_.picture()->detection->scan, ends[0], ends[1]), ends, 0,
+        place < lines.size() ? lines[place].label : QString());
 }
 
 void Sections::throughRock() {
@@ -102,7 +105,8 @@ void Sections::throughRock() {
     ask(inspect::planeThroughRock(*rocks_.picture()->detection->scan, cells), cells, label);
 }
 
-void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock) {
+void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock,
+                   const QString& length) {
     if (!plane) return notice_.showError(plane.error());
     const CartesianTables points(*engine_.picture()->detection->scan);
     Eigen::AlignedBox2d about;
@@ -115,8 +119,6 @@ void Sections::ask(const Result<inspect::SectionPlane>& plane, const std::vector
         if (rock == 0) ends.push_back(at);
     }
     const auto rocks = study();
-    const auto& lines = views_.gray().marks().measures;
-    const QString length = rock == 0 && !lines.empty() ? lines.back().label : QString();
     sections_.ask(
         {engine_.picture(), *plane, rocks, about, rocks ? SectionRocks{rocks_.picture()->colours, rock} : SectionRocks{}, ends, length});
 }

@@ -34,7 +34,7 @@ class Sections : public QObject {
 public:
     Sections(Engine& engine, LinkedViews& views, Rocks& rocks, Targets& targets, NoticeBar& notice, Preferences& preferences);
 
-    /// Through the ends of the last measurement.
+    /// Through the ends of the chosen measurement; none is chosen: of the last one.
     void throughMeasurement();
     /// Along the selected rock.
     void throughRock();
@@ -54,8 +54,9 @@ private:
         std::vector<Eigen::Vector2d> endsM;        ///< of the measurement, across and up; empty: through a rock
         QString length;                            ///< of the measurement, as in the views
     };
-    /// `rock`: label of the rock that these cells are of; 0: they are the ends of a measurement.
-    void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock = 0);
+    /// `rock`: label of the rock that these cells are of; 0: they are the ends of a measurement, and this is its length in words.
+    void ask(const Result<inspect::SectionPlane>& plane, const std::vector<std::uint32_t>& cells, std::uint32_t rock,
+             const QString& length = {});
     void take(const Question& question, const std::shared_ptr<const inspect::Section>& section);
     void showLength(const inspect::SectionVertex& from, const inspect::SectionVertex& to);
     void askExport();

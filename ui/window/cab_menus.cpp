@@ -65,7 +65,7 @@ void CabMode::fillMeasures(QMenu& menu) {
             menu.addAction(name, &measures, [&measures, kind = each.kind] { measures.start(kind); });
     }
     menu.addSeparator();
-    for (const char* section : {"Measure/Section through the Last Measurement", "Measure/Section through the Rock"})
+    for (const char* section : {"Measure/Section through the Measurement", "Measure/Section through the Rock"})
         menu.addAction(&actionOf(keyedCommands(window_.actions()), section));
 }
 

@@ -126,7 +126,7 @@ void CabMode::fillViews(QMenu& menu) {
     small->setCheckable(true);
     small->setChecked(small_);
     small->setEnabled(large_ == Large::Cloud); // an image has no picture in its corner
-    QMenu& directions = menuWith("View/Look from/Top");
+    QMenu& directions = menuWith("View/Look from/Top (from Above)");
     menu.addSeparator();
     menu.addMenu(&directions);
     connect(&directions, &QMenu::triggered, this, &CabMode::showCloud, Qt::UniqueConnection);

@@ -52,6 +52,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPainter>
+#include <QPushButton>
 #include <QScreen>
 #include <QSplitter>
 #include <QStyle>
@@ -260,6 +261,7 @@ void MainWindow::layOutTools() {
     viewer_.origin.setTwoLines();
     addToolBar(Qt::TopToolBarArea, badgeBar(viewer_.origin));
     connect(&viewer_.measures, &Measures::asked, &viewer_.tools, &ToolBar::showAsked);
+    connect(viewer_.targetsPanel.section(), &QPushButton::clicked, &viewer_.sections, &Sections::throughMeasurement);
     connect(&viewer_.measures, &Measures::asked, &viewer_.targetsPanel, &TargetsPanel::showAsked);
     connect(&viewer_.explanation, &Explanation::asked, &viewer_.tools, &ToolBar::showAsked);
     connect(&viewer_.rocks, &Rocks::toolChanged, &viewer_.tools, [this](RockTool tool) { viewer_.tools.showRockTool(promptOf(tool)); });

@@ -115,26 +115,17 @@ std::vector<Command> edgeLook(Viewer& v) {
     };
 }
 
-/// These may be sides of the range image.
-void nameTopAndBottom(const CloudView& cloud, const QList<KeyedCommand>& directions) {
-    const bool ofImage = cloud.topIsOfImage();
-    actionOf(directions, "View/Look from/Top").setText(ofImage ? QObject::tr("&Top of the Range Image") : QObject::tr("&Top"));
-    actionOf(directions, "View/Look from/Bottom").setText(ofImage ? QObject::tr("Botto&m of the Range Image") : QObject::tr("Botto&m"));
-}
-
 Command directions(CloudView& cloud) {
-    Command menu = submenu("Loo&k from", {
-                                             command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
-                                             command("&Front", "1", [&cloud] { cloud.viewFront(); }),
-                                             command("&Back", "Shift+1", [&cloud] { cloud.viewBack(); }),
-                                             command("&Right", "3", [&cloud] { cloud.viewRight(); }),
-                                             command("&Left", "Shift+3", [&cloud] { cloud.viewLeft(); }),
-                                             command("&Top", "7", [&cloud] { cloud.viewTop(); }),
-                                             command("Botto&m", "Shift+7", [&cloud] { cloud.viewBottom(); }),
-                                             command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
-                                         });
-    menu.fill = [&cloud](QMenu& shown) { nameTopAndBottom(cloud, keyedCommands(shown.actions())); };
-    return menu;
+    return submenu("Loo&k from", {
+                                     command("From &Scanner", "0", [&cloud] { cloud.viewFromScanner(); }),
+                                     command("&Front", "1", [&cloud] { cloud.viewFront(); }),
+                                     command("&Back", "Shift+1", [&cloud] { cloud.viewBack(); }),
+                                     command("&Right", "3", [&cloud] { cloud.viewRight(); }),
+                                     command("&Left", "Shift+3", [&cloud] { cloud.viewLeft(); }),
+                                     command("&Top (from Above)", "7", [&cloud] { cloud.viewTop(); }),
+                                     command("Botto&m (from Below)", "Shift+7", [&cloud] { cloud.viewBottom(); }),
+                                     command("&Isometric", "9", [&cloud] { cloud.viewIsometric(); }),
+                                 });
 }
 
 Command savedViews(SavedViews& saved) {
@@ -186,7 +177,7 @@ Command viewMenu(Viewer& v, QMainWindow& window, const WindowCommands& commands)
     Command menu = submenu("&View", {
                                         directions(v.cloud),
                                         savedViews(v.savedViews),
-                                        command("Fit All Vi&ews", "R; Home", [&views] { views.resetView(); }),
+                                        command("Fit All Vi&ews", "R; Home", [&views] { views.fitAll(); }),
                                         command("&Zoom In", "+; =", [&views] { views.zoomBy(1.25); }),
                                         command("Zoom O&ut", "-", [&views] { views.zoomBy(0.8); }),
                                         ofDesk(command("Fl&y to Point under Cursor", "F", [&views] { views.flyToHovered(); })),

@@ -106,7 +106,7 @@ Command measureMenu(Viewer& v) {
                                    measure("&Spans a × b", "Y", inspect::MeasureKind::Spans),
                                    measure("Along S&urface", "Shift+U", inspect::MeasureKind::Path),
                                    measure("Thr&oat Width", "Shift+Y", inspect::MeasureKind::Throat),
-                                   command("Se&ction through the Last Measurement", "", [&v] { v.sections.throughMeasurement(); }),
+                                   command("Se&ction through the Measurement", "", [&v] { v.sections.throughMeasurement(); }),
                                    command("Section th&rough the Rock", "", [&v] { v.sections.throughRock(); }),
                                    usual("&Box", "B", Tool::Box),
                                    usual("&Lasso", "L", Tool::Lasso),

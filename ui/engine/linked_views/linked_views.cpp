@@ -343,8 +343,9 @@ void LinkedViews::setTrueAngles(bool on) {
     applyAspect();
 }
 
-void LinkedViews::resetView() {
-    cloud_.resetView();
+void LinkedViews::fitAll() {
+    cloud_.setClip({});
+    cloud_.zoomToFit();
     gray().viewPort()->fit();
     if (!windowKept_) setRangeWindow(std::nullopt);
 }

@@ -125,7 +125,8 @@ public:
     [[nodiscard]] const EdgeColours& edgeColours() const { return state_.colours; }
     /// Width and height of a pixel follow the angles between beams and lines; off: square pixels.
     void setTrueAngles(bool on);
-    void resetView();
+    /// All of the cloud and of the images, without clipping; the cloud's direction stays.
+    void fitAll();
     /// Zooms the cloud about its focus point if it has the keyboard focus; else the images about the marked cell.
     void zoomBy(double factor);
     /// The ranges drawn from black to white in the range image; empty: scaled by the method. Valid until another scan is opened, unless it

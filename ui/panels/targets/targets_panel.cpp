@@ -90,7 +90,8 @@ private:
 TargetsPanel::TargetsPanel(QWidget* parent)
     : QWidget(parent), hint_(new QLabel), targets_(new QListWidget), copyAll_(new QPushButton(tr("Copy All"))),
       letGoOfAll_(new QPushButton(tr("Remove All"))), card_(new TargetCard), measuresTitle_(new QLabel(tr("Measured"))),
-      measures_(new QListWidget), remarks_(new QLabel), removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
+      measures_(new QListWidget), remarks_(new QLabel), section_(new QPushButton(tr("Section"))),
+      removeMeasure_(new QPushButton(tr("Remove"))), note_(new QLabel) {
     setObjectName("targets-panel");
     hint_->setObjectName("targets-asked");
     targets_->setObjectName("target-list");
@@ -106,6 +107,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     measures_->setItemDelegate(new TargetRows(measures_, TargetRows::Shortened::Last));
     copyAll_->setToolTip(tr("The positions of all targets as a table with units, for a spreadsheet"));
     letGoOfAll_->setToolTip(tr("All but those that are locked"));
+    section_->setToolTip(tr("A vertical section through the selected measurement, or through the last one"));
     removeMeasure_->setToolTip(tr("The selected measurement"));
     remarks_->setObjectName("measure-remarks");
     for (QLabel* label : {hint_, remarks_, note_}) label->setWordWrap(true);
@@ -114,6 +116,7 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     measuresTitle_->setFont(bold);
     auto* titleOfMeasures = new QHBoxLayout;
     titleOfMeasures->addWidget(measuresTitle_, 1);
+    titleOfMeasures->addWidget(section_);
     titleOfMeasures->addWidget(removeMeasure_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 4, 8, 4);
@@ -243,7 +246,8 @@ void TargetsPanel::showMeasures(const std::vector<TargetLine>& lines) {
     fill(*measures_, shownMeasures_, lines);
     if (first) fit(*targets_);
     showRemarks();
-    for (QWidget* each : {static_cast<QWidget*>(measuresTitle_), static_cast<QWidget*>(measures_), static_cast<QWidget*>(removeMeasure_)})
+    for (QWidget* each : {static_cast<QWidget*>(measuresTitle_), static_cast<QWidget*>(measures_), static_cast<QWidget*>(section_),
+                          static_cast<QWidget*>(removeMeasure_)})
         each->setVisible(!lines.empty());
     if (more && measuring_) QMetaObject::invokeMethod(this, &TargetsPanel::showNewest, Qt::QueuedConnection); // after the layout
 }

@@ -44,6 +44,7 @@ public:
     [[nodiscard]] QPushButton* copyAllButton() const { return copyAll_; }
     [[nodiscard]] QPushButton* removeAllButton() const { return letGoOfAll_; }
     [[nodiscard]] QPushButton* removeMeasure() const { return removeMeasure_; }
+    [[nodiscard]] QPushButton* section() const { return section_; }
     [[nodiscard]] QString note() const;
 
 signals:
@@ -75,7 +76,7 @@ private:
     QLabel* measuresTitle_;
     QListWidget* measures_;
     QLabel* remarks_; // all that is said of the chosen measurement
-    QPushButton* removeMeasure_;
+    QPushButton *section_, *removeMeasure_;
     QLabel* note_;
     std::vector<TargetLine> shownTargets_, shownMeasures_;
     bool measuring_ = false; // a tool waits for a click

@@ -101,6 +101,12 @@ CameraPose turned(const CameraPose& pose, const Vector3d& centre, const Vector3d
     return orbited(pose, centre, (yaw * pitch).toRotationMatrix());
 }
 
+Vector3d turntableAxis(const CameraPose& pose, const Vector3d& up, const Vector3d& topOfPicture) {
+    constexpr double kMuchTheSame = 0.7; // cosine
+    const bool same = std::abs(topOfPicture.dot(up)) > kMuchTheSame;
+    return same || std::abs(pose.up.dot(up)) >= std::abs(pose.up.dot(topOfPicture)) ? up : topOfPicture;
+}
+
 CameraPose tumbled(const CameraPose& pose, const Vector3d& centre, double rightRad, double upRad) {
     return orbited(pose, centre, (AngleAxisd(-rightRad, pose.up) * AngleAxisd(upRad, pose.right())).toRotationMatrix());
 }

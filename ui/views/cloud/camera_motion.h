@@ -29,6 +29,9 @@ struct CameraPose {
 /// stops before the poles, so that the picture never flips.
 [[nodiscard]] CameraPose turned(const CameraPose& pose, const Eigen::Vector3d& centre, const Eigen::Vector3d& upAxis, double rightRad,
                                 double upRad);
+/// The axis for a drag that begins at this pose: up, or the top of the scanner's picture where up points into the screen, as in a
+/// draw-bell, and a turn about it would only roll the picture. Unit vectors.
+[[nodiscard]] Eigen::Vector3d turntableAxis(const CameraPose& pose, const Eigen::Vector3d& up, const Eigen::Vector3d& topOfPicture);
 /// Free (trackball) rotation about the camera's own axes.
 [[nodiscard]] CameraPose tumbled(const CameraPose& pose, const Eigen::Vector3d& centre, double rightRad, double upRad);
 /// Moves the picture by pixels (x right, y down) at the depth of `anchor`.

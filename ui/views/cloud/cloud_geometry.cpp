@@ -191,13 +191,12 @@ ViewFrame frameOf(const Vector3d& forward, const Vector3d& up) {
 
 void fillFrames(const Scan& scan, const CartesianTables& tables, const std::vector<std::uint32_t>& sample, CloudGeometry& out) {
     const Vector3d forward = meanDirection(out, sample);
-    const bool levelled = std::holds_alternative<PointGeometry>(scan.geometry) && std::abs(forward.z()) < 0.9;
-    // In the scanner's own frame z is the viewing direction, so only the rows define "up".
-    const Vector3d fallback = levelled ? Vector3d::UnitZ() : (std::abs(forward.y()) < 0.9 ? Vector3d::UnitY() : Vector3d::UnitZ());
-    out.scannerView = frameOf(forward, towardsRowZero(tables, out, forward).value_or(fallback));
-    const Vector3d up = levelled ? Vector3d(Vector3d::UnitZ()) : nearestAxis(out.scannerView.up, Vector3d::Zero());
-    out.axes = frameOf(nearestAxis(forward, up), up);
-    out.topIsOfImage = !levelled && !scan.placement;
+    const Vector3d up = Vector3d::UnitZ();
+    const bool alongUp = std::abs(forward.z()) >= 0.9; // as in a draw-bell: only the rows define a top of the picture
+    out.scannerView = frameOf(forward, towardsRowZero(tables, out, forward).value_or(alongUp ? Vector3d::UnitY() : up));
+    // Front is then a side of the picture, so that left and right are those of the picture.
+    const Vector3d side = forward.z() > 0.0 ? Vector3d(-out.scannerView.up) : out.scannerView.up;
+    out.axes = frameOf(nearestAxis(alongUp ? side : forward, up), up);
     if (scan.placement) { // the plan has north on top, the elevations have RL up
         const Eigen::Matrix3d mine = mineAxes(scan);
         out.axes = frameOf(mine.col(1), mine.col(2));

@@ -50,8 +50,7 @@ struct CloudGeometry {
     Box3f mainBounds;                                 ///< of the 1-99 % of the points per axis
     double stepRad = 0.0;                             ///< median angle between neighbouring points, seen from the sensor; 0: unknown
     ViewFrame scannerView;                            ///< looking from the sensor along the mean direction of the points
-    bool topIsOfImage = false; ///< without a pose, and z is the viewing direction: the top of `axes` is that of the range image
-    ViewFrame axes; ///< for the views front, right, top ...: those of the mine grid; without a pose scannerView rounded to the axes
+    ViewFrame axes; ///< for the views front, right, top ...: those of the mine grid; without a pose up is the scanner's z, as in sections
 
     [[nodiscard]] std::size_t cells() const { return valid.size(); }
     [[nodiscard]] bool drawable(std::size_t k) const { return k < valid.size() && valid[k] != 0; }

@@ -57,8 +57,6 @@ public:
     void setAxes(const std::optional<ViewFrame>& axes) { axes_ = axes; }
     [[nodiscard]] bool axesSet() const { return axes_.has_value(); }
     [[nodiscard]] const ViewFrame& axes() const;
-    /// True if the top of axes() is that of the range image; false without a cloud.
-    [[nodiscard]] bool topIsOfImage() const { return cloud_ && cloud_->topIsOfImage; }
     /// Cells k = line * beams + beam, ascending. Replaces only an index list; setting the same pointer again is free.
     void setEdges(EdgeCells cells);
     void setEdges(std::shared_ptr<const CellIndices> cells) { setEdges(EdgeCells{std::move(cells), {}}); }
@@ -327,6 +325,7 @@ private:
     DragAction drag_ = DragAction::None;
     Press press_;
     Touch touch_{*this, [this](QPointF middle, QPointF shift, double factor) { pinch(middle, shift, factor); }};
+    Eigen::Vector3d turnAxis_ = Eigen::Vector3d::UnitZ(); // of the turntable, while a drag turns
     Eigen::Vector3d dragAnchor_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d wheelAnchor_ = Eigen::Vector3d::Zero();
     QPointF wheelAt_{-1e9, -1e9};

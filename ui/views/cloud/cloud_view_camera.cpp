@@ -56,6 +56,7 @@ void CloudView::viewFromScanner() {
 
 void CloudView::frameFromScanner(const CloudGeometry& cloud) {
     pose_ = fromScanner(cloud, pose_, aspect());
+    asked_ = Vector3d::Zero();
     centre_ = pose_.focus;
     applyCamera();
 }
@@ -99,15 +100,18 @@ void CloudView::viewTop() {
     if (cloud_) look(-axes().up, axes().forward);
 }
 void CloudView::viewBottom() {
-    if (cloud_) look(axes().up, axes().forward);
+    if (cloud_) look(axes().up, -axes().forward); // right stays right, as in Front
 }
 void CloudView::viewIsometric() {
-    if (cloud_) look((axes().forward - axes().right - axes().up).normalized(), axes().up);
+    if (!cloud_) return;
+    const bool fromBelow = cloud_->scannerView.forward.dot(axes().up) > 0.3; // from above, the backs of the rocks would be seen
+    look((axes().forward - axes().right + (fromBelow ? 1.0 : -1.0) * axes().up).normalized(), axes().up);
 }
 void CloudView::zoomToFit() {
     const Box3f all = extent().mainBounds;
     if (!cloud_ || all.isEmpty()) return;
     if (pose_.forward().isApprox(asked_, 1e-6)) return look(pose_.forward(), pose_.up);
+    if (pose_.forward().isApprox(cloud_->scannerView.forward, 1e-6)) return viewFromScanner();
     pose_ = fitted(*cloud_, all, pose_, aspect());
     centre_ = pose_.focus;
     applyCamera();

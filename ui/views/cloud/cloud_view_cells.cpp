@@ -35,7 +35,7 @@ void CloudView::lookAtCells(const CellIndices& cells) {
     const Eigen::Vector3f around = Eigen::Vector3f::Constant(std::max(static_cast<float>(kAround) * sizeM, 0.5F * (leastM - sizeM)));
     const Box3f box(least - around, most + around);
     const FreeBox fits = intoFreeArea(box);
-    pose_ = lookingAtFrom(cloud_->sensor.cast<double>(), fits.box, cloud_->axes.up, pose_, fits.aspect);
+    pose_ = lookingAtFrom(cloud_->sensor.cast<double>(), fits.box, cloud_->scannerView.up, pose_, fits.aspect);
     centre_ = pose_.focus;
     if (pose_.parallel) {
         pose_ = besidePlates(pose_);

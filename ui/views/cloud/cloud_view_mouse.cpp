@@ -69,6 +69,7 @@ void CloudView::mousePressEvent(QMouseEvent* event) {
     press_.begin(*event);
     if (event->button() == Qt::LeftButton && tool_ != DragTool::Move && drag_ != DragAction::None) drag_ = DragAction::Select;
     dragged_.clear();
+    turnAxis_ = turntableAxis(pose_, axes().up, cloud_ ? cloud_->scannerView.up : axes().up);
     if (drag_ == DragAction::Pan || drag_ == DragAction::Zoom) dragAnchor_ = anchorAt(press_.from);
 }
 
@@ -102,8 +103,7 @@ void CloudView::drag(QPointF at) {
         const double perPixel = std::numbers::pi / std::max(1, height());
         const double right = by.x() * perPixel;
         const double up = -by.y() * perPixel;
-        const Vector3d axis = cloud_ ? cloud_->axes.up : Vector3d(Vector3d::UnitZ());
-        pose_ = turntable_ ? turned(pose_, centre_, axis, right, up) : tumbled(pose_, centre_, right, up);
+        pose_ = turntable_ ? turned(pose_, centre_, turnAxis_, right, up) : tumbled(pose_, centre_, right, up);
         showFocus();
     } else if (drag_ == DragAction::Pan) {
         pose_ = panned(pose_, dragAnchor_, by.x(), by.y(), height());

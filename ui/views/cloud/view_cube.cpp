@@ -48,6 +48,7 @@ ViewCube::ViewCube(CloudView* cloud) : QWidget(cloud), cloud_(cloud) {
     setObjectName("view-cube");
     setMouseTracking(true);
     setCursor(Qt::PointingHandCursor);
+    setToolTip(tr("Click a face: look at the cloud from there") + "\n" + tr("Without a pose, up is the scanner's z"));
     resize(kSide, kSide);
     connect(cloud, &CloudView::frameDrawn, this, &ViewCube::follow);
     cloud->installEventFilter(this);
@@ -71,8 +72,6 @@ bool ViewCube::eventFilter(QObject* watched, QEvent* event) {
 
 void ViewCube::place() {
     const auto& cloud = cloud_->geometryOfCloud();
-    const QString click = tr("Click a face: look at the cloud from there");
-    setToolTip(cloud_->topIsOfImage() ? click + "\n" + tr("Without a pose, Top is the top of the range image") : click);
     setVisible(wanted_ && !forGloves_ && cloud && cloud->validCount > 0 && cloud_->width() >= kLeastCubeView.width() &&
                cloud_->height() >= kLeastCubeView.height());
     move(cloud_->width() - kFromRight - width(), kFromTop);
@@ -132,13 +131,10 @@ void ViewCube::paintEvent(QPaintEvent* /*event*/) {
         painter.setBrush(under_ == each.face ? QColor(0x1f, 0x4f, 0x80) : QColor(light, light, light));
         painter.drawPolygon(each.corners);
         if (each.towardsEye < 0.4) continue; // too narrow for letters
-        const bool ofImage = cloud_->topIsOfImage() && (each.face == Face::Top || each.face == Face::Bottom);
-        QStringList lines{QObject::tr(cubeFaces()[static_cast<std::size_t>(each.face)].name)};
-        if (ofImage) lines.prepend(tr("Image"));
-        for (QString& line : lines) line = painter.fontMetrics().elidedText(line, Qt::ElideRight, static_cast<int>(2 * kHalf));
+        const QString name = QObject::tr(cubeFaces()[static_cast<std::size_t>(each.face)].name);
         const QRectF room(*middleOf(each.face) - QPointF(kHalf, kHalf), QSizeF(2 * kHalf, 2 * kHalf));
         painter.setPen(QColor(0xe8, 0xe8, 0xe8));
-        painter.drawText(room, Qt::AlignCenter, lines.join('\n'));
+        painter.drawText(room, Qt::AlignCenter, painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(2 * kHalf)));
     }
 }
 
