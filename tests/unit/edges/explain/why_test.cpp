@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 namespace edgescan::edges {
@@ -62,6 +63,22 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
     }
     EXPECT_GT(appear, 0);
     EXPECT_GT(vanish, 0);
+}
+
+// "the strength 1.73 ... disappears above 1.72" would contradict itself.
+TEST(Why, TheStrengthIsRoundedAsItsLimit) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
+    const auto detection = detectEdges(scan, Settings{});
+    int same = 0;
+    for (const std::uint32_t k : *detection->edges) {
+        const Why why = whyCell(*detection, k);
+        const auto from = why.verdict.find("the strength "), to = why.verdict.find(" above ", why.verdict.find("if you set"));
+        if (from == std::string::npos || to == std::string::npos || std::abs(why.strength - *why.appearsAt) >= 0.01) continue;
+        const std::string strength = why.verdict.substr(from + 13, 4), limit = why.verdict.substr(to + 7, 4);
+        EXPECT_DOUBLE_EQ(std::atof(strength.c_str()), std::atof(limit.c_str())) << why.verdict;
+        ++same;
+    }
+    EXPECT_GT(same, 5);
 }
 
 TEST(Why, TheThresholdOfOneCellIsThatOfTheMap) {
