@@ -1370,7 +1370,6 @@ RL %3 m</translation></message>
 <message><source>Without %1 classes:</source><translation>Sin %1 clases:</translation></message>
 <message><source>other classes take the cells</source><translation>otras clases toman las celdas</translation></message>
 <message><source>Edges</source><translation>Bordes</translation></message>
-<message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
 <message><source>Classes</source><translation>Clases</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sin una clase cambian también los otros números: una celda tiene una sola clase, y una celda débil cuenta donde continúa una fuerte de cualquier clase.</translation></message>
 <message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Con una fuerza del borde mayor este número puede subir: las celdas que ya no son saltos ni pliegues cuentan aquí.</translation></message>
@@ -1385,6 +1384,8 @@ RL %3 m</translation></message>
 <message><source>No range: %1</source><translation>Sin distancia: %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Rellenadas, no medidas: %1</translation></message>
 <message><source>Edges, under rocks</source><translation>Bordes, bajo rocas</translation></message>
+<message><source>Draws the edge points over the rocks</source><translation>Dibuja los puntos de borde sobre las rocas</translation></message>
+<message><source>Edge points on and off: E</source><translation>Puntos de borde visibles o no: E</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
@@ -1479,6 +1480,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>No hay OpenGL en esta pantalla: la vista 3D no puede dibujar.</translation></message>
 <message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>OpenGL está instalado pero no arranca en esta pantalla: la vista 3D no puede dibujar.</translation></message>
 <message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>La vista 3D necesita OpenGL 3.2; esta pantalla ofrece %1.%2 (%3).</translation></message>
+<message><source>The bar has this length at the median distance of the points in view</source><translation>La barra tiene esta longitud a la distancia mediana de los puntos visibles</translation></message>
 <message><source>grid %1</source><translation>cuadrícula %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distancia [m]</translation></message>
@@ -1666,6 +1668,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>Scanner view</source><translation>Vista escáner</translation></message>
 <message><source>Cab</source><translation>Cabina</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>«%1» ha terminado; un clic vuelve a fijar.</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;des sobre las rocas</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rocas</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rocas</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>Roca con el m&amp;ayor ancho b</translation></message>
@@ -1677,7 +1680,6 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;No es roca, o sí lo es</translation></message>
 <message><source>&amp;Finer</source><translation>Más &amp;fino</translation></message>
 <message><source>&amp;Coarser</source><translation>Más &amp;grueso</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;des sobre las rocas</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Dibu&amp;jar la región de interés</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Borrar la región de interés</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rocas…</translation></message>

@@ -1370,7 +1370,6 @@ RL %3 m</translation></message>
 <message><source>Without %1 classes:</source><translation>Sans %1 classes :</translation></message>
 <message><source>other classes take the cells</source><translation>d'autres classes prennent les cellules</translation></message>
 <message><source>Edges</source><translation>Arêtes</translation></message>
-<message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sans une classe, les autres nombres changent aussi : une cellule a une seule classe, et une cellule faible compte là où elle prolonge une forte de n'importe quelle classe.</translation></message>
 <message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Avec une force de l'arête plus élevée, ce nombre peut monter : les cellules qui ne sont plus des sauts ni des plis comptent ici.</translation></message>
@@ -1385,6 +1384,8 @@ RL %3 m</translation></message>
 <message><source>No range: %1</source><translation>Sans distance : %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Remplies, non mesurées : %1</translation></message>
 <message><source>Edges, under rocks</source><translation>Arêtes, sous les blocs</translation></message>
+<message><source>Draws the edge points over the rocks</source><translation>Dessine les points d'arête par-dessus les blocs</translation></message>
+<message><source>Edge points on and off: E</source><translation>Points d'arête affichés ou non : E</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm à %2 m</translation></message>
@@ -1479,6 +1480,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>Il n'y a pas d'OpenGL sur cet affichage : la vue 3D ne peut pas dessiner.</translation></message>
 <message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>OpenGL est installé mais ne démarre pas sur cet affichage : la vue 3D ne peut pas dessiner.</translation></message>
 <message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>La vue 3D a besoin d'OpenGL 3.2 ; cet affichage offre %1.%2 (%3).</translation></message>
+<message><source>The bar has this length at the median distance of the points in view</source><translation>La barre a cette longueur à la distance médiane des points visibles</translation></message>
 <message><source>grid %1</source><translation>grille %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 à %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distance [m]</translation></message>
@@ -1666,6 +1668,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>Scanner view</source><translation>Vue scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>« %1 » est terminé ; un clic épingle à nouveau.</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>A&amp;rêtes sur les blocs</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Blocs</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Afficher les blocs</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>&amp;Bloc de plus grande largeur b</translation></message>
@@ -1677,7 +1680,6 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Pas un bloc, ou un bloc tout de même</translation></message>
 <message><source>&amp;Finer</source><translation>Plus &amp;fin</translation></message>
 <message><source>&amp;Coarser</source><translation>Plus &amp;grossier</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>A&amp;rêtes sur les blocs</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>&amp;Dessiner la région d'intérêt</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Effacer la région d'intérêt</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xporter les blocs…</translation></message>

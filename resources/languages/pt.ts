@@ -1370,7 +1370,6 @@ RL %3 m</translation></message>
 <message><source>Without %1 classes:</source><translation>Sem %1 classes:</translation></message>
 <message><source>other classes take the cells</source><translation>outras classes tomam as células</translation></message>
 <message><source>Edges</source><translation>Bordas</translation></message>
-<message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>Classes</source><translation>Classes</translation></message>
 <message><source>Without one class the other numbers change too: a cell has one class, and a weak cell counts where it continues a strong one of any class.</source><translation>Sem uma classe, os outros números também mudam: uma célula tem uma só classe, e uma célula fraca conta onde continua uma forte de qualquer classe.</translation></message>
 <message><source>With a higher edge strength this number can rise: cells that were jumps or folds before count here.</source><translation>Com uma força da borda maior este número pode subir: as células que já não são saltos nem dobras contam aqui.</translation></message>
@@ -1385,6 +1384,8 @@ RL %3 m</translation></message>
 <message><source>No range: %1</source><translation>Sem distância: %1</translation></message>
 <message><source>▥ Filled, not measured: %1</source><translation>▥ Preenchidas, não medidas: %1</translation></message>
 <message><source>Edges, under rocks</source><translation>Bordas, sob as rochas</translation></message>
+<message><source>Draws the edge points over the rocks</source><translation>Desenha os pontos de borda sobre as rochas</translation></message>
+<message><source>Edge points on and off: E</source><translation>Pontos de borda visíveis ou não: E</translation></message>
 <message><source>auto</source><translation>auto</translation></message>
 <message><source>%1%2 auto</source><translation>%1%2 auto</translation></message>
 <message><source>%1 mm at %2 m</source><translation>%1 mm a %2 m</translation></message>
@@ -1479,6 +1480,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>There is no OpenGL on this display, so the 3D view cannot draw.</source><translation>Não há OpenGL nesta tela: a vista 3D não pode desenhar.</translation></message>
 <message><source>OpenGL is installed but does not start on this display, so the 3D view cannot draw.</source><translation>O OpenGL está instalado mas não inicia nesta tela: a vista 3D não pode desenhar.</translation></message>
 <message><source>The 3D view needs OpenGL 3.2; this display offers %1.%2 (%3).</source><translation>A vista 3D precisa de OpenGL 3.2; esta tela oferece %1.%2 (%3).</translation></message>
+<message><source>The bar has this length at the median distance of the points in view</source><translation>A barra tem este comprimento na distância mediana dos pontos visíveis</translation></message>
 <message><source>grid %1</source><translation>grade %1</translation></message>
 <message><source>%1 at %2 m</source><translation>%1 a %2 m</translation></message>
 <message><source>Range [m]</source><translation>Distância [m]</translation></message>
@@ -1666,6 +1668,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>Scanner view</source><translation>Vista scanner</translation></message>
 <message><source>Cab</source><translation>Cabine</translation></message>
 <message><source>“%1” has ended; a click pins again.</source><translation>«%1» terminou; um clique volta a fixar.</translation></message>
+<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;das sobre as rochas</translation></message>
 <message><source>&amp;Rocks</source><translation>&amp;Rochas</translation></message>
 <message><source>&amp;Show Rocks</source><translation>&amp;Mostrar rochas</translation></message>
 <message><source>&amp;Largest Rock by Width b</source><translation>Rocha com a m&amp;aior largura b</translation></message>
@@ -1677,7 +1680,6 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>&amp;Not a Rock, or a Rock Again</source><translation>&amp;Não é rocha, ou é sim</translation></message>
 <message><source>&amp;Finer</source><translation>Mais &amp;fino</translation></message>
 <message><source>&amp;Coarser</source><translation>Mais &amp;grosso</translation></message>
-<message><source>&amp;Edges over Rocks</source><translation>Bor&amp;das sobre as rochas</translation></message>
 <message><source>Draw Region of &amp;Interest</source><translation>Desenhar a região de &amp;interesse</translation></message>
 <message><source>Clear Re&amp;gion of Interest</source><translation>&amp;Limpar a região de interesse</translation></message>
 <message><source>E&amp;xport Rocks…</source><translation>E&amp;xportar rochas…</translation></message>

@@ -386,6 +386,61 @@ private slots:
         }
     }
 
+    // A legend that unfolds draws no frame: the scale leaves its place all the same. Its content ends with a whole row.
+    void theScaleLeavesAComparisonThatUnfolds() {
+        for (const QSize size : {QSize(853, 480), QSize(853, 533), QSize(1280, 800)}) {
+            WindowFixture on;
+            QVERIFY(on.show());
+            on.window.cab().set(true);
+            resizeTo(on.window, size);
+            on.viewer.comparing.openDemoPair();
+            ChangeLegend& legend = on.viewer.changeLegend;
+            QVERIFY(eventually([&] { return legend.isVisible() && !legend.counted(ChangeRow::Nearer).isEmpty(); }));
+            QTRY_VERIFY(on.viewer.cloud.atRest() && on.viewer.comparing.settled());
+            auto* fold = legend.findChild<QToolButton*>("change-fold");
+            if (fold->isChecked()) QTest::mouseClick(fold, Qt::LeftButton);
+            const ScalePlate& scale = on.viewer.scalePlate;
+            const auto isFree = [&] { return !scale.isVisible() || !scale.geometry().intersects(legend.geometry()); };
+            QTRY_VERIFY2(!fold->isChecked() && isFree(), qPrintable(QString::number(size.height())));
+            const auto* area = legend.findChild<QScrollArea*>();
+            for (const QWidget* each : area->widget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+                const int top = each->y(), bottom = each->geometry().bottom() + 1, end = area->viewport()->height();
+                if (each->isVisible())
+                    QVERIFY2(top >= end || bottom <= end,
+                             qPrintable(QString("%1: %2 to %3 of %4").arg(size.height()).arg(top).arg(bottom).arg(end)));
+            }
+        }
+    }
+
+    // A note of two rows comes above the buttons of the start page: no button moves under a finger.
+    void aNoteMovesNoButtonOfTheStartPage() {
+        for (const QSize size : {QSize(853, 480), QSize(853, 533), QSize(1280, 800)}) {
+            WindowFixture on;
+            QVERIFY(on.show());
+            StartPage* page = showStart(on.window, on.preferences);
+            on.window.cab().set(true);
+            resizeTo(on.window, size);
+            const auto* first = page->findChild<QCommandLinkButton*>("start-open");
+            QTRY_VERIFY(first->isVisible());
+            const QRect before = placeOf(*first);
+            NoticeBar& notice = on.viewer.notice;
+            for (int n = 0; n < 3; ++n)
+                notice.showNotice(NoticeBar::Kind::Warning,
+                                  QString::number(n) + QString(" numbers follow each other in the wrong order").repeated(5));
+            notice.offer("Does this look right?", [] {});
+            QTRY_VERIFY(notice.isVisible());
+            for (int n = 0; n < 5; ++n) QApplication::processEvents();
+            const QByteArray where = QString("%1: %2 px, %3 to %4")
+                                         .arg(size.height())
+                                         .arg(notice.height())
+                                         .arg(before.top())
+                                         .arg(placeOf(*first).top())
+                                         .toUtf8();
+            QVERIFY2(placeOf(*first) == before, where);
+            QVERIFY2(!placeOf(notice).intersects(before), where);
+        }
+    }
+
     // The buttons of the start page are whole, and the fields of a scanner lead back to it.
     void theStartPageIsWholeAndComesBack() {
         for (const Language& language : kLanguages) {

@@ -350,7 +350,7 @@ private slots:
         on.window.cab().set(true);
         on.viewer.views.pin(100 * 240 + 120);
         QTRY_VERIFY(on.viewer.targets.settled());
-        auto* title = on.window.findChild<QLabel*>("cab-target");
+        auto *title = on.window.findChild<QLabel*>("cab-target"), *lock = on.window.findChild<QLabel*>("cab-locked");
         const auto chooseOfTitle = [&](const QString& words) {
             QTest::mouseClick(title, Qt::LeftButton);
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
@@ -367,12 +367,14 @@ private slots:
         };
         QVERIFY(title->text().contains("▾"));
         QVERIFY(chooseOfTitle("Lock Target 1"));
-        QTRY_VERIFY(on.viewer.targets.active()->locked && title->text().endsWith("1 of 1 · locked"));
+        QTRY_VERIFY(on.viewer.targets.active()->locked && lock->isVisible());
+        QVERIFY(title->text().endsWith("1 of 1") && title->accessibleName().endsWith("locked") && title->text().count('\n') == 1);
+        QVERIFY(title->rect().contains(lock->geometry()));
         QMenu* menu = opened(tool(on.window, "cab-remove"));
         QVERIFY(menu != nullptr && menu->actions()[1]->text().startsWith("Locked: Target 1") && !menu->actions()[1]->isEnabled());
         menu->close();
         QVERIFY(chooseOfTitle("Unlock Target 1"));
-        QTRY_VERIFY(!on.viewer.targets.active()->locked && title->text().endsWith("1 of 1"));
+        QTRY_VERIFY(!on.viewer.targets.active()->locked && !lock->isVisible());
     }
 
     // A tap on the warning, which is underlined, or just next to it.

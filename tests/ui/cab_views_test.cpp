@@ -2,6 +2,7 @@
 #include "core/edges/settings/parameters.h"
 #include "tests/support/folders.h"
 #include "tests/ui/sized_window.h"
+#include "tests/ui/whole_widgets.h"
 #include "ui/base/count_text.h"
 #include "ui/base/elided_label.h"
 #include "ui/base/language/languages.h"
@@ -320,6 +321,20 @@ private slots:
         QTRY_VERIFY(on.viewer.rocks.picture() != nullptr && !on.viewer.rocks.behind());
         QTRY_COMPARE(legend.edges()->text(), QString("Edges, under rocks"));
         QTRY_COMPARE(placeOf(*legend.unfold()), folded);
+        // The tick follows what the cloud shows; a tap on it draws the edges over the rocks.
+        const CloudView& cloud = on.viewer.cloud;
+        const auto tap = [&] {
+            QTest::mouseClick(legend.edges(), Qt::LeftButton, Qt::NoModifier, QPoint(12, legend.edges()->height() / 2));
+        };
+        QVERIFY(!legend.edges()->isChecked() && cloud.edgesVisible());
+        tap();
+        QTRY_VERIFY(legend.edges()->isChecked() && legend.edges()->text() == "Edges");
+        tap();
+        QTRY_VERIFY(!legend.edges()->isChecked() && !cloud.edgesVisible());
+        tap();
+        QTRY_VERIFY(legend.edges()->isChecked() && cloud.edgesVisible());
+        on.viewer.rocks.setShown(false);
+        QTRY_VERIFY(legend.edges()->isChecked());
         on.window.cab().set(false);
         QCOMPARE(legend.edges()->text(), QString("Edges"));
         QVERIFY(placeOf(*legend.classSwitch(0)).top() >= placeOf(*legend.edges()).bottom());
@@ -555,6 +570,23 @@ private slots:
         QCOMPARE(tune.text(), "Tune\n" + on.window.cab().frame().side().mainStepper()->value());
         QVERIFY2(!tune.text().endsWith(QLatin1Char(10)) && tune.height() >= tune.sizeHint().height(),
                  qPrintable(QString("%1 of %2").arg(tune.height()).arg(tune.sizeHint().height())));
+        // Warnings do not push the coordinates away.
+        TargetNumbers two;
+        two.title = "Target 1";
+        two.place = "1 of 3";
+        two.distance = "6.52 m";
+        two.tolerance = "± 0.02";
+        two.unposed = true;
+        two.warned = "▲ the click was 6 cells away, on another surface\n▲ a second warning that needs two lines";
+        two.coordinates = {{"X [m]", "-0.512"}, {"Y", "1.234"}, {"Z", "6.301"}};
+        auto* side = on.window.findChild<NumbersSide*>();
+        side->showNumbers(two);
+        QApplication::processEvents();
+        for (const QLabel* each : side->findChildren<QLabel*>()) {
+            if (each->text() != "6.301" && each->text() != "-0.512") continue;
+            QVERIFY2(each->isVisible() && (!below->isVisible() || placeOf(*each).bottom() < placeOf(*below).top()),
+                     qPrintable(each->text()));
+        }
         // Of many warnings the first ones are next to their number.
         TargetNumbers throat;
         throat.title = "W1";
@@ -567,6 +599,44 @@ private slots:
         resizeTo(on.window, {1280, 800});
         QTRY_VERIFY(!page.isVisible());
         QCOMPARE(tune.text(), QString("Tune"));
+    }
+
+    // The scroll bar of the settings is next to their buttons, and not over them.
+    void theBarOfTheSettingsCoversNoButton() {
+        for (const Language& language : kLanguages) {
+            QVERIFY(useTexts(language.code));
+            WindowFixture on;
+            QVERIFY(on.showWith(scan_));
+            on.window.cab().set(true);
+            press(on.window, "cab-tune");
+            auto& side = *on.window.findChild<NumbersSide*>();
+            for (const QSize size : {QSize(853, 480), QSize(853, 533), QSize(1024, 768), QSize(1280, 800)}) {
+                resizeTo(on.window, size);
+                QTRY_VERIFY(side.stepper("sensitivity")->isVisible());
+                QTRY_VERIFY2(faultsIn(side).isEmpty(), qPrintable(QString(language.code) + ' ' + faultsIn(side).join('\n')));
+                for (const auto* each : side.findChildren<QToolButton*>())
+                    QVERIFY2(!each->isVisible() || (each->width() >= kGlovePx && each->height() >= kGlovePx), qPrintable(each->text()));
+            }
+            on.window.cab().set(false);
+        }
+        useLanguage("en");
+    }
+
+    // Each small picture has its name, also where there is no line for it below the picture.
+    void theSmallPictureHasItsName() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        for (const QSize size : {QSize(853, 480), QSize(1280, 800)}) {
+            resizeTo(on.window, size);
+            CornerPicture& small = on.window.cab().corner();
+            QTRY_VERIFY(small.isVisible());
+            const QImage drawn = small.grab().toImage();
+            const auto isLetter = [](QRgb p) { return p == qRgb(0xe8, 0xe8, 0xe8); };
+            const int line = small.fontMetrics().height();
+            QVERIFY2(countPixels(drawn.copy(0, drawn.height() - line, drawn.width() / 2, line), isLetter) > 20,
+                     qPrintable(QString::number(size.width())));
+        }
     }
 
     // The size of a chosen rock and its ± are on the first page, in each language, with and without a pose.

@@ -62,6 +62,45 @@ private slots:
         }
     }
 
+    // Of two lines each label is next to its own, and covers neither.
+    void aLabelIsNextToItsOwnLine() {
+        QImage picture(420, 300, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        for (const double apart : {-24.0, 14.0, 20.0, 26.0, 40.0}) {
+            ScreenMarks marks;
+            const QLineF first(60, 150, 360, 150), second(60, 150 - apart, 360, 150 - apart);
+            marks.measures.push_back({{first}, {first.p1(), first.p2()}, "M1 2.34 m ± 0.05", first.center(), false, 0});
+            marks.measures.push_back({{second}, {second.p1(), second.p2()}, "M2 3.45 m ± 0.05", second.center(), false, 1});
+            const auto tags = drawScreenMarks(painter, picture.rect(), marks);
+            QCOMPARE(tags.size(), std::size_t(2));
+            for (const MarkTag& tag : tags) {
+                const auto awayFrom = [&tag](const QLineF& line) {
+                    return line.y1() < tag.top() ? tag.top() - line.y1() : line.y1() > tag.bottom() ? line.y1() - tag.bottom() : 0.0;
+                };
+                const bool isFirst = tag.of.which == 0;
+                const double own = awayFrom(isFirst ? first : second), other = awayFrom(isFirst ? second : first);
+                QVERIFY2(own > 0.0 && other > own, qPrintable(QString("%1 px apart: %2 and %3").arg(apart).arg(own).arg(other)));
+            }
+        }
+    }
+
+    // A label without room in a small picture is its number, or left out: no part of it is shown.
+    void noLabelIsCut() {
+        QImage picture(100, 80, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        for (const char* brief : {"M1", ""}) {
+            CellMarks of;
+            of.measures.push_back({.cells = {0, 1}, .links = {{0, 1}}, .label = "M1 Throat 2.34 m ± 0.05", .active = true, .brief = brief});
+            of.targets.push_back({2, "1 keystone · 19.11 m · rock 3", brief, true});
+            const auto placeOf = [](std::size_t cell) {
+                return std::optional(MarkPlace{QPointF(20.0 + 30.0 * static_cast<double>(cell), 40)});
+            };
+            const auto tags = drawScreenMarks(painter, picture.rect(), screenMarks(of, placeOf, true));
+            QCOMPARE(tags.size(), std::size_t(*brief == 0 ? 0 : 2));
+            for (const MarkTag& tag : tags) QVERIFY(QRectF(picture.rect()).contains(tag) && tag.width() < 50.0);
+        }
+    }
+
     // The length of a measured line is read next to the line, and the whole line is visible.
     void theTagOfAMeasurementDoesNotCoverItsLine() {
         QImage picture(800, 600, QImage::Format_RGB32);

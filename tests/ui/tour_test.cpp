@@ -18,6 +18,8 @@
 #include <QScrollArea>
 #include <QScrollBar>
 
+#include <algorithm>
+
 using namespace edgescan;
 using namespace edgescan::ui;
 
@@ -95,7 +97,19 @@ private slots:
         QVERIFY(on.begin());
         QCOMPARE(on.tour.step(), 0);
         on.click("start-demo"); // of the start page, not of the tour
+        auto* button = on.window.findChild<QAbstractButton*>("tour-try");
+        QTRY_VERIFY2(!button->isEnabled() || on.tour.step() == 1, "the demo is being opened");
         QVERIFY(eventually([&] { return on.tour.step() == 1; }));
+        QVERIFY(button->isEnabled());
+        // What was done has a tick.
+        const auto isTicked = [&](int step) {
+            on.tour.showStep(step);
+            const auto labels = on.tour.findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [](const QLabel* each) { return each->text().startsWith("✓"); });
+        };
+        QVERIFY(isTicked(0) && !isTicked(1));
+        on.click("tour-try");
+        QVERIFY(isTicked(1) && !isTicked(2));
         on.tour.showStep(3);
         QVERIFY(on.open(edgescan::test::sourceFolder() + "/tests/data/thesis/steps.json"));
         QCOMPARE(on.tour.step(), 3);

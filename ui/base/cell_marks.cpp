@@ -4,6 +4,7 @@
 #include "ui/base/marks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -33,12 +34,31 @@ QPointF nearestOn(const QRectF& box, const QPointF& at) {
     return {std::clamp(at.x(), box.left(), box.right()), std::clamp(at.y(), box.top(), box.bottom())};
 }
 
+/// Px from a box to a line; 0 where it crosses the box.
+double awayFrom(const QRectF& box, const QLineF& line) {
+    const auto fromLine = [&line](const QPointF& at) {
+        const QPointF way = line.p2() - line.p1();
+        const double length = QPointF::dotProduct(way, way);
+        const double along = length > 0.0 ? std::clamp(QPointF::dotProduct(at - line.p1(), way) / length, 0.0, 1.0) : 0.0;
+        return QLineF(at, line.pointAt(along)).length();
+    };
+    const std::array corners{box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()};
+    double least = std::min(QLineF(line.p1(), nearestOn(box, line.p1())).length(), QLineF(line.p2(), nearestOn(box, line.p2())).length());
+    for (std::size_t n = 0; n < corners.size(); ++n) {
+        QPointF at;
+        if (line.intersects(QLineF(corners[n], corners[(n + 1) % corners.size()]), &at) == QLineF::BoundedIntersection) return 0.0;
+        least = std::min(least, fromLine(corners[n]));
+    }
+    return least;
+}
+
 /// Places tags so that they cover neither each other nor a plate: as near to their mark as can be. A line joins a tag that is away from it.
 class Tags {
 public:
-    /// `taken` has the boxes of the `rings`, too, unless these are too many.
-    Tags(QPainter& painter, const QRect& place, const std::vector<QRectF>& taken, const std::vector<QPointF>& rings)
-        : painter_(painter), place_(place), taken_(taken), rings_(rings) {
+    /// `taken` has the boxes of the `rings`, too, unless these are too many. `lines`: of the measurements, one of each.
+    Tags(QPainter& painter, const QRect& place, const std::vector<QRectF>& taken, const std::vector<QPointF>& rings,
+         const std::vector<QLineF>& lines)
+        : painter_(painter), place_(place), taken_(taken), rings_(rings), lines_(lines) {
         painter_.save();
         painter_.setFont(boldFont(painter_));
     }
@@ -48,16 +68,20 @@ public:
 
     /// `aside`: x from `at` to the nearer end of the tag; `above`: y from its lower end to `at`. The tag does not cover the `line`. It says
     /// `brief` where `text` has no free place near the mark, or only one that misleads.
-    void place(const MarkName& of, const QPointF& at, double aside, double above, const QString& text, bool active,
-               const QString& brief = {}, const QLineF& line = {}) {
+    void place(const MarkName& of, const QPointF& at, double aside, double above, QString text, bool active, const QString& brief = {},
+               const QLineF& line = {}) {
+        const auto isWhole = [this](const QString& words) { return sizeOf(words).width() <= place_.width() - 2.0 * kFromRim; };
+        if (!isWhole(text)) text = isWhole(brief) ? brief : QString();
         if (text.isEmpty()) return;
+        line_ = line;
         const std::size_t others = taken_.size();
         takeLine(at, line, painter_.fontMetrics().horizontalAdvance(text));
         const QPointF way(aside, above);
         constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-        auto box = freePlace(at, way, sizeOf(text), brief.isEmpty() ? kAnywhere : kNear);
+        const bool mayBeBrief = !brief.isEmpty() && !(active && of.isMeasure); // the value of the chosen one is read
+        auto box = freePlace(at, way, sizeOf(text), mayBeBrief ? kNear : kAnywhere);
         QString words = text;
-        if (!brief.isEmpty() && (!box || (!active && misleads(*box, at)))) {
+        if (mayBeBrief && (!box || (!active && misleads(*box, at)))) {
             const auto small = freePlace(at, way, sizeOf(brief), kAnywhere);
             const bool better = small && (!box || !misleads(*small, at));
             if (better) box = small;
@@ -67,15 +91,15 @@ public:
         taken_.resize(others);
         taken_.push_back(*box);
         const bool led = QLineF(at, nearestOn(*box, at)).length() > std::hypot(aside, above) + kStillNext;
-        placed_.push_back({{*box, of}, words, active, at, led || (!of.isMeasure && misleads(*box, at))});
+        placed_.push_back({{*box, of}, words, active, at, led || misleads(*box, at)});
     }
     /// The tag that was placed first is over the others, where they have no room next to each other. Returns their places, as placed.
     std::vector<MarkTag> draw() {
         QVector<QLineF> ways;
         for (const Placed& tag : placed_) {
             const QPointF end = nearestOn(tag.box, tag.at);
-            const double away = QLineF(tag.at, end).length();
-            if (tag.led && away > kMarkRing) ways << QLineF(tag.at + (end - tag.at) * (kMarkRing / away), end);
+            const double away = QLineF(tag.at, end).length(), ring = tag.box.of.isMeasure ? 0.0 : kMarkRing;
+            if (tag.led && away > ring) ways << QLineF(tag.at + (end - tag.at) * (ring / away), end);
         }
         strokeTwice(painter_, QPen(QColor(0, 0, 0, 200), 3.0), QPen(QColor(232, 232, 232), 1.0), [&] { painter_.drawLines(ways); });
         painter_.setPen(QPen(Qt::black, 1.0));
@@ -96,7 +120,7 @@ private:
         QString text;
         bool active;
         QPointF at;
-        bool led; // a line joins it with its mark: it is away from it, or nearer to another ring
+        bool led; // a line joins it with its mark: it is away from it, or nearer to another one
     };
     /// Takes the part of a line that a tag of this width at `at` could cover, as small squares.
     void takeLine(const QPointF& at, const QLineF& line, double width) {
@@ -113,8 +137,17 @@ private:
     [[nodiscard]] static QRectF usualPlace(const QPointF& at, const QPointF& way, const QSizeF& size) {
         return {QPointF(at.x() + way.x(), at.y() - way.y() - size.height()), size};
     }
-    /// True if a reader would take another ring for that of the tag: it is nearer, or on the way to the tag.
+    /// True if a reader would take another mark for that of the tag: it is nearer, or on the way to the tag.
     [[nodiscard]] bool misleads(const QRectF& box, const QPointF& at) const {
+        if (!line_.isNull()) {
+            const double own = awayFrom(box, line_) + 1.0;
+            const auto isNearer = [&](const QLineF& other) { return other != line_ && awayFrom(box, other) <= own; };
+            const auto isRingNearer = [&](const QPointF& ring) {
+                const bool isEnd = QLineF(ring, line_.p1()).length() < kMarkRing || QLineF(ring, line_.p2()).length() < kMarkRing;
+                return !isEnd && QLineF(nearestOn(box, ring), ring).length() - kMarkRing <= own;
+            };
+            return std::ranges::any_of(lines_, isNearer) || std::ranges::any_of(rings_, isRingNearer);
+        }
         const QPointF end = nearestOn(box, at), way = end - at;
         const double away = QPointF::dotProduct(way, way);
         return std::ranges::any_of(rings_, [&](const QPointF& other) {
@@ -144,7 +177,7 @@ private:
                 const double cost = away + QLineF(box.topLeft(), usual).length() / 8.0;
                 if (away > most || cost >= least) continue;
                 if (std::ranges::any_of(taken_, [&](const QRectF& other) { return other.intersects(box); })) continue;
-                const double all = cost + (rings_.size() <= kMostFreeRings && misleads(box, at) ? kMisleading : 0.0);
+                const double all = cost + (rings_.size() + lines_.size() <= kMostFreeRings && misleads(box, at) ? kMisleading : 0.0);
                 if (all >= least) continue;
                 least = all;
                 nearest = box;
@@ -174,19 +207,22 @@ private:
         return nearest;
     }
     void keepWithin(QRectF& box) const {
-        box.moveLeft(std::clamp(box.left(), place_.left() + 2.0, std::max(place_.left() + 2.0, place_.right() - 2.0 - box.width())));
-        box.moveTop(std::clamp(box.top(), place_.top() + 2.0, std::max(place_.top() + 2.0, place_.bottom() - 2.0 - box.height())));
+        const QRectF room = place_.adjusted(kFromRim, kFromRim, -kFromRim, -kFromRim);
+        box.moveLeft(std::clamp(box.left(), room.left(), std::max(room.left(), room.right() - box.width())));
+        box.moveTop(std::clamp(box.top(), room.top(), std::max(room.top(), room.bottom() - box.height())));
     }
 
-    static constexpr double kBetweenTags = 2.0; // px
-    static constexpr double kNextTo = 24.0;     // px from the mark: near enough not to look further
-    static constexpr double kStillNext = 4.0;   // px beyond the usual place
-    static constexpr double kNear = 100.0;      // px from the mark: farther away a short text is better
-    static constexpr double kMisleading = 30.0; // px that a tag is rather farther away than nearer to another ring
+    static constexpr double kBetweenTags = 2.0, kFromRim = 2.0; // px
+    static constexpr double kNextTo = 24.0;                     // px from the mark: near enough not to look further
+    static constexpr double kStillNext = 4.0;                   // px beyond the usual place
+    static constexpr double kNear = 100.0;                      // px from the mark: farther away a short text is better
+    static constexpr double kMisleading = 30.0;                 // px that a tag is rather farther away than nearer to another mark
     QPainter& painter_;
     QRectF place_;
     std::vector<QRectF> taken_;
     std::vector<QPointF> rings_;
+    std::vector<QLineF> lines_;
+    QLineF line_; // of the measurement whose tag is placed
     std::vector<Placed> placed_;
 };
 
@@ -287,6 +323,7 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         if (!small || measure.active) drawn.label = measure.label;
         if (drawn.ends.empty()) continue;
         if (drawn.lines.empty()) drawn.label.clear(); // it would be nowhere
+        drawn.brief = measure.brief;
         shown.measures.push_back(std::move(drawn));
         briefs.push_back(measure.brief);
     }
@@ -328,8 +365,12 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
         for (const QPointF& ring : rings) taken.emplace_back(ring - corner, ring + corner);
     }
     takeChosen(marks, taken);
+    std::vector<QLineF> lines;
+    for (const ScreenMarks::Measure& measure : marks.measures) {
+        if (!measure.lines.empty()) lines.push_back(measure.lines.front());
+    }
     {
-        Tags tags(painter, place, taken, rings);
+        Tags tags(painter, place, taken, rings, lines);
         for (auto target = marks.targets.rbegin(); target != marks.targets.rend(); ++target) { // the active one first
             if (seen(target->place.at)) // a tag without its mark would name another place
                 tags.place({false, target->cell}, target->place.at, kMarkRing + kTagOffset, kMarkRing, target->tag, target->active,
@@ -337,8 +378,8 @@ std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, cons
         }
         for (auto measure = marks.measures.rbegin(); measure != marks.measures.rend(); ++measure) { // the chosen one first
             if (!measure->lines.empty() && seen(measure->labelAt))
-                tags.place({true, measure->index}, measure->labelAt, kTagOffset, kTagOffset, measure->label, measure->active, {},
-                           measure->lines.front());
+                tags.place({true, measure->index}, measure->labelAt, kTagOffset, kTagOffset, measure->label, measure->active,
+                           measure->brief, measure->lines.front());
         }
         drawn = tags.draw();
     }

@@ -80,6 +80,7 @@ struct ScreenMarks {
         QPointF labelAt;
         bool active = false;
         std::size_t index = 0; ///< in CellMarks::measures
+        QString brief{};       ///< in place of `label` in a view that is too narrow for it
         bool operator==(const Measure&) const = default;
     };
     std::vector<Target> targets;
@@ -101,9 +102,9 @@ struct MarkTag : QRectF {
                                       bool small = false);
 
 /// White rings with black outline, centre dot and tag; lines with their labels, the chosen one thicker, with a white rim and with rings at
-/// its ends; a thin line from a tag that is away from its mark, or nearer to another ring. Tags stay inside `place`, do not overlap, and
-/// keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under a plate has none. Returns the tags, the
-/// upper ones first.
+/// its ends; a thin line from a tag that is away from its mark, or nearer to another one. Tags stay inside `place`, do not overlap, and
+/// keep off the rings, the `plates` over the view and its `texts`; a mark outside `place` or under a plate has none, and no tag is cut.
+/// Returns the tags, the upper ones first.
 std::vector<MarkTag> drawScreenMarks(QPainter& painter, const QRect& place, const ScreenMarks& marks,
                                      const std::vector<QRectF>& plates = {}, const std::vector<QRectF>& texts = {});
 

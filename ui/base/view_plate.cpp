@@ -19,6 +19,19 @@ constexpr int kLeastContent = 44;  // px of height: a title of two lines
 constexpr int kTextsOfView = 50;   // px: margins of the view, and its texts at the top
 constexpr int kGap = 4, kSide = 8; // px
 
+/// Px of the whole rows of the content within this height.
+int wholeRows(QWidget& content, int most) {
+    content.resize(content.sizeHint());
+    if (content.layout() != nullptr) content.layout()->activate();
+    const auto rows = content.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
+    int end = most;
+    const auto isCut = [&](const QWidget* each) {
+        return each->isVisibleTo(&content) && each->y() < end && each->geometry().bottom() >= end;
+    };
+    for (auto cut = std::ranges::find_if(rows, isCut); cut != rows.end(); cut = std::ranges::find_if(rows, isCut)) end = (*cut)->y();
+    return end > 0 ? end : most;
+}
+
 } // namespace
 
 ViewPlate::ViewPlate(QWidget* parent) : QFrame(parent) { setPalette(viewPalette()); }
@@ -53,7 +66,7 @@ void ViewPlate::fitContent() {
         const int most = std::max(kLeastContent, room_ - kTextsOfView - around.top() - around.bottom() - foot);
         const bool whole = content.height() <= most;
         area_->setFixedSize(content.width() + (whole ? 0 : area_->verticalScrollBar()->sizeHint().width()),
-                            std::min(content.height(), most));
+                            whole ? content.height() : wholeRows(*area_->widget(), most));
         layout()->activate();
     }
     adjustSize();

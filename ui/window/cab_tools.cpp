@@ -288,7 +288,8 @@ TargetNumbers CabMode::numbers() const {
     values.title = (target->name.empty() ? tr("Target %1").arg(target->number) : shownName(exactText(target->name), 20)) +
                    QString::fromUtf8("\u00a0▾"); // a tap on it opens its menu
     values.opens = true;
-    values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size()) + (target->locked ? " · " + tr("locked") : QString());
+    values.place = tr("%1 of %2").arg(1 + (target - all.data())).arg(all.size());
+    values.locked = target->locked;
     const auto known = targets.known().targets.find(target->cell);
     if (known == targets.known().targets.end()) return values;
     const inspect::CellTarget& cell = known->second;

@@ -47,8 +47,11 @@ void addTour(MainWindow& window, QBoxLayout& column) {
     QObject::connect(&window.cab(), &CabMode::changed, tour, [tour](bool cab) { tour->setVisible(tour->running() && !cab); });
     // Whichever way the scan was opened, the first step is done.
     QObject::connect(&window.viewer().engine, &Engine::pictureReady, tour, [tour] {
+        tour->tick(0);
         if (tour->running() && tour->step() == 0) tour->showStep(1);
     });
+    Works& works = window.viewer().engine.works();
+    QObject::connect(&works, &Works::changed, tour, [tour, &works] { tour->setOpening(works.newest() != nullptr); });
     QObject::connect(tour, &Tour::tryRequested, &window, [&window](int step) { tryStep(window, step); });
 }
 

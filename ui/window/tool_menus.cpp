@@ -2,6 +2,7 @@
 #include "ui/window/tool_menus.h"
 
 #include "ui/base/notice_bar.h"
+#include "ui/panels/tuning/edge_legend.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/window/viewer.h"
 
@@ -53,6 +54,9 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
             QObject::connect(&rocks, &Rocks::toolChanged, &action, [&action, which](RockTool now) { action.setChecked(now == which); });
         });
     };
+    const auto setOver = [&cloud](bool on) { cloud.setEdgesOverFaces(on); };
+    const Command edgesOver =
+        following(toggle("&Edges over Rocks", "", "rocks/edges", false, setOver), v.legend, &EdgeLegend::overRocksRequested);
     return submenu("&Rocks", {
                                  following(toggle("&Show Rocks", "K", "rocks/shown", false, [&rocks](bool on) { rocks.setShown(on); }),
                                            rocks, &Rocks::shownChanged),
@@ -68,7 +72,7 @@ Command rocksMenu(Viewer& v, QMainWindow& window) {
                                  kLine,
                                  changing(command("&Finer", ",", [step] { step(-0.5); })),
                                  changing(command("&Coarser", ".", [step] { step(0.5); })),
-                                 toggle("&Edges over Rocks", "", "rocks/edges", false, [&cloud](bool on) { cloud.setEdgesOverFaces(on); }),
+                                 edgesOver,
                                  kLine,
                                  tool("Draw Region of &Interest", "G", RockTool::Region),
                                  command("Clear Re&gion of Interest", "", [&rocks] { rocks.clearRegion(); }),

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
+#include <utility>
 
 namespace edgescan::edges {
 namespace {
@@ -16,10 +18,32 @@ constexpr std::size_t kMostStray = 2;  // of more points that are far from the o
 constexpr double kFarFromOthers = 2.0; // times what the others span
 constexpr double kThinM = 0.02;        // a plain surface, with its noise
 
-constexpr std::size_t kFitted = 6;
+constexpr std::size_t kFitted = 6, kLeastFitted = 3;
+
+bool isFar(double gap, double others) { return gap > kFarFromOthers * std::max(others, kThinM); }
+
+/// Points from the cell outwards: those before a jump between them, or behind one that is nearer to the cell than a line needs.
+std::vector<ProfilePoint> ofOneSurface(std::vector<ProfilePoint> points) {
+    const auto spanOf = [&points](std::size_t first, std::size_t end) {
+        const auto [least, most] = std::ranges::minmax(std::span(points).subspan(first, end - first), {}, &ProfilePoint::awayM);
+        return most.awayM - least.awayM;
+    };
+    for (std::size_t n = 1; n < points.size(); ++n) {
+        const double gap = std::abs(points[n].awayM - points[n - 1].awayM);
+        const bool enough = n >= kLeastFitted;
+        if (!isFar(gap, enough ? spanOf(0, n) : spanOf(n, points.size()))) continue;
+        if (enough) {
+            points.resize(n);
+        } else if (points.size() - n >= kLeastFitted) {
+            points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n));
+            n = 0;
+        }
+    }
+    return points;
+}
 
 std::optional<ProfileLine> lineThrough(const std::vector<ProfilePoint>& points) {
-    if (points.size() < 3) return std::nullopt;
+    if (points.size() < kLeastFitted) return std::nullopt;
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     for (const ProfilePoint& p : points) middle += Eigen::Vector2d(p.acrossM, p.awayM);
     middle /= static_cast<double>(points.size());
@@ -77,7 +101,7 @@ EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach)
         std::ranges::copy_if(profile.points, std::back_inserter(those), [side](const ProfilePoint& p) { return p.side == side; });
         if (side < 0) std::ranges::reverse(those);
         if (those.size() > kFitted) those.resize(kFitted);
-        profile.sides[side < 0 ? 0 : 1] = lineThrough(those);
+        profile.sides[side < 0 ? 0 : 1] = lineThrough(ofOneSurface(std::move(those)));
     }
     return profile;
 }
@@ -91,7 +115,6 @@ DepthsShown depthsShown(const EdgeProfile& profile) {
     if (depths.empty()) return {};
     std::ranges::sort(depths);
     std::size_t first = 0, last = depths.size() - 1; // of those that are shown; the cell itself is at depth 0
-    const auto isFar = [&](double gap, double others) { return gap > kFarFromOthers * std::max(others, kThinM); };
     for (std::size_t left = kMostStray; left > 0; --left) {
         if (last < first + left + 1) continue;
         const std::size_t end = last - left, start = first + left;

@@ -27,8 +27,8 @@ struct EdgeProfile {
     std::array<std::optional<ProfileLine>, 2> sides; ///< before and behind the cell; empty if a side has fewer than 3 points
 };
 
-/// The profile with up to `reach` cells on either side. Each straight line is fitted to the 6 nearest points of a side, with the smallest
-/// sum of squared distances from the line. Empty if the cell has no range.
+/// The profile with up to `reach` cells on either side. Each straight line is fitted to the 6 nearest points of a side, without those
+/// beyond a jump between them, with the smallest sum of squared distances from the line. Empty if the cell has no range.
 [[nodiscard]] EdgeProfile edgeProfile(const Scan& scan, std::size_t k, Along along, int reach = 12);
 
 /// The depths that a picture of the profile shows: of the cell and the 6 nearest points of each side, without one or two points of them

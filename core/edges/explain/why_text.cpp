@@ -13,6 +13,13 @@ namespace {
 
 std::string number(double value) { return fixedText(value, std::abs(value) < 10 ? 2 : 1); }
 
+/// Rounded down, as the largest threshold is at which the cell is an edge: "1.73 ... disappears above 1.72" would contradict itself.
+std::string strengthNumber(double value) {
+    constexpr double kNearlyNext = 1e-4; // of the last digit: 0.7 has no exact binary value
+    const double tens = std::abs(value) < 10 ? 100.0 : 10.0;
+    return number(std::floor(value * tens + kNearlyNext) / tens);
+}
+
 std::string whole(double value) { return fixedText(value, value < 10 ? 1 : 0); }
 
 /// Lengths are in metres, with the digits of the status line; noise below 10 mm has one digit more.
@@ -38,7 +45,7 @@ private:
     [[nodiscard]] std::string place(const CellStrength& cell) const { return place(cell.line, cell.beam); }
     [[nodiscard]] bool isDepth() const { return why_.depth.has_value(); }
     /// A number with the unit of the thresholds; strengths of EdgeScan+ are factors without unit.
-    [[nodiscard]] std::string inUnit(double value) const { return number(value) + (isDepth() ? "" : " " + translated_(why_.unit)); }
+    [[nodiscard]] std::string inUnit(double value) const { return strengthNumber(value) + (isDepth() ? "" : " " + translated_(why_.unit)); }
     [[nodiscard]] std::string label(const char* key) const { return translated_(findParameter(key)->label); }
     [[nodiscard]] std::string named(const char* key) const { return naming_ == Naming::Keys ? key : label(key); }
     [[nodiscard]] std::string kindName(DepthEdge kind) const;
@@ -106,13 +113,13 @@ std::string WhyWords::stateName(CellState state) const {
 }
 
 std::string WhyWords::lowerThreshold() const {
-    if (isDepth()) return named("hysteresis-low") + " (" + number(why_.lower) + ")";
+    if (isDepth()) return named("hysteresis-low") + " (" + strengthNumber(why_.lower) + ")";
     return hasOneThreshold(settings_.method) ? say("the threshold %1", {inUnit(why_.lower)})
                                              : say("the lower threshold %1", {inUnit(why_.lower)});
 }
 
 std::string WhyWords::upperThreshold() const {
-    if (isDepth()) return named("sensitivity") + " " + number(why_.upper);
+    if (isDepth()) return named("sensitivity") + " " + strengthNumber(why_.upper);
     return hasOneThreshold(settings_.method) ? say("the threshold %1", {inUnit(why_.upper)})
                                              : say("the upper threshold %1", {inUnit(why_.upper)});
 }
@@ -163,7 +170,7 @@ std::string WhyWords::reason() const {
     if (!why_.takesPart)
         return why_.probe.state == CellState::Valid ? say("it is a single cell and takes no part") : say("it has no range");
     const std::string strength = isDepth() && why_.kind != DepthEdge::None
-                                     ? say("the strength %1 of its %2", {number(why_.strength), kindName(why_.kind)})
+                                     ? say("the strength %1 of its %2", {strengthNumber(why_.strength), kindName(why_.kind)})
                                      : say("its strength %1", {inUnit(why_.strength)});
     if (!why_.probe.edge) return reasonOfNone(strength);
     const auto above = [&] { return say("%1 is above %2", {strength, upperThreshold()}); };
@@ -187,7 +194,7 @@ std::string WhyWords::stepText(const DepthStepAtCell& step) const {
                               say("relief %1", {part(step.reliefMm)});
     const std::string limit = metres(sumMm) + " m = " + parts;
     const std::initializer_list<std::string> values{metres(step.stepMm), place(step.line, step.beam), alongName(step.along), limit,
-                                                    number(step.strength)};
+                                                    strengthNumber(step.strength)};
     return step.cellIsNearer ? say("Step in depth: %1 m to %2 (%3; this cell is the nearer one), limit %4: strength %5.", values)
                              : say("Step in depth: %1 m to %2 (%3; that cell is the nearer one), limit %4: strength %5.", values);
 }
@@ -198,7 +205,7 @@ std::string WhyWords::foldText(const FoldAtCell& fold) const {
                             ? say("%1 degrees, which noise alone may look like (%2 %3)", {number(fold.noiseDeg), label("crease"), crease})
                             : say("%1 degrees = %2", {crease, label("crease")});
     if (fold.meets < 0.995) limit += say("; %1 % of it counts, for the two sides do not meet at the cell", {whole(100 * fold.meets)});
-    const std::initializer_list<std::string> values{number(fold.dihedralDeg), alongName(fold.along), limit, number(fold.strength)};
+    const std::initializer_list<std::string> values{number(fold.dihedralDeg), alongName(fold.along), limit, strengthNumber(fold.strength)};
     return fold.convex ? say("Fold: %1 degrees convex, outwards (%2), limit %3: strength %4.", values)
                        : say("Fold: %1 degrees concave, inwards (%2), limit %3: strength %4.", values);
 }
@@ -234,7 +241,7 @@ std::string WhyWords::depthText() const {
     if (!depth.folds.empty()) text += "\n" + foldText(depth.folds.front());
     const double together = static_cast<double>(std::abs(depth.crease.before)) * (why_.rough ? why_.rough->factor : 1.0);
     if (depth.folds.size() > 1 && together > 1.005 * depth.folds.front().strength)
-        text += " " + say("Together with the other way %1.", {number(together)});
+        text += " " + say("Together with the other way %1.", {strengthNumber(together)});
     if (why_.rough && !depth.folds.empty()) text += "\n" + roughText();
     if (depth.support == Support::Void) return text;
     text += "\n" + say("Range noise used: sigma %1 m here, %2 m at 5 m.", {noiseMetres(depth.noiseMm), noiseMetres(depth.noiseAt5mMm)});
@@ -255,10 +262,10 @@ std::string WhyWords::strengthText() const {
     }
     if (isDepth())
         return text + say("; %1 %2, %3 %4 % of it: weak from %5, strong from %6",
-                          {label("sensitivity"), number(why_.upper), label("hysteresis-low"), whole(settings_.hysteresisPercent),
-                           number(why_.lower), number(why_.upper)});
+                          {label("sensitivity"), strengthNumber(why_.upper), label("hysteresis-low"), whole(settings_.hysteresisPercent),
+                           strengthNumber(why_.lower), strengthNumber(why_.upper)});
     return text + (why_.lower == why_.upper ? say(", threshold %1", {inUnit(why_.upper)})
-                                            : say(", thresholds %1 and %2", {number(why_.lower), inUnit(why_.upper)}));
+                                            : say(", thresholds %1 and %2", {strengthNumber(why_.lower), inUnit(why_.upper)}));
 }
 
 std::string WhyWords::chainText() const {

@@ -42,7 +42,8 @@ void CornerPicture::setWords(const QString& words) {
     update();
 }
 
-/// At most a quarter of the available space, in the aspect ratio of the image. A low view has no room for the words of a picture.
+/// At most a quarter of the available space, in the aspect ratio of the image. A low view has no room for words below the picture: one line
+/// is over it.
 void CornerPicture::place() {
     const QSize room = parentWidget()->size();
     int width = std::min(kWidest, std::max(kNarrowest, room.width() / 4));
@@ -112,8 +113,13 @@ void CornerPicture::paintEvent(QPaintEvent* /*event*/) {
         };
         strokeTwice(painter, QPen(Qt::black, 4.0), QPen(Qt::white, 2.0), draw);
     }
+    const QRect line(0, height() - fontMetrics().height() - 2, width(), fontMetrics().height() + 2);
+    if (words_ == 0) painter.fillRect(line, QColor(0x1b, 0x1d, 0x1f, 190));
     painter.setPen(QColor(0xe8, 0xe8, 0xe8));
-    if (words_ > 0)
+    if (words_ == 0)
+        painter.drawText(line.adjusted(kMargin, 0, -kMargin, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(text(), Qt::ElideRight, width() - 2 * kMargin));
+    else
         painter.drawText(rect().adjusted(kMargin, above.height(), -kMargin, 0), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
                          text());
     painter.setPen(QPen(hasFocus() ? QColor(0x6c, 0xb2, 0xff) : QColor(0x63, 0x68, 0x6e), hasFocus() ? 2.0 : 1.0));

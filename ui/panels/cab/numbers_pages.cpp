@@ -17,8 +17,7 @@ constexpr int kPageHigh = 48; // px: of the button that turns the page
 
 } // namespace
 
-/// Where the pages after the first one begin: what belongs together is on one page. Warnings begin on the first page, next to their number,
-/// even if their last lines have no room there.
+/// Where the pages after the first one begin: what belongs together is on one page, but for lines of warnings.
 std::vector<int> NumbersSide::pageStarts(int room, int high) const {
     std::vector<const QWidget*> firsts;
     if (!coordinateLabels_.empty()) firsts.push_back(coordinateLabels_.front().second); // a place is whole
@@ -26,11 +25,11 @@ std::vector<int> NumbersSide::pageStarts(int room, int high) const {
     if (!sizeTolerance_->text().isEmpty()) firsts.push_back(sizeRemark_);
     for (const auto& [name, value] : rowLabels_) firsts.push_back(value);
     std::erase_if(firsts, [this](const QWidget* each) { return !each->isVisibleTo(facts_); });
-    std::ranges::sort(firsts, {}, &QWidget::y);
     std::vector<int> tops;
     const int line = warned_->fontMetrics().lineSpacing(), lines = warned_->isVisibleTo(facts_) ? warned_->height() / line : 0;
     for (int n = 0; n < lines; ++n) tops.push_back(warned_->y() + n * line);
     for (const QWidget* each : firsts) tops.push_back(each->y());
+    std::ranges::sort(tops);
     std::vector<int> starts;
     for (std::size_t n = 0; n < tops.size(); ++n) {
         const int end = n + 1 < tops.size() ? tops[n + 1] : high, start = starts.empty() ? 0 : starts.back();

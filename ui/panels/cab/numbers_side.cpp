@@ -2,6 +2,7 @@
 #include "ui/panels/cab/numbers_side.h"
 
 #include "ui/base/count_text.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/icons.h"
 #include "ui/base/themes.h"
 #include "ui/panels/cab/fitted_label.h"
@@ -30,6 +31,7 @@ namespace {
 constexpr int kNumberPx = 42, kLowNumberPx = 32, kCoordinatePx = 25, kTextPx = 19, kNotePx = 17, kLeastNotePx = 15;
 constexpr int kLeastScrolled = 90;
 constexpr int kAroundPose = 14;
+constexpr int kLockPx = 16, kBeforeLock = 4;
 constexpr int kSign = 28, kLowSign = 16; // px: of Tune, the lower one above two lines
 constexpr int kLowestPx = 480;           // a lower side has no stepper next to the numbers: Tune has it
 constexpr int kLowPx = 720;              // a lower side, as of a screen of 768, has smaller letters, so that all rows are seen
@@ -85,16 +87,19 @@ QToolButton* arrow(const char* name, const char* sign, const QString& words) {
 NumbersSide::NumbersSide(QWidget* parent)
     : QWidget(parent), pages_(new QStackedWidget), previous_(arrow("cab-previous", "previous", tr("Previous target or measurement"))),
       next_(arrow("cab-next", "next", tr("Next target or measurement"))), title_(label("cab-target", kTextPx, true)),
-      hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget), distance_(fitted("cab-distance", kNumberPx)),
-      tolerance_(label("cab-tolerance", kNotePx, false)), rock_(label("cab-rock", kNotePx, false)),
-      sizeTolerance_(label("cab-size-tolerance", kNotePx, false)), rockHead_(new QWidget), size_(fitted("cab-size", kNumberPx)),
-      sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)),
+      lock_(new QLabel(title_)), hint_(label("cab-hint", kTextPx, false)), facts_(new QWidget),
+      distance_(fitted("cab-distance", kNumberPx)), tolerance_(label("cab-tolerance", kNotePx, false)),
+      rock_(label("cab-rock", kNotePx, false)), sizeTolerance_(label("cab-size-tolerance", kNotePx, false)), rockHead_(new QWidget),
+      size_(fitted("cab-size", kNumberPx)), sizeRemark_(label("cab-size-remark", kNotePx, false)), pose_(label("cab-pose", kNotePx, false)),
       warned_(label("cab-warned", kNotePx, false)), coordinates_(new QGridLayout), rows_(new QGridLayout), below_(new QWidget),
       page_(new QToolButton), main_(new Stepper(QString())), foot_(new QGridLayout) {
     for (QLabel* each : {title_, hint_, tolerance_, rock_, sizeRemark_, pose_, warned_}) each->setWordWrap(true);
     main_->setObjectName("cab-main-stepper");
     title_->setAlignment(Qt::AlignCenter);
     title_->installEventFilter(this);
+    lock_->setObjectName("cab-locked");
+    lock_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    followColours(*lock_, [this](const Theme&) { lock_->setPixmap(toolIcon("lock").pixmap(kLockPx, kLockPx)); });
     auto* head = new QHBoxLayout;
     head->addWidget(previous_);
     head->addWidget(title_, 1);
@@ -147,9 +152,9 @@ QWidget* NumbersSide::makeNumbers() {
     above->addWidget(tolerance_);
     column->addLayout(above);
     column->addWidget(distance_);
-    column->addWidget(pose_);   // on the first page
-    column->addWidget(warned_); // too
-    column->addLayout(coordinates_);
+    column->addWidget(pose_);
+    column->addLayout(coordinates_); // on the first page, whatever is warned about
+    column->addWidget(warned_);
     column->addSpacing(4);
     auto* aboveSize = new QHBoxLayout(rockHead_);
     aboveSize->setContentsMargins(0, 0, 0, 0);
@@ -180,7 +185,7 @@ QWidget* NumbersSide::makeSettings() {
     settings_ = new QVBoxLayout(content);
     settings_->setContentsMargins(0, 0, 0, 0);
     settings_->setSpacing(12);
-    settingsHead_ = new QHBoxLayout;
+    settingsHead_ = new FlowLayout;
     settings_->addLayout(settingsHead_);
     settings_->addStretch(1);
     return content;
@@ -198,6 +203,8 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
     titleWords_ = some                  ? numbers.title + '\n' + numbers.place
                   : numbers.targets > 0 ? targetCount(static_cast<std::size_t>(numbers.targets))
                                         : tr("No target");
+    lock_->setVisible(numbers.locked);
+    title_->setAccessibleName(numbers.locked ? titleWords_ + " · " + tr("locked") : titleWords_);
     fitTitle();
     distance_->showText(numbers.distance);
     tolerance_->setWordWrap(!numbers.tolerance.startsWith("±"));
@@ -224,7 +231,7 @@ void NumbersSide::showNumbers(const TargetNumbers& numbers) {
 void NumbersSide::placeSize(bool first) {
     auto& column = *static_cast<QVBoxLayout*>(facts_->layout());
     for (QWidget* each : std::initializer_list<QWidget*>{rockHead_, size_}) column.removeWidget(each);
-    const int at = first ? column.indexOf(warned_) + 1 : column.indexOf(sizeRemark_);
+    const int at = first ? column.indexOf(pose_) + 1 : column.indexOf(sizeRemark_);
     column.insertWidget(at, rockHead_);
     column.insertWidget(at + 1, size_);
 }
@@ -257,6 +264,17 @@ void NumbersSide::fitTitle() {
     }
     title_->setText(shown);
     if (letters.pixelSize() != title_->font().pixelSize()) title_->setFont(letters);
+    placeLock();
+}
+
+/// Next to the last line: as a word of it, it would need a line of its own.
+void NumbersSide::placeLock() {
+    const QFontMetrics letters(title_->font());
+    const QRect place = title_->contentsRect();
+    const QRect words = letters.boundingRect(place, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, title_->text());
+    const int last = letters.horizontalAdvance(titleWords_.section('\n', -1));
+    const int left = std::min(place.center().x() + last / 2 + kBeforeLock, place.right() + 1 - kLockPx);
+    lock_->setGeometry(left, words.bottom() - (letters.height() + kLockPx) / 2, kLockPx, kLockPx);
 }
 
 void NumbersSide::fitHeight() {

@@ -8,7 +8,6 @@
 #include <vector>
 
 class QGridLayout;
-class QHBoxLayout;
 class QLabel;
 class QScrollArea;
 class QStackedWidget;
@@ -18,6 +17,7 @@ class QVBoxLayout;
 namespace edgescan::ui {
 
 class FittedLabel;
+class FlowLayout;
 class Stepper;
 
 /// The text about a target, a rock or a measurement. Empty title: nothing is chosen.
@@ -36,6 +36,7 @@ struct TargetNumbers {
     bool measuring = false;  ///< a tap is an end of a measurement
     QString distanceName{};  ///< "Throat Width"; empty: "Distance"
     QString sizeTolerance{}; ///< "± 0.10 m"
+    bool locked = false;     ///< a lock is next to the place
     bool ofRock = false;     ///< its size is above the coordinates: a low screen shows it at once
 };
 
@@ -86,6 +87,7 @@ protected:
 
 private:
     void fitTitle();
+    void placeLock();
     void placeSize(bool first);
     void fitHeight();
     QWidget* makeNumbers();
@@ -104,7 +106,7 @@ private:
     QScrollArea* scroll_ = nullptr; // of the numbers
     QToolButton* previous_;
     QToolButton* next_;
-    QLabel* title_;
+    QLabel *title_, *lock_;
     QLabel* hint_;
     QWidget* facts_;
     QLabel* distanceName_ = nullptr;
@@ -127,7 +129,7 @@ private:
     bool stepped_ = false; // the main stepper has a setting
     Stepper* main_;
     QString mainKey_, ofLess_, ofMore_;
-    QHBoxLayout* settingsHead_ = nullptr;
+    FlowLayout* settingsHead_ = nullptr;
     QVBoxLayout* settings_ = nullptr;
     std::vector<std::pair<QString, Stepper*>> steppers_;
     QGridLayout* foot_;

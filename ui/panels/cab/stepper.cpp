@@ -13,8 +13,9 @@
 namespace edgescan::ui {
 namespace {
 
-constexpr int kButton = 64, kLetters = 24, kValue = 20, kLineGap = 4, kMeaning = 15; // px
-constexpr int kColumns = 4; // two below each of the words, the inner ones for what was found
+constexpr int kStepperHigh = 64, kLetters = 24, kValue = 20, kLineGap = 4, kMeaning = 15; // px
+constexpr int kStepperLeast = 48; // px: a narrow side has its scroll bar next to them
+constexpr int kColumns = 4;       // two below each of the words, the inner ones for what was found
 constexpr int kFirstRepeatMs = 400, kRepeatMs = 90;
 
 // The steps grow, so that a large change takes few repeats.
@@ -50,7 +51,7 @@ Stepper::Stepper(const QString& name, QWidget* parent)
     }
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(2 * kLineGap);
+    grid->setHorizontalSpacing(kLineGap);
     grid->setVerticalSpacing(kLineGap);
     auto* words = new QVBoxLayout;
     words->setSpacing(kLineGap);
@@ -91,8 +92,8 @@ void Stepper::setMeaning(const QString& ofLess, const QString& ofMore) {
 void Stepper::setAside(QToolButton* button) { head_->addWidget(button, 0, Qt::AlignTop); }
 
 void Stepper::addButton(QToolButton& button, int direction) {
-    button.setMinimumWidth(kButton);
-    button.setFixedHeight(kButton);
+    button.setMinimumWidth(kStepperLeast);
+    button.setFixedHeight(kStepperHigh);
     button.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button.setFocusPolicy(Qt::TabFocus);
     button.setAutoRepeat(true);

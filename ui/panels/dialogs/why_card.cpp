@@ -88,7 +88,8 @@ void ProfileView::paintEvent(QPaintEvent* /*event*/) {
     };
     painter.setClipRect(room.adjusted(-kRim, -kRim, kRim, kRim));
     for (const auto& line : profile_.sides) {
-        if (!line) continue;
+        const auto isInRoom = [&](double awayM) { return awayM >= nearM && awayM <= farM; };
+        if (!line || !isInRoom(line->fromAwayM) || !isInRoom(line->toAwayM)) continue; // it leads to points beyond it
         painter.setPen(QPen(theme.accent, 2.0));
         painter.drawLine(at(line->fromAcrossM, line->fromAwayM), at(line->toAcrossM, line->toAwayM));
     }

@@ -33,6 +33,7 @@ constexpr int kButtonHigh = 56;          // px; higher where its description nee
 constexpr int kLow = 580;                // px of the page
 constexpr int kSign = 28, kAppSign = 72; // px
 constexpr int kTop = 52, kAbove = 8;     // px: where it has room, a note or the tour comes above the content and moves nothing
+constexpr int kTopForGloves = 104;       // px: a note of a low cab has two rows
 constexpr int kThere = Qt::UserRole + 1;
 
 QCommandLinkButton* addButton(QVBoxLayout& column, const char* name, const char* sign, const QString& text, const QString& more) {
@@ -118,13 +119,13 @@ StartPage::StartPage(const QString& cache, QWidget* parent)
 void StartPage::fit() {
     const bool low = forTouch_ && height() < kLow;
     for (QWidget* each : {title_, foot_}) each->setHidden(low);
-    all_->setContentsMargins(low ? QMargins(12, kAbove, 12, 8) : QMargins(40, kAbove, 40, 20));
+    all_->setContentsMargins(low ? QMargins(12, 0, 12, 8) : QMargins(40, kAbove, 40, 20));
     row_->setSpacing(low ? 16 : 40);
     row_->setStretch(1, low ? 2 : 3);
     row_->itemAt(0)->widget()->layout()->setSpacing(low ? 4 : 8);
     const int wide = all_->parentWidget()->width();
     const int high = all_->hasHeightForWidth() ? all_->totalHeightForWidth(wide) : all_->totalMinimumSize().height();
-    setContentsMargins(0, std::max(low ? std::clamp(height() - high, 0, kTop) : kTop, taken_), 0, 0);
+    setContentsMargins(0, std::max(low ? std::clamp(height() - high, kAbove, kTopForGloves) : kTop, taken_), 0, 0);
 }
 
 void StartPage::setTopTaken(int pixels) {

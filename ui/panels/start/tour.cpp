@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -68,7 +69,10 @@ Tour::Tour(QWidget* parent)
     row->addWidget(number_);
     row->addWidget(text_);
     for (QToolButton* button : {try_, back_, next_, end_}) row->addWidget(button);
-    connect(try_, &QToolButton::clicked, this, [this] { emit tryRequested(step_); });
+    connect(try_, &QToolButton::clicked, this, [this] {
+        if (step_ > 0) tick(step_); // the first one is done with the picture
+        emit tryRequested(step_);
+    });
     connect(back_, &QToolButton::clicked, this, [this] { showStep(step_ - 1); });
     connect(next_, &QToolButton::clicked, this, [this] { step_ + 1 < kSteps ? showStep(step_ + 1) : end(); });
     connect(end_, &QToolButton::clicked, this, &Tour::end);
@@ -94,12 +98,22 @@ void Tour::end() {
 void Tour::showStep(int step) {
     step_ = std::clamp(step, 0, kSteps - 1);
     const TourStep shown = tourStep(step_);
-    number_->setText(tr("%1 of %2").arg(step_ + 1).arg(kSteps));
+    number_->setText((done_[static_cast<std::size_t>(step_)] ? "✓ " : "") + tr("%1 of %2").arg(step_ + 1).arg(kSteps));
     text_->setText(shown.text);
     try_->setText(shown.button);
+    try_->setEnabled(step_ > 0 || !opening_);
     back_->setEnabled(step_ > 0);
     next_->setText(step_ + 1 < kSteps ? tr("Next") : tr("Done"));
     end_->setVisible(step_ + 1 < kSteps);
+}
+
+void Tour::tick(int step) {
+    done_[static_cast<std::size_t>(step)] = true;
+    showStep(step_);
+}
+
+void Tour::setOpening(bool on) {
+    if (std::exchange(opening_, on) != on) showStep(step_);
 }
 
 } // namespace edgescan::ui

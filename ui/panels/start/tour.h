@@ -3,6 +3,8 @@
 
 #include <QFrame>
 
+#include <array>
+
 class QLabel;
 class QToolButton;
 
@@ -23,6 +25,10 @@ public:
     /// From 0.
     [[nodiscard]] int step() const { return step_; }
     void showStep(int step);
+    /// The step has a tick from now on.
+    void tick(int step);
+    /// While the program opens a scan, the first step has nothing to open.
+    void setOpening(bool on);
 
 signals:
     /// The operator wants to see what the step is about.
@@ -34,6 +40,8 @@ private:
     QToolButton *try_, *back_, *next_, *end_;
     bool running_ = false;
     int step_ = 0;
+    std::array<bool, kSteps> done_{};
+    bool opening_ = false;
 };
 
 } // namespace edgescan::ui

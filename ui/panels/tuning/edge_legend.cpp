@@ -63,10 +63,13 @@ EdgeLegend::EdgeLegend(QWidget* parent) : ViewPlate(parent) {
         bold.setBold(true);
         each->setFont(bold);
     }
-    edges_->setChecked(true);
-    edges_->setToolTip(tr("Edge points on and off: E"));
+    showSeen();
     connect(edges_, &QCheckBox::toggled, this, [this](bool on) {
-        if (!showing_) emit edgesRequested(on);
+        if (showing_) return;
+        if (!isCovered_) emit edgesRequested(on);
+        if (!on || !isCovered_) return;
+        showSeen(); // until they are drawn over the rocks
+        emit overRocksRequested(true);
     });
     unfold_ = new QToolButton;
     unfold_->setObjectName("legend-unfold");
@@ -212,7 +215,7 @@ void EdgeLegend::showRows() {
     unfold_->setArrowType(brief_ ? Qt::NoArrow : open ? Qt::DownArrow : Qt::UpArrow);
     unfold_->setToolTip(open ? tr("Folds the legend") : tr("Unfolds the legend"));
     covered_->setVisible(isCovered_ && (open || !brief_));
-    edges_->setText(isCovered_ && brief_ && !low_ ? tr("Edges, under rocks") : tr("Edges")); // a tick alone would say that they are seen
+    edges_->setText(isCovered_ && brief_ && !low_ ? tr("Edges, under rocks") : tr("Edges")); // the number is that of the images
     filled_->setVisible(isFilled_ && (open || !brief_));
     missing_->parentWidget()->setVisible(isMissing_ && open && roomy_);
     ray_->parentWidget()->setVisible(open && roomy_);
@@ -221,6 +224,7 @@ void EdgeLegend::showRows() {
 
 void EdgeLegend::showCovered(bool on) {
     isCovered_ = on;
+    showSeen();
     showRows();
     adjustSize();
 }
@@ -287,8 +291,15 @@ void EdgeLegend::showByClass(bool on) {
 }
 
 void EdgeLegend::showEdges(bool on) {
+    areOn_ = on;
+    showSeen();
+}
+
+/// The tick follows what the cloud shows.
+void EdgeLegend::showSeen() {
     showing_ = true;
-    edges_->setChecked(on);
+    edges_->setChecked(areOn_ && !isCovered_);
+    edges_->setToolTip(isCovered_ ? tr("Draws the edge points over the rocks") : tr("Edge points on and off: E"));
     showing_ = false;
 }
 

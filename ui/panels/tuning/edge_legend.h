@@ -25,7 +25,7 @@ public:
     void showColours(const EdgeColours& colours);
     void showByClass(bool on);
     void showEdges(bool on);
-    /// On: rocks are drawn over the edges of the cloud; the counts then refer to the images.
+    /// On: rocks are drawn over the edges of the cloud; the counts then refer to the images, and the switch draws the edges over the rocks.
     void showCovered(bool on);
     /// In a cab: one row, the switch of edges. Its button opens the classes of rocks, the rims of open voids and other classes that have
     /// edges.
@@ -40,6 +40,8 @@ public:
 
 signals:
     void edgesRequested(bool on);
+    /// The switch was pressed while rocks covered the edges.
+    void overRocksRequested(bool on);
     void byClassRequested(bool on);
     /// Bits of EdgeClassBits.
     void classesRequested(int classes);
@@ -53,6 +55,7 @@ private:
     };
     [[nodiscard]] Row addRow(QGridLayout& grid, const QString& name, const char* objectName);
     void showRows();
+    void showSeen();
     void showFold();
     [[nodiscard]] int leastOpen() const; ///< px of a view's height
     [[nodiscard]] bool canOpen() const;
@@ -75,7 +78,7 @@ private:
     bool known_ = false;                       // the counts of the classes are known
     bool brief_ = false, low_ = false, roomy_ = true;
     bool openAtDesk_ = true, openInCab_ = false, openLow_ = false; // what the operator left, with room and in one row
-    bool isCovered_ = false, isFilled_ = false, isMissing_ = false;
+    bool areOn_ = true, isCovered_ = false, isFilled_ = false, isMissing_ = false;
     QLabel* covered_ = nullptr;
     QToolButton* unfold_ = nullptr; // on: the rows are shown
     QLabel* taken_ = nullptr;       // where the cells of a class that is off went; empty: nowhere

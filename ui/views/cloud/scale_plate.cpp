@@ -34,6 +34,7 @@ const std::array<QColor, 3> kAxisInk{QColor(0xff, 0x82, 0x76), QColor(0x7f, 0xd9
 
 ScalePlate::ScalePlate(CloudView* cloud) : ViewPlate(cloud), cloud_(cloud) {
     setObjectName("scale-plate");
+    setToolTip(tr("The bar has this length at the median distance of the points in view"));
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     connect(cloud, &CloudView::frameDrawn, this, &ScalePlate::follow);
     cloud->installEventFilter(this);
@@ -41,13 +42,21 @@ ScalePlate::ScalePlate(CloudView* cloud) : ViewPlate(cloud), cloud_(cloud) {
 }
 
 bool ScalePlate::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == cloud_ && event->type() == QEvent::Resize) place();
+    const auto type = event->type();
+    if (watched == cloud_ && type == QEvent::Resize) place();
+    // A legend that unfolds draws no frame. Queued: the layout moves several of them.
+    const bool moves = type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide;
+    if (watched != cloud_ && moves) QMetaObject::invokeMethod(this, &ScalePlate::place, Qt::QueuedConnection);
     return ViewPlate::eventFilter(watched, event);
 }
 
 bool ScalePlate::coloured() const { return colours_.points && cloud_->pointColours() == colours_.points; }
 
 void ScalePlate::place() {
+    for (QWidget* other : cloud_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        const bool isPlate = qobject_cast<ViewPlate*>(other) != nullptr || qobject_cast<QAbstractButton*>(other) != nullptr;
+        if (isPlate && other != this) other->installEventFilter(this); // a second installation changes nothing
+    }
     const auto& cloud = cloud_->geometryOfCloud();
     isSmall_ = cloud_->width() < kSmallView;
     const bool crowded = isSmall_ && !(cloud_->caption().isEmpty() && keptFree_.isEmpty()); // most of a small view is for the rocks
@@ -123,7 +132,7 @@ void ScalePlate::follow() {
     }
     const CameraPose pose = cloud_->camera();
     const Seen seen{cloud_->geometryOfCloud(), pose, cloud_->clip(), cloud_->size()};
-    if (seen != seen_) depth_ = depthInTheMiddle();
+    if (seen != seen_) depth_ = medianDepth();
     seen_ = seen;
     const double depth = depth_;
     const double perMetre = cloud_->height() / (2.0 * pose.halfHeight()) * (pose.parallel ? 1.0 : pose.distance() / depth);
@@ -138,14 +147,25 @@ void ScalePlate::follow() {
     update();
 }
 
-/// The depth of the point in the middle of the view; without a point there: the depth of the cloud's centre.
-double ScalePlate::depthInTheMiddle() const {
+/// Of some of the points in view: the middle of the view may look through a gap. Without a point in view: of the cloud's centre.
+double ScalePlate::medianDepth() const {
+    constexpr std::size_t kLooks = 2000;
     const CameraPose pose = cloud_->camera();
+    const ScreenView view = cloud_->screenView();
     const CloudGeometry& cloud = *cloud_->geometryOfCloud();
-    const auto cell = cloud_->cellAt(QRectF(cloud_->rect()).center());
-    const Eigen::Vector3f at = cell ? cloud.point(*cell) : cloud.mainBounds.center();
-    const double depth = pose.forward().dot(at.cast<double>() - pose.position);
-    return depth > 1e-3 ? depth : pose.distance();
+    const auto depthOf = [&pose](const Eigen::Vector3f& at) { return pose.forward().dot(at.cast<double>() - pose.position); };
+    std::vector<double> depths;
+    const std::size_t cells = cloud.cells(), looks = std::min(cells, kLooks);
+    for (std::size_t n = 0; n < looks; ++n) {
+        const std::size_t k = n * cells / looks + (n * 7919) % std::max<std::size_t>(1, cells / looks); // of all columns
+        if (!cloud.drawable(k)) continue;
+        const ScreenPoint at = toScreen(view, cloud.point(k));
+        if (at.inside && at.x >= 0.0 && at.x < view.width && at.y >= 0.0 && at.y < view.height) depths.push_back(depthOf(cloud.point(k)));
+    }
+    if (depths.empty()) depths.push_back(depthOf(cloud.mainBounds.center()));
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::ranges::nth_element(depths, middle);
+    return *middle > 1e-3 ? *middle : pose.distance();
 }
 
 void ScalePlate::showColours(const CloudColours& colours) {

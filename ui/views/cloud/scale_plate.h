@@ -33,7 +33,7 @@ public:
     [[nodiscard]] bool isSeeThrough() const { return seeThrough_; }
     /// The colours of the cloud on the screen; ColourBy::Nothing: no colour scale.
     void showColours(const CloudColours& colours);
-    /// "1 m at 4.9 m", and the length of the bar in pixels.
+    /// "1 m at 4.9 m", the median distance of the points in view, and the length of the bar in pixels.
     [[nodiscard]] QString barText() const { return barText_; }
     [[nodiscard]] double barPixels() const { return barPixels_; }
     /// "X", "Y", "Z", or the names of the mine grid; their directions on the screen, x right, y up, 1 = in the plane of the screen.
@@ -51,7 +51,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// The values that determine which point is in the middle.
+    /// The values that determine which points are in view.
     struct Seen {
         std::shared_ptr<const CloudGeometry> cloud;
         CameraPose camera;
@@ -70,7 +70,7 @@ private:
     std::vector<QRect> rings_;
     bool seeThrough_ = false;          // it covers a ring
     [[nodiscard]] double unit() const; // 1; larger with a larger font
-    [[nodiscard]] double depthInTheMiddle() const;
+    [[nodiscard]] double medianDepth() const;
     [[nodiscard]] bool coloured() const;
     [[nodiscard]] QSize plain() const; // without the colours, in units
     void drawBar(QPainter& painter) const;
@@ -85,7 +85,7 @@ private:
     QString barText_, groundText_;
     double barPixels_ = 0.0;
     Seen seen_;
-    double depth_ = 1.0; // of the point in the middle, metres
+    double depth_ = 1.0; // metres, median of the points in view
     CloudColours colours_;
     bool coloured_ = false; // the points have these colours at present
 };

@@ -61,6 +61,18 @@ TEST(EdgeProfile, AJumpHasALineOnEitherSideAsFarApartAsTheWalls) {
     for (const double away : {profile.sides[1]->fromAwayM, profile.sides[1]->toAwayM}) EXPECT_NEAR(away, 0.5, 2e-3);
 }
 
+// A jump within the points of a side: its line is that of one surface, and not a slope from one to the other.
+TEST(EdgeProfile, NoLineCrossesAJump) {
+    for (const int split : {31, 32, 33, 34, 35, 36}) {
+        const Scan scan = walled(split, 2.0);
+        const EdgeProfile profile = edgeProfile(scan, scan.rangeMm.index(4, 30), Along::Beams);
+        ASSERT_TRUE(profile.sides[0] && profile.sides[1]) << split;
+        EXPECT_LT(std::abs(profile.sides[1]->fromAwayM - profile.sides[1]->toAwayM), 0.05) << split;
+        const double near = split >= 34 ? 0.0 : 2.0;
+        EXPECT_NEAR(profile.sides[1]->fromAwayM, near, 0.1) << split;
+    }
+}
+
 TEST(EdgeProfile, WhatHasNoRangeIsLeftOut) {
     Scan scan = walled(61, 0.0);
     for (int beam = 31; beam < 61; ++beam) scan.state.at(4, beam) = CellState::NoReturn;

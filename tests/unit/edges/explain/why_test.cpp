@@ -64,6 +64,24 @@ TEST(Why, TheValueAtWhichACellAppearsIsTheLastOneAtWhichItDoes) {
     EXPECT_GT(vanish, 0);
 }
 
+// "the strength 1.73 ... disappears above 1.72" would contradict itself.
+TEST(Why, TheStrengthIsRoundedAsItsLimit) {
+    const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
+    const auto detection = detectEdges(scan, Settings{});
+    int checked = 0;
+    for (const std::uint32_t k : *detection->edges) {
+        Why why = whyCell(*detection, k);
+        if (why.level != StrengthLevel::Above || why.verdict.find("the strength ") == std::string::npos) continue;
+        why.strength = 1.728;
+        why.appearsAt = 1.72;
+        const std::string verdict = whyVerdict(why, detection->settings, Naming::Keys);
+        EXPECT_NE(verdict.find("the strength 1.72 "), std::string::npos) << verdict;
+        EXPECT_EQ(verdict.find("1.73"), std::string::npos) << verdict;
+        ++checked;
+    }
+    EXPECT_GT(checked, 5);
+}
+
 TEST(Why, TheThresholdOfOneCellIsThatOfTheMap) {
     const auto scan = std::make_shared<Scan>(test::boxesScan(40, 50, 3, 0.03));
     std::size_t edges = 0;
