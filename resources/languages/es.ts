@@ -647,7 +647,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes. Cortar a lo largo de una línea la divide donde usted dibuje.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro. Cada parte necesita %1 celdas.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
@@ -661,6 +661,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Se&amp;lect</source><translation>Se&amp;leccionar</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir con las rocas seleccionadas</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aquí</translation></message>
+<message><source>&amp;Cut along a Line</source><translation>&amp;Cortar a lo largo de una línea</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Pared, no es una roca</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar las rocas…</translation></message>
 <message><source>No rock has a smaller visible width b.</source><translation>Ninguna roca tiene un ancho visible b menor.</translation></message>
@@ -1178,8 +1179,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Una parte de la roca %1 (%2 celdas) no se muestra como roca: </translation></message>
 <message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>es menor que «Roca más pequeña» (%1 celdas). Baje ese número para verla.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fuera de la región de interés. Borre la región para verla.</translation></message>
-<message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
-<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece una pared, o está más allá de «Roca más lejana» (%1 m). Haga clic en ella y pulse «Es roca» (N) para mostrarla.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and press N to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y pulse N para mostrarla.</translation></message>
+<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press N to show it.</source><translation>parece una pared, o está más allá de «Roca más lejana» (%1 m). Haga clic en ella y pulse N para mostrarla.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionadas: las rocas %1 son ahora la roca %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: la roca %1 es ahora las rocas %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>
@@ -1201,11 +1202,13 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>demasiado incierto para mostrarse como roca</translation></message>
 <message><source>wall, floor, or too far away</source><translation>pared, piso, o demasiado lejos</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
+<message><source>Cut</source><translation>Cortar</translation></message>
 <message><source>Merge</source><translation>Fusionar</translation></message>
 <message><source>Not a Rock</source><translation>No es roca</translation></message>
 <message><source>Deselect this rock</source><translation>Deseleccionar esta roca</translation></message>
 <message><source>. Hidden parts are not counted.</source><translation>. Las partes ocultas no se cuentan.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Luego haga clic en la parte de la roca que es una roca aparte; la rueda toma una parte más pequeña o más grande (S)</translation></message>
+<message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Después trace una línea a través de la roca, de un lado al otro (X)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, y %2 más seleccionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incierto: rayado</translation></message>
@@ -1225,6 +1228,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>free height below</source><translation>altura libre debajo</translation></message>
 <message><source>arch angle</source><translation>ángulo del arco</translation></message>
 <message><source>confidence p</source><translation>confianza p</translation></message>
+<message><source>pinned target</source><translation>objetivo fijado</translation></message>
 <message><source>Not a rock</source><translation>No es roca</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que no se tocan, a %2 m</translation></message>

@@ -647,7 +647,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties. Couper le long d'une ligne le scinde là où vous dessinez.</translation></message>
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre. Chaque partie doit avoir %1 cellules.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
@@ -661,6 +661,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Se&amp;lect</source><translation>Sé&amp;lectionner</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Fusionner avec les blocs sélectionnés</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Diviser ici</translation></message>
+<message><source>&amp;Cut along a Line</source><translation>&amp;Couper le long d'une ligne</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Paroi, pas un bloc</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exporter les blocs…</translation></message>
 <message><source>No rock has a smaller visible width b.</source><translation>Aucun bloc n'a une largeur visible b plus petite.</translation></message>
@@ -1178,8 +1179,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Une partie du bloc %1 (%2 cellules) n'est pas montrée comme bloc : </translation></message>
 <message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>elle est plus petite que « Plus petit bloc » (%1 cellules). Baissez ce nombre pour la voir.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>elle est hors de la zone d'intérêt. Effacez la zone pour la voir.</translation></message>
-<message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
-<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>elle ressemble à une paroi, ou elle est au-delà de « Bloc le plus éloigné » (%1 m). Cliquez-la et appuyez sur « Un bloc » (N) pour la montrer.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and press N to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et appuyez sur N pour la montrer.</translation></message>
+<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press N to show it.</source><translation>elle ressemble à une paroi, ou elle est au-delà de « Bloc le plus éloigné » (%1 m). Cliquez-la et appuyez sur N pour la montrer.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionnés : les blocs %1 sont maintenant le bloc %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Divisé : le bloc %1 est maintenant les blocs %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>
@@ -1201,11 +1202,13 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>trop incertain pour être montré comme un bloc</translation></message>
 <message><source>wall, floor, or too far away</source><translation>paroi, sol, ou trop loin</translation></message>
 <message><source>Split</source><translation>Scinder</translation></message>
+<message><source>Cut</source><translation>Couper</translation></message>
 <message><source>Merge</source><translation>Fusionner</translation></message>
 <message><source>Not a Rock</source><translation>Pas un bloc</translation></message>
 <message><source>Deselect this rock</source><translation>Désélectionner ce bloc</translation></message>
 <message><source>. Hidden parts are not counted.</source><translation>. Les parties cachées ne sont pas comptées.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Cliquez ensuite sur la partie du bloc qui est un bloc à part ; la molette prend une partie plus petite ou plus grande (S)</translation></message>
+<message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Puis tracez une ligne à travers le bloc, d'un côté à l'autre (X)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, et %2 de plus sélectionnés</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contour incertain : hachuré</translation></message>
@@ -1225,6 +1228,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>free height below</source><translation>hauteur libre en dessous</translation></message>
 <message><source>arch angle</source><translation>angle de voûte</translation></message>
 <message><source>confidence p</source><translation>confiance p</translation></message>
+<message><source>pinned target</source><translation>cible épinglée</translation></message>
 <message><source>Not a rock</source><translation>Pas un bloc</translation></message>
 <message><source>because</source><translation>parce que</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 parties qui ne se touchent pas, à %2 m</translation></message>

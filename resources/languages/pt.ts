@@ -647,7 +647,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes. Cortar ao longo de uma linha divide-a onde você desenhar.</translation></message>
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro. Cada parte precisa de %1 células.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
@@ -661,6 +661,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Se&amp;lect</source><translation>Se&amp;lecionar</translation></message>
 <message><source>&amp;Merge with Selected Rocks</source><translation>&amp;Unir às rochas selecionadas</translation></message>
 <message><source>&amp;Split Here</source><translation>&amp;Dividir aqui</translation></message>
+<message><source>&amp;Cut along a Line</source><translation>&amp;Cortar ao longo de uma linha</translation></message>
 <message><source>&amp;Wall, Not a Rock</source><translation>&amp;Parede, não é uma rocha</translation></message>
 <message><source>&amp;Export Rocks…</source><translation>&amp;Exportar as rochas…</translation></message>
 <message><source>No rock has a smaller visible width b.</source><translation>Nenhuma rocha tem uma largura visível b menor.</translation></message>
@@ -1178,8 +1179,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Uma parte da rocha %1 (%2 células) não é mostrada como rocha: </translation></message>
 <message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>é menor que “Menor rocha” (%1 células). Diminua esse número para vê-la.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fora da região de interesse. Apague a região para vê-la.</translation></message>
-<message><source>its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
-<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.</source><translation>parece uma parede, ou está além de “Rocha mais distante” (%1 m). Clique nela e pressione “É rocha” (N) para mostrá-la.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and press N to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e pressione N para mostrá-la.</translation></message>
+<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press N to show it.</source><translation>parece uma parede, ou está além de “Rocha mais distante” (%1 m). Clique nela e pressione N para mostrá-la.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Mescladas: as rochas %1 são agora a rocha %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: a rocha %1 agora é as rochas %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>
@@ -1201,11 +1202,13 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>too uncertain to be shown as a rock</source><translation>incerto demais para ser mostrado como rocha</translation></message>
 <message><source>wall, floor, or too far away</source><translation>parede, piso, ou longe demais</translation></message>
 <message><source>Split</source><translation>Dividir</translation></message>
+<message><source>Cut</source><translation>Cortar</translation></message>
 <message><source>Merge</source><translation>Mesclar</translation></message>
 <message><source>Not a Rock</source><translation>Não é rocha</translation></message>
 <message><source>Deselect this rock</source><translation>Desmarcar esta rocha</translation></message>
 <message><source>. Hidden parts are not counted.</source><translation>. As partes ocultas não são contadas.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Depois clique na parte da rocha que é uma rocha à parte; a roda toma uma parte menor ou maior (S)</translation></message>
+<message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Depois trace uma linha através da rocha, de um lado ao outro (X)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>
 <message><source>%1, and %2 more selected</source><translation>%1, e mais %2 selecionadas</translation></message>
 <message><source>▲ uncertain outline: hatched</source><translation>▲ contorno incerto: hachurado</translation></message>
@@ -1225,6 +1228,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>free height below</source><translation>altura livre abaixo</translation></message>
 <message><source>arch angle</source><translation>ângulo do arco</translation></message>
 <message><source>confidence p</source><translation>confiança p</translation></message>
+<message><source>pinned target</source><translation>alvo fixado</translation></message>
 <message><source>Not a rock</source><translation>Não é rocha</translation></message>
 <message><source>because</source><translation>porque</translation></message>
 <message><source>▲ %1 parts that do not touch, %2 m apart</source><translation>▲ %1 partes que não se tocam, a %2 m</translation></message>

@@ -366,6 +366,7 @@ private slots:
         const auto* list = on.viewer.targetsPanel.findChild<QListWidget*>("target-list");
         QTRY_VERIFY2(list->item(0)->text().contains("rock 3"), qPrintable(list->item(0)->text()));
         QVERIFY(on.viewer.cloud.marks().targets.front().tag.endsWith(" · rock 3")); // in a small window there is no list
+        QVERIFY2(on.viewer.rocksPanel.card().text().contains("\npinned target: 1\n"), qPrintable(on.viewer.rocksPanel.card().text()));
         // Rocks that are switched on later, and the row of a target, choose in the same way; a row of another rock ends the choice.
         on.viewer.rocks.setShown(false);
         on.viewer.rocks.setShown(true);
@@ -405,6 +406,9 @@ private slots:
         QVERIFY(isChosen(2)); // alone
         on.viewer.undo.undo();
         QVERIFY(!on.viewer.views.pinned() && on.viewer.rocks.selected() == none && !on.viewer.views.cloud().outline());
+        on.viewer.rocks.select({picture(on).rock(2)->cell});
+        QVERIFY2(!on.viewer.rocksPanel.card().text().contains("pinned target"), "one step took both back");
+        on.viewer.rocks.select({});
         on.viewer.views.clearPin();
         QVERIFY(on.activate());
         QTest::keyClick(&on.window, Qt::Key_N);
@@ -481,8 +485,44 @@ private slots:
                 inSight += right <= table->viewport()->width() ? 1 : 0;
                 QVERIFY2(right <= table->viewport()->width() || left >= table->viewport()->width(), "a head is cut at the border");
             }
-            QVERIFY2(inSight >= 4, qPrintable(QString("%1 of %2 px").arg(inSight).arg(table->viewport()->width())));
+            QVERIFY2(inSight >= 5, qPrintable(QString("%1 of %2 px").arg(inSight).arg(table->viewport()->width())));
+            for (int n = 0; n < 5; ++n) // number, a, b, ± and distance
+                QVERIFY(heads->sectionViewportPosition(n) + heads->sectionSize(n) <= table->viewport()->width());
         }
+    }
+
+    // The numbers stay in sight while the other columns scroll, and their column does all that it does in the table.
+    void theNumbersOfTheTableStayInSight() {
+        WindowFixture on;
+        QVERIFY(showRocks(on));
+        QTRY_VERIFY((on.window.resize(1280, 800), on.window.width() == 1280));
+        on.window.findChild<QDockWidget*>("dock-rock-table")->raise();
+        QTableView& table = *on.viewer.rockTable.table();
+        QTableView& numbers = *on.viewer.rockTable.numbers();
+        QTRY_VERIFY(numbers.isVisible() && table.horizontalScrollBar()->maximum() > 0);
+        table.horizontalScrollBar()->setValue(table.horizontalScrollBar()->maximum());
+        const int scrolled = table.horizontalScrollBar()->value();
+        QVERIFY(numbers.visibleRegion().boundingRect().width() == table.columnWidth(0));
+        const auto place = [&on](const QTableView& view, int row) {
+            const QRect rect = view.visualRect(view.model()->index(row, &view == &on.viewer.rockTable.numbers() ? 0 : 10));
+            return QRect(view.viewport()->mapToGlobal(rect.topLeft()), rect.size());
+        };
+        QCOMPARE(place(numbers, 2).top(), place(table, 2).top());
+        QCOMPARE(place(numbers, 2).height(), place(table, 2).height());
+        QTest::mouseClick(numbers.viewport(), Qt::LeftButton, Qt::NoModifier, numbers.visualRect(numbers.model()->index(2, 0)).center());
+        QApplication::processEvents();
+        QCOMPARE(on.viewer.rocks.selected().size(), std::size_t{1});
+        QCOMPARE(QString::number(picture(on).labelAt(on.viewer.rocks.selected().front())), table.model()->index(2, 0).data().toString());
+        QCOMPARE(table.horizontalScrollBar()->value(), scrolled);
+        table.verticalScrollBar()->setValue(table.verticalScrollBar()->maximum());
+        const int last = table.model()->rowCount() - 1;
+        QCOMPARE(place(numbers, last).top(), place(table, last).top());
+        table.verticalScrollBar()->setValue(0);
+        QTest::mouseClick(numbers.horizontalHeader()->viewport(), Qt::LeftButton, Qt::NoModifier, QPoint(5, 5));
+        QCOMPARE(table.horizontalHeader()->sortIndicatorSection(), 0);
+        QCOMPARE(table.model()->index(0, 0).data(RockTableModel::kNumberRole).toInt(), 1);
+        table.sortByColumn(2, Qt::DescendingOrder);
+        QCOMPARE(numbers.horizontalHeader()->sortIndicatorSection(), 2);
     }
 
     // The menu of a rock is the same in the table; in a narrow window the table is a tab at the panel of rocks.
@@ -512,8 +552,8 @@ private slots:
         };
         const std::size_t count = picture(on).study.rocks.size();
         const QStringList words = menuAt(table->model()->index(1, 0), "Wall, Not a Rock");
-        for (const char* each :
-             {"Merge with Selected Rocks", "Split Here", "Wall, Not a Rock", "Isolate", "Measure from Here", "Export Rocks…", "Name…"})
+        for (const char* each : {"Merge with Selected Rocks", "Split Here", "Cut along a Line", "Wall, Not a Rock", "Isolate",
+                                 "Measure from Here", "Export Rocks…", "Name…"})
             QVERIFY2(words.contains(QString::fromUtf8(each)), qPrintable(words.join(", ")));
         QVERIFY(settled(on));
         QCOMPARE(picture(on).study.rocks.size(), count - 1);
@@ -651,9 +691,8 @@ private slots:
             const auto cell = on.viewer.views.gray().cellAt(pixel);
             const rocks::Study& study = picture(on).study;
             const auto k = static_cast<std::uint32_t>(picture(on).labels.index(cell->y(), cell->x()));
-            if (!rocks::splitAt(*study.segmentation, *study.tree, study.settings.level, k)) continue;
-            // The merged rock is split into what was merged.
-            if (rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, k, study.edits).unjoined) continue;
+            const auto wheel = rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, k, study.edits);
+            if (wheel.split == wheel.nested.region || wheel.unjoined) continue; // the merged rock is split into what was merged
             const std::size_t regions = study.map.regions.size();
             QTest::keyClick(&on.window, Qt::Key_S);
             QTest::keyClick(&on.window, Qt::Key_S); // ends it, and says so
@@ -669,7 +708,8 @@ private slots:
             QVERIFY(!on.viewer.tools.shown().contains("click the part"));
             QVERIFY(settled(on));
             QVERIFY2(on.viewer.views.gray().tip().isEmpty() && on.viewer.views.cloud().tip().isEmpty(), "the split is done");
-            QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{2});
+            QCOMPARE(on.viewer.rocks.edits().front().kind, rocks::EditKind::Join); // the merge of before
+            QVERIFY(on.viewer.rocks.edits().size() > 1);
             QVERIFY(picture(on).study.map.regions.size() > regions);
             QTest::keyClick(&on.window, Qt::Key_Z, Qt::ControlModifier);
             QVERIFY(settled(on));
@@ -776,32 +816,53 @@ private slots:
                  qPrintable(on.viewer.notice.text()));
     }
 
-    // The part that a split leaves and that is not a rock is said, with the control that shows it.
-    void aPartThatIsNoRockIsSaid() {
+    // Both parts of a split are rocks, also below “Smallest rock”. What was a wall before a merge is one again after a split, which is
+    // said.
+    void thePartsOfASplitAreRocks() {
         WindowFixture on;
         QVERIFY(showRocks(on));
-        const rocks::Study& study = picture(on).study;
-        rocks::RockSettings settings = study.settings;
+        const rocks::Study study = picture(on).study;
+        bool any = false;
         for (const rocks::Rock& rock : study.rocks) {
             const auto family = rocks::wheelPiecesAt(*study.segmentation, *study.tree, study.settings.level, rock.cell, {});
             if (family.split == family.nested.region) continue;
             const std::uint32_t part = family.nested.pieces[family.split].cells;
             if (part * 2 > rock.cells) continue;
+            any = true;
+            rocks::RockSettings settings = study.settings;
             settings.minimumCells = static_cast<int>(part) + 1;
-            const std::size_t cell = rock.cell;
             on.viewer.rocks.useSettings(settings);
             QVERIFY(settled(on));
-            QVERIFY(picture(on).rockAt(cell) != nullptr);
+            const std::uint32_t label = picture(on).labelAt(rock.cell);
+            QVERIFY(label != 0);
             QTest::keyClick(&on.window, Qt::Key_S);
-            on.viewer.views.click(inspect::exactly(cell));
+            on.viewer.views.click(inspect::exactly(rock.cell));
             QVERIFY(settled(on));
-            QVERIFY2(on.viewer.notice.text().contains(QString("is smaller than “Smallest rock” (%1 cells)").arg(part + 1)),
+            QVERIFY2(on.viewer.notice.text().startsWith(QString("Split: rock %1 is now rocks ").arg(label)),
                      qPrintable(on.viewer.notice.text()));
+            QCOMPARE(picture(on).rockAt(rock.cell)->cells, part);
             on.viewer.undo.undo();
-            QVERIFY2(on.viewer.notice.isHidden(), "it is about a part that is whole again");
+            QVERIFY2(on.viewer.notice.isHidden(), "it is about parts that are whole again");
+            on.viewer.rocks.useSettings(study.settings);
+            QVERIFY(settled(on));
+            break;
+        }
+        QVERIFY2(any, "no rock of the scene has a small part");
+        for (std::size_t n = study.map.rocks + 1; n < study.map.regions.size(); ++n) {
+            if (study.map.regions[n].kind != rocks::RegionKind::NotRock) continue;
+            const auto* const segments = study.segmentation->segment.cells.data();
+            std::size_t wall = 0;
+            while (study.map.regionOfSegment[segments[wall]] != n) ++wall;
+            on.viewer.rocks.select({study.rocks[1].cell, wall});
+            on.viewer.rocks.mergeSelected();
+            QVERIFY(settled(on));
+            QTest::keyClick(&on.window, Qt::Key_S);
+            on.viewer.views.click(inspect::exactly(wall));
+            QVERIFY(settled(on));
+            const QString text = on.viewer.notice.text();
+            QVERIFY2(text.contains("is not shown as a rock: ") && text.contains("Click it and press N to show it."), qPrintable(text));
             return;
         }
-        QFAIL("no rock of the scene has a small part");
     }
 
     // The name of a rock goes to the target on it; without one, a target comes with the name and not with the question.
@@ -1134,16 +1195,36 @@ private slots:
         int left = middle.x(), right = middle.x();
         while (before.contains(middle.y(), left - 1) && before.at(middle.y(), left - 1) == 1) --left;
         while (before.contains(middle.y(), right + 1) && before.at(middle.y(), right + 1) == 1) ++right;
-        QTest::keyClick(&on.window, Qt::Key_X);
+        on.viewer.rocks.select({rock.cell});
+        QTest::mouseClick(on.viewer.rocksPanel.card().cut(), Qt::LeftButton);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::Cut && on.viewer.rocksPanel.card().cut()->isChecked());
         draw(view,
              {pixelOf(view, {std::max(0, left - 3), middle.y()}), pixelOf(view, {std::min(before.beams - 1, right + 3), middle.y()})});
         QVERIFY(settled(on));
-        QCOMPARE(on.viewer.rocks.edits().size(), std::size_t{1});
+        QCOMPARE(on.viewer.undo.index(), 1);
         QVERIFY(on.viewer.rocks.edits()[0].kind == rocks::EditKind::Cut);
+        QVERIFY(!on.viewer.rocksPanel.card().cut()->isChecked());
         const auto over = static_cast<std::size_t>(before.index(middle.y() - 4, middle.x()));
         const auto under = static_cast<std::size_t>(before.index(middle.y() + 4, middle.x()));
         QVERIFY(before[over] == 1 && before[under] == 1);
         QVERIFY(picture(on).regionAt(over) != picture(on).regionAt(under));
+        // All of it is two rocks, and the note names both with their sizes.
+        std::set<std::uint32_t> parts;
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            if (before[k] == 1) parts.insert(picture(on).labels[k]);
+        }
+        QVERIFY(parts.size() > 1 && !parts.contains(0));
+        const QString said = on.viewer.notice.text();
+        QVERIFY2(said.startsWith("Split: rock 1 is now rocks "), qPrintable(said));
+        for (const std::uint32_t part : parts) {
+            const rocks::Rock& one = *picture(on).rock(part);
+            const QString named =
+                QStringLiteral("%1 (%2 × %3 m)").arg(part).arg(one.longestCaliperM, 0, 'f', 2).arg(one.shortestCaliperM, 0, 'f', 2);
+            QVERIFY2(said.contains(named), qPrintable(said + " | " + named));
+        }
+        on.viewer.undo.undo();
+        QVERIFY(settled(on));
+        QVERIFY(picture(on).labels == before);
 
         // Esc leaves the tool, and a drag pans again.
         QTest::keyClick(&on.window, Qt::Key_X);

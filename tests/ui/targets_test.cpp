@@ -1260,6 +1260,14 @@ private slots:
         const QString shown = option.text.section(QChar(QChar::LineSeparator), 0, 0);
         QVERIFY2(shown.startsWith("1  the keys") && shown.contains(" m ") && shown.contains("   " + edge.left(4)), qPrintable(shown));
         QVERIFY2(!shown.contains("blast"), qPrintable(shown));
+        // The name comes before the state, and the tool tip has all of it.
+        on.viewer.targets.lock(1, true);
+        QTRY_VERIFY(list.item(0)->text().contains("   locked   "));
+        (rows->*(&Peek::initStyleOption))(&option, list.model()->index(0, 0));
+        const QString locked = option.text.section(QChar(QChar::LineSeparator), 0, 0);
+        QVERIFY2(locked.startsWith("1  the keys") && locked.contains(" m ") && locked.contains("   " + edge.left(4)), qPrintable(locked));
+        for (const QString& all : {QString("the keystone at the left"), QString("locked"), edge, QString("blast")})
+            QVERIFY2(list.item(0)->toolTip().contains(all), qPrintable(list.item(0)->toolTip()));
     }
 
     void aTargetHasANote() {

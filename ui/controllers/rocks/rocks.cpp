@@ -55,9 +55,13 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
     RockCard& card = panel_.card();
     connect(&card, &RockCard::closeRequested, this, [this] { select({}); });
     connect(&card, &RockCard::splitRequested, this, [this](bool on) { useTool(on ? RockTool::Split : RockTool::None); });
+    connect(&card, &RockCard::cutRequested, this, [this](bool on) { useTool(on ? RockTool::Cut : RockTool::None); });
     connect(&card, &RockCard::mergeRequested, this, &Rocks::mergeSelected);
     connect(&card, &RockCard::markRequested, this, &Rocks::callChosen);
-    connect(this, &Rocks::toolChanged, card.split(), [&card](RockTool tool) { card.split()->setChecked(tool == RockTool::Split); });
+    connect(this, &Rocks::toolChanged, &card, [&card](RockTool tool) {
+        card.split()->setChecked(tool == RockTool::Split);
+        card.cut()->setChecked(tool == RockTool::Cut);
+    });
     connect(&sidecar_, &RockSidecar::found, this, &Rocks::takePreset);
     connect(&sidecar_, &RockSidecar::readEnded, this, [this] {
         followPicture();
@@ -228,7 +232,17 @@ void Rocks::selectPinned() {
     if (pinnedOnRock() || !selected_.empty()) select(pinnedOnRock() ? std::vector{*pinned_} : std::vector<std::size_t>());
 }
 
-void Rocks::setNames(const RockNames& names) { table_.setNames(names); }
+void Rocks::setTargets(const RockNames& targets, const RockNames& names) {
+    table_.setNames(names);
+    if (std::exchange(targets_, targets) != targets) showCard();
+}
+
+void Rocks::showCard() {
+    if (picture_)
+        panel_.card().show(*picture_, selected_, behind(), targets_);
+    else
+        panel_.card().hide();
+}
 
 /// One thing is chosen: a target that is not on the only selected rock is not the chosen one any more.
 void Rocks::select(std::vector<std::size_t> cells) {
@@ -251,10 +265,8 @@ void Rocks::showSelection() {
             outline.sides.insert(outline.sides.end(), one.sides.begin(), one.sides.end());
             outline.cells.insert(outline.cells.end(), one.cells.begin(), one.cells.end());
         }
-        panel_.card().show(*picture_, selected_, behind());
-    } else {
-        panel_.card().hide();
     }
+    showCard();
     table_.select(labels);
     std::sort(outline.cells.begin(), outline.cells.end());
     views_.setOutline(outline.sides, std::move(outline.cells));
@@ -329,6 +341,10 @@ void Rocks::addToMenu(QMenu& menu, const inspect::MeantCell& click) {
                     })
         ->setEnabled(std::ranges::any_of(selected_, isOther));
     rock->addAction(tr("&Split Here"), this, [this, cell] { splitAt(cell); });
+    rock->addAction(tr("&Cut along a Line"), this, [this, cell] {
+        select({cell});
+        useTool(RockTool::Cut);
+    });
     rock->addAction(tr("&Wall, Not a Rock"), this, callIt(false));
     rock->addAction(tr("&Export Rocks…"), this, &Rocks::askExport);
 }

@@ -83,8 +83,8 @@ public:
     void select(std::vector<std::size_t> cells);
     /// The rock of the chosen target, also after another choice; without one nothing.
     void selectPinned();
-    /// Names of targets, for the table; by cell.
-    void setNames(const RockNames& names);
+    /// The targets, by cell: all of them with their numbers, for the card; those with a name by their names, for the table.
+    void setTargets(const RockNames& targets, const RockNames& names);
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
     [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::MeantCell& click) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }
@@ -133,6 +133,7 @@ private:
     void show();
     void showFaces();
     void showSelection();
+    void showCard();
     void forget();
     void point(std::optional<std::size_t> cell, const QObject* from);
     void addToMenu(QMenu& menu, const inspect::MeantCell& click);
@@ -175,6 +176,7 @@ private:
     std::shared_ptr<const RockPicture> picture_;
     std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;
+    RockNames targets_;
     bool largestWanted_ = false; // as soon as the rocks are known
     std::optional<std::size_t> pinned_;
     // For the split tool: the cell under the mouse, and the outlined segment around it.

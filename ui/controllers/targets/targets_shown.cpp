@@ -176,13 +176,14 @@ void Targets::show() {
     views_.setMarks(marks());
     const inspect::PinnedTarget* shown = active();
     std::vector<TargetLine> lines;
-    RockNames names;
+    RockNames all, names;
     for (const inspect::PinnedTarget& target : notebook_.targets) {
+        all.emplace_back(target.cell, nameOf(target).simplified());
         if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
         const inspect::CellTarget* now = knownOf(target.cell);
         QStringList known = wordsOf(target);
+        if (target.locked) known << tr("locked");
         if (now != nullptr) known << edgeText(*now);
-        if (target.locked) known.prepend(tr("locked")); // first: the end of a long row is cut
         QString words = known.join("   ");
         const QString note = target.note.empty() ? QString() : "   " + shownName(exactText(target.note), 80);
         words += note;
@@ -190,11 +191,14 @@ void Targets::show() {
         if (const QString place = now != nullptr ? briefPositionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
         QStringList shortened; // the class of its edge and the second row last
         if (!note.isEmpty()) shortened << note;
-        if (const rocks::Rock* rock = around(target.cell).rock) shortened << "   " + tr("rock %1").arg(rock->label);
+        QString state; // its rock, and whether it is locked
+        if (const rocks::Rock* rock = around(target.cell).rock) state += "   " + tr("rock %1").arg(rock->label);
+        if (target.locked) state += "   " + tr("locked");
+        if (!state.isEmpty()) shortened << state;
         if (!target.name.empty()) shortened << "  " + shownName(exactText(target.name));
         lines.push_back({words, first + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened});
     }
-    rocks_.setNames(names);
+    rocks_.setTargets(all, names);
     panel_.showTargets(lines);
     lines.clear();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {

@@ -3,6 +3,7 @@
 
 #include "core/base/tolerance_text.h"
 #include "ui/base/count_text.h"
+#include "ui/base/flow_layout.h"
 #include "ui/base/shown_text.h"
 #include "ui/panels/rocks/rock_table_model.h"
 
@@ -65,7 +66,7 @@ QString whyNoRock(const rocks::Region* region) {
 
 RockCard::RockCard(QWidget* parent)
     : QFrame(parent), swatch_(new QLabel), title_(new QLabel), spans_(new QLabel), state_(new QLabel), caveat_(new QLabel),
-      close_(new QToolButton), split_(new QPushButton(tr("Split"))), merge_(new QPushButton(tr("Merge"))),
+      close_(new QToolButton), split_(new QPushButton(tr("Split"))), cut_(new QPushButton(tr("Cut"))), merge_(new QPushButton(tr("Merge"))),
       rockOrNot_(new QPushButton(tr("Not a Rock"))) {
     setObjectName("rock-card");
     setFrameShape(QFrame::StyledPanel);
@@ -100,9 +101,13 @@ RockCard::RockCard(QWidget* parent)
     }
     split_->setCheckable(true);
     split_->setToolTip(tr("Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)"));
+    cut_->setCheckable(true);
+    cut_->setToolTip(tr("Then draw a line through the rock, from one side to the other (X)"));
     merge_->setToolTip(tr("The selected rocks are one; Ctrl+click selects several (M)"));
-    auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {split_, merge_, rockOrNot_}) {
+    auto* buttons = new FlowLayout;
+    buttons->setSpacing(4);
+    for (QPushButton* button : {split_, cut_, merge_, rockOrNot_}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + kAroundText);
         buttons->addWidget(button);
     }
@@ -118,12 +123,13 @@ RockCard::RockCard(QWidget* parent)
 
     connect(close_, &QToolButton::clicked, this, &RockCard::closeRequested);
     connect(split_, &QPushButton::clicked, this, &RockCard::splitRequested);
+    connect(cut_, &QPushButton::clicked, this, &RockCard::cutRequested);
     connect(merge_, &QPushButton::clicked, this, &RockCard::mergeRequested);
     connect(rockOrNot_, &QPushButton::clicked, this, [this] { emit markRequested(!isRock_); });
     hide();
 }
 
-void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale) {
+void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale, const RockNames& targets) {
     setVisible(!cells.empty());
     if (cells.empty()) return;
     for (const auto& [name, value] : rows_) {
@@ -133,7 +139,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     const rocks::Rock* rock = picture.rockAt(cells.back());
     isRock_ = rock != nullptr;
     if (isRock_)
-        showRock(picture, *rock);
+        showRock(picture, *rock, targets);
     else
         showNoRock(picture, cells.back());
     if (cells.size() > 1) title_->setText(tr("%1, and %2 more selected").arg(title_->text()).arg(cells.size() - 1));
@@ -143,7 +149,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     if (isRock_ && rock->byHand) state += (state.isEmpty() ? QString() : "\n") + tr("marked by hand as a rock");
     state_->setText(state);
     state_->setVisible(!state.isEmpty());
-    split_->setEnabled(isRock_);
+    for (QPushButton* button : {split_, cut_}) button->setEnabled(isRock_);
     merge_->setEnabled(cells.size() > 1);
     const rocks::Region* region = picture.regionAt(cells.back());
     rockOrNot_->setEnabled(region != nullptr);
@@ -151,7 +157,7 @@ void RockCard::show(const RockPicture& picture, const std::vector<std::size_t>& 
     rockOrNot_->setToolTip(isRock_ ? tr("This is a wall, a floor or something else (N)") : tr("This is a rock (N)"));
 }
 
-void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock) {
+void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets) {
     swatch_->setPixmap(QPixmap::fromImage(rockSwatch(picture, rock, kSwatchSide)));
     title_->setText(tr("Rock %1").arg(rock.label));
     spans_->setText(tr("%1 × %2 m").arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2));
@@ -165,6 +171,11 @@ void RockCard::showRock(const RockPicture& picture, const rocks::Rock& rock) {
     setRow(6, tr("free height below"), rock.freeHeightM > 0.0 ? atLeastText(metres(rock.freeHeightM)) : tr("none seen"));
     setRow(7, tr("arch angle"), archText(rock));
     setRow(8, tr("confidence p"), QString::number(rock.confidence, 'f', 2));
+    QStringList pinned;
+    for (const auto& [cell, target] : targets) {
+        if (picture.labelAt(cell) == rock.label) pinned << target;
+    }
+    if (!pinned.isEmpty()) setRow(9, tr("pinned target"), pinned.join(", "));
 }
 
 void RockCard::showNoRock(const RockPicture& picture, std::size_t cell) {

@@ -24,11 +24,13 @@ public:
 
     /// `cells`: the selected cells; the card describes the last one. Hidden without a selection. `stale`: the numbers belong to an older
     /// picture.
-    void show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale);
+    /// `targets`: the operator's targets by cell, each with its number and name.
+    void show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale, const RockNames& targets = {});
     /// All texts of the card, row by row.
     [[nodiscard]] QString text() const;
 
     [[nodiscard]] QPushButton* split() const { return split_; }
+    [[nodiscard]] QPushButton* cut() const { return cut_; }
     [[nodiscard]] QPushButton* merge() const { return merge_; }
     [[nodiscard]] QPushButton* rockOrNot() const { return rockOrNot_; }
     [[nodiscard]] QToolButton* close() const { return close_; }
@@ -37,13 +39,15 @@ signals:
     void closeRequested();
     /// On: the next click on the rock splits it; off: cancelled.
     void splitRequested(bool on);
+    /// On: the next line through the rock cuts it; off: cancelled.
+    void cutRequested(bool on);
     void mergeRequested();
     /// The operator marks it as a rock, or as not a rock.
     void markRequested(bool rock);
 
 private:
-    static constexpr std::size_t kRows = 9;
-    void showRock(const RockPicture& picture, const rocks::Rock& rock);
+    static constexpr std::size_t kRows = 10;
+    void showRock(const RockPicture& picture, const rocks::Rock& rock, const RockNames& targets);
     void showNoRock(const RockPicture& picture, std::size_t cell);
     void setRow(std::size_t row, const QString& name, const QString& value);
 
@@ -55,6 +59,7 @@ private:
     QLabel* caveat_;
     QToolButton* close_;
     QPushButton* split_;
+    QPushButton* cut_;
     QPushButton* merge_;
     QPushButton* rockOrNot_;
     bool isRock_ = false;

@@ -32,23 +32,25 @@ constexpr int kSizeColumn = 2; // column of the visible width b, the size of a r
 } // namespace
 
 RockTable::RockTable(QWidget* parent)
-    : QWidget(parent), model_(new RockTableModel(this)), shown_(new ShownRocks(this)), table_(new QTableView), curve_(new SizeCurveView),
-      sides_(new QSplitter), tools_(new QWidget), bar_(new QBoxLayout(QBoxLayout::LeftToRight)), smallest_(new QDoubleSpinBox),
-      sureOnly_(new QCheckBox(tr("hide uncertain"))), export_(new QPushButton(tr("Export…"))), count_(new QLabel) {
+    : QWidget(parent), model_(new RockTableModel(this)), shown_(new ShownRocks(this)), table_(new QTableView),
+      numbers_(new QTableView(table_)), curve_(new SizeCurveView), sides_(new QSplitter), tools_(new QWidget),
+      bar_(new QBoxLayout(QBoxLayout::LeftToRight)), smallest_(new QDoubleSpinBox), sureOnly_(new QCheckBox(tr("hide uncertain"))),
+      export_(new QPushButton(tr("Export…"))), count_(new QLabel) {
     setObjectName("rock-table");
     shown_->setSourceModel(model_);
-    table_->setModel(shown_);
-    table_->setSortingEnabled(true);
+    for (QTableView* view : {table_, numbers_}) {
+        view->setModel(shown_);
+        view->setSortingEnabled(true);
+        view->setSelectionBehavior(QAbstractItemView::SelectRows);
+        view->setSelectionMode(QAbstractItemView::ExtendedSelection);
+        view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+        view->verticalHeader()->hide();
+        view->verticalHeader()->setDefaultSectionSize(kRowHeight);
+        view->horizontalHeader()->setDefaultAlignment(Qt::AlignCenter);
+        view->horizontalHeader()->setMinimumSectionSize(40);
+    }
+    connectNumbers();
     table_->sortByColumn(kSizeColumn, Qt::DescendingOrder);
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table_->setAlternatingRowColors(false);
-    table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
-    QHeaderView* heads = table_->horizontalHeader();
-    heads->setDefaultAlignment(Qt::AlignCenter);
-    heads->setMinimumSectionSize(40);
     table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     table_->viewport()->installEventFilter(this);
 
@@ -91,17 +93,54 @@ RockTable::RockTable(QWidget* parent)
     });
     connect(export_, &QPushButton::clicked, this, &RockTable::exportRequested);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &RockTable::emitChosen);
-    connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) { emit jumpRequested(labelOf(index)); });
-    table_->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(table_, &QTableView::customContextMenuRequested, this, [this](const QPoint& at) {
-        const QModelIndex index = table_->indexAt(at);
-        if (index.isValid()) emit menuRequested(labelOf(index), table_->viewport()->mapToGlobal(at));
-    });
+    for (QTableView* view : {table_, numbers_}) {
+        connect(view, &QTableView::doubleClicked, this, [this](const QModelIndex& index) { emit jumpRequested(labelOf(index)); });
+        view->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(view, &QTableView::customContextMenuRequested, this, [this, view](const QPoint& at) {
+            const QModelIndex index = view->indexAt(at);
+            if (index.isValid()) emit menuRequested(labelOf(index), view->viewport()->mapToGlobal(at));
+        });
+    }
     showCount();
+}
+
+/// A view of the same rows over the first column, which scrolls away below it.
+void RockTable::connectNumbers() {
+    numbers_->setSelectionModel(table_->selectionModel());
+    for (int n = 1; n < shown_->columnCount(); ++n) numbers_->setColumnHidden(n, true);
+    numbers_->setFrameShape(QFrame::NoFrame);
+    numbers_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    numbers_->setFocusPolicy(Qt::NoFocus);
+    numbers_->setAutoScroll(false); // it follows the other one
+    numbers_->viewport()->installEventFilter(this);
+    numbers_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    numbers_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const auto follow = [](QTableView* one, QTableView* other) {
+        connect(one->verticalScrollBar(), &QScrollBar::valueChanged, other->verticalScrollBar(), &QScrollBar::setValue);
+        connect(one->horizontalHeader(), &QHeaderView::sortIndicatorChanged, other,
+                [other](int column, Qt::SortOrder order) { other->horizontalHeader()->setSortIndicator(column, order); });
+    };
+    follow(table_, numbers_);
+    follow(numbers_, table_);
+}
+
+void RockTable::placeNumbers() {
+    const QRect rows = table_->viewport()->geometry();
+    numbers_->horizontalHeader()->setFixedHeight(rows.top() - table_->frameWidth());
+    numbers_->verticalHeader()->setDefaultSectionSize(table_->verticalHeader()->defaultSectionSize());
+    numbers_->setColumnWidth(0, table_->columnWidth(0));
+    numbers_->setGeometry(rows.left(), table_->frameWidth(), table_->columnWidth(0), rows.bottom() + 1 - table_->frameWidth());
+    numbers_->verticalScrollBar()->setValue(table_->verticalScrollBar()->value());
+    numbers_->raise();
 }
 
 bool RockTable::eventFilter(QObject* watched, QEvent* event) {
     if (watched == table_->viewport() && event->type() == QEvent::Resize) fitColumns();
+    if (watched == numbers_->viewport() && event->type() == QEvent::MouseButtonPress) { // Qt brings the column of the click into sight
+        QScrollBar& bar = *table_->horizontalScrollBar();
+        QMetaObject::invokeMethod(
+            this, [&bar, scrolled = bar.value()] { bar.setValue(scrolled); }, Qt::QueuedConnection);
+    }
     return QWidget::eventFilter(watched, event);
 }
 
@@ -114,8 +153,7 @@ void RockTable::fitColumns() {
     const QAbstractItemView& content = *table_;
     const int row = std::max(kRowHeight, content.sizeHintForRow(0)); // higher for gloves
     table_->verticalHeader()->setDefaultSectionSize(row);
-    const int twoLines = width() >= kWide ? 2 * heads->fontMetrics().height() + 6 : 0;
-    heads->setMinimumHeight(std::max(row > kRowHeight ? row : 0, twoLines)); // also what the style leaves for the arrow
+    heads->setMinimumHeight(std::max(row > kRowHeight ? row : 0, 2 * heads->fontMetrics().height() + 6)); // two lines and the arrow
     std::vector<int> widths;
     for (int n = 0; n < heads->count(); ++n) widths.push_back(std::max(heads->sectionSizeHint(n), content.sizeHintForColumn(n)));
     int left = table_->viewport()->width(), inSight = 0;
@@ -129,6 +167,7 @@ void RockTable::fitColumns() {
         left -= more;
         heads->resizeSection(n, widths[static_cast<std::size_t>(n)] + more);
     }
+    placeNumbers();
 }
 
 /// In a narrow panel the parts are one below the other, and in a low one the rows come first.
@@ -189,10 +228,11 @@ void RockTable::select(const std::vector<std::uint32_t>& labels) {
         last = index;
     }
     table_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
-    const int scrolled = table_->verticalScrollBar()->value();
+    const int scrolled = table_->verticalScrollBar()->value(), sideways = table_->horizontalScrollBar()->value();
     if (last.isValid()) table_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
     table_->verticalScrollBar()->setValue(scrolled); // Qt puts a new current row at the border
     bringIntoSight();
+    table_->horizontalScrollBar()->setValue(sideways);
     showing_ = false;
     markOnCurve(labels);
 }

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> selected() const;
 
     [[nodiscard]] QTableView* table() const { return table_; }
+    [[nodiscard]] QTableView* numbers() const { return numbers_; }
     [[nodiscard]] QDoubleSpinBox* smallest() const { return smallest_; }
     [[nodiscard]] QCheckBox* sureOnly() const { return sureOnly_; }
     [[nodiscard]] SizeCurveView* sizeCurve() const { return curve_; }
@@ -59,6 +60,8 @@ protected:
 private:
     [[nodiscard]] std::uint32_t labelOf(const QModelIndex& index) const;
     void fitColumns();
+    void connectNumbers();
+    void placeNumbers();
     void showCount();
     void emitChosen();
     void bringIntoSight();
@@ -67,6 +70,7 @@ private:
     RockTableModel* model_;
     ShownRocks* shown_;
     QTableView* table_;
+    QTableView* numbers_; ///< the first column, in sight while the others scroll
     SizeCurveView* curve_;
     QSplitter* sides_;
     QWidget* tools_;

@@ -90,7 +90,7 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     return {};
 }
 
-/// "size: visible width b [m]" as "b [m]": four columns of a narrow table are in sight. The tool tip has all of it.
+/// "size: visible width b [m]" as "b [m]": five columns of a narrow table are in sight. The tool tip has all of it.
 QString RockTableModel::briefly(const QString& head) {
     static const QRegularExpression kLetter("^(?:(±) .*|.* (\\w)) (\\[[^\\]]+\\])$", QRegularExpression::UseUnicodePropertiesOption);
     const QRegularExpressionMatch match = kLetter.match(head);
@@ -114,7 +114,7 @@ bool RockTableModel::setNarrow(bool on) {
 QVariant RockTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) return {};
     const rocks::RockColumn& column = columns()[static_cast<std::size_t>(section)];
-    if (role == Qt::DisplayRole) return narrow_ ? briefly(QObject::tr(column.title)) : inTwoLines(QObject::tr(column.title));
+    if (role == Qt::DisplayRole) return inTwoLines(narrow_ ? briefly(QObject::tr(column.title)) : QObject::tr(column.title));
     if (role == Qt::InitialSortOrderRole) return isCountedUp(column) ? Qt::AscendingOrder : Qt::DescendingOrder;
     if (role == Qt::ToolTipRole) return QObject::tr(column.title) + "\n" + QObject::tr(column.help);
     return {};
