@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASO SUPUESTO %1°</translation></message>
+<message><source>START ASSUMED</source><translation>INICIO SUPUESTO</translation></message>
 <message><source>1 remark</source><translation>1 observación</translation></message>
 <message><source>%1 remarks</source><translation>%1 observaciones</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes en este barrido</translation></message>

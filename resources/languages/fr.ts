@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PAS SUPPOSÉ %1°</translation></message>
+<message><source>START ASSUMED</source><translation>DÉBUT SUPPOSÉ</translation></message>
 <message><source>1 remark</source><translation>1 remarque</translation></message>
 <message><source>%1 remarks</source><translation>%1 remarques</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 plus tôt dans ce balayage</translation></message>

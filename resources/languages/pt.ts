@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASSO SUPOSTO %1°</translation></message>
+<message><source>START ASSUMED</source><translation>INÍCIO SUPOSTO</translation></message>
 <message><source>1 remark</source><translation>1 observação</translation></message>
 <message><source>%1 remarks</source><translation>%1 observações</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes nesta varredura</translation></message>
