@@ -606,6 +606,13 @@ private slots:
         QVERIFY(on.use(edges::Settings{}));
         QVERIFY(known(on));
         QTRY_VERIFY2(!card.text().contains("was "), qPrintable(card.text()));
+        // The former value of the distance, as of a live sweep, does not widen the panel.
+        const auto* targetsDock = on.window.findChild<QDockWidget*>("dock-targets");
+        const int least = targetsDock->minimumSizeHint().width();
+        auto* tolerance = card.findChild<QLabel*>("target-tolerance");
+        tolerance->setText("± 0.012 m\nwas 14.944 m ± 0.035 m, which is longer than any panel is wide at all");
+        QApplication::processEvents();
+        QCOMPARE(targetsDock->minimumSizeHint().width(), least);
         // The buttons of the card.
         QTest::mouseClick(card.copy(), Qt::LeftButton);
         QCOMPARE(QGuiApplication::clipboard()->text(), card.text());
