@@ -681,7 +681,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The session %1 is not changed: this is another scan.</source><translation>A sessão %1 não é alterada: esta é outra varredura.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é a varredura desta sessão: o conteúdo é outro. Ajustes e vista foram restaurados; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
 <message><source>measurements: %1</source><translation>medições: %1</translation></message>
-<message><source>edits of rocks: %1</source><translation>edições de rochas: %1</translation></message>
+<message><source>edits of rocks: %1</source><translation>correções de rochas: %1</translation></message>
 <message><source>settings, view</source><translation>ajustes, vista</translation></message>
 <message><source>Restored: %1. Undo begins here.</source><translation>Restaurado: %1. Desfazer começa aqui.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro uma varredura.</translation></message>
