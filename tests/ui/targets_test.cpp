@@ -651,6 +651,29 @@ private slots:
         }
     }
 
+    // Each pin made the list higher twice: once by its number, and when its place was known.
+    void theCardStaysWhereItIsWhileATargetIsMeasured() {
+        WindowFixture on;
+        QVERIFY(showWith(on, placed_));
+        TargetCard& card = on.viewer.targetsPanel.card();
+        QList<int> tops;
+        const auto note = [&] {
+            const int top = card.mapTo(&on.viewer.targetsPanel, QPoint()).y();
+            if (card.isVisible() && (tops.isEmpty() || tops.back() != top)) tops << top;
+        };
+        for (const std::uint32_t cell : {60U * 160 + 80, 60U * 160 + 20}) {
+            on.viewer.views.pin(cell);
+            for (int n = 0; n < 40; ++n) {
+                QTest::qWait(5);
+                note();
+            }
+            QVERIFY(known(on));
+            QTest::qWait(50);
+            note();
+        }
+        QVERIFY2(tops.size() == 1, qPrintable(QString("%1 places, the last %2").arg(tops.size()).arg(tops.back())));
+    }
+
     // The list of measurements was below the card, out of sight. A long note was cut by its field.
     void measurementsAndALongNoteAreInSight() {
         for (const QSize& size : {QSize(1280, 800), QSize(1366, 768)}) {
