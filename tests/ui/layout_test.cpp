@@ -34,6 +34,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
+#include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
 #include <QtTest>
@@ -424,6 +425,40 @@ private slots:
             QTRY_VERIFY(panel.width() == usual && on.viewer.gray.isVisible());
             QTRY_COMPARE(on.viewer.gray.width(), images);
             mouse(QEvent::MouseButtonRelease, 0, Qt::NoButton);
+        }
+    }
+
+    void imagesThatWereDraggedKeepTheirWidth() {
+        const QString ini = QString::fromStdString((folder_ / "dragged.ini").string());
+        int dragged = 0;
+        for (const bool again : {false, true}) {
+            WindowFixture on(ini);
+            QVERIFY(on.showWith(bare_));
+            resizeTo(on.window, {1280, 800});
+            QTRY_VERIFY(on.viewer.gray.isVisible());
+            const QWidget& gray = on.viewer.gray;
+            if (again) {
+                QTRY_COMPARE(gray.width(), dragged);
+                continue;
+            }
+            QSplitterHandle* handle = nullptr;
+            for (auto* each : on.window.findChildren<QSplitterHandle*>())
+                if (each->orientation() == Qt::Horizontal && each->isVisible()) handle = each;
+            QVERIFY(handle != nullptr);
+            const int before = gray.width();
+            const auto mouse = [&](QEvent::Type type, const QPoint& global, Qt::MouseButton button, Qt::MouseButtons buttons) {
+                QMouseEvent event(type, handle->mapFromGlobal(global), global, button, buttons, {});
+                QApplication::sendEvent(handle, &event);
+            };
+            const QPoint from = handle->mapToGlobal(handle->rect().center()), to = from - QPoint(50, 0);
+            mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+            mouse(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
+            mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+            QTRY_COMPARE(gray.width(), before - 50);
+            dragged = gray.width();
+            QVERIFY(on.use(edges::Settings{}));
+            QTest::qWait(500); // the layout is stored
+            QCOMPARE(gray.width(), dragged);
         }
     }
 

@@ -73,7 +73,7 @@ std::map<std::string, std::string> MainWindow::layoutKept() const {
             {"pictures", text(images_->saveState())},
             {"large", text(places_->text().toUtf8())},
             {"panel", text(QByteArray::number(docks_->draggedWidth()))},
-            {"images", text(imagesDragged_ ? "dragged" : "")},
+            {"images", text(imagesDragged_ ? "dragged" : "follow")},
             {"alone", text(alone)}};
 }
 
