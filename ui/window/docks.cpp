@@ -248,14 +248,13 @@ int Docks::setWidths(int most) {
     const std::vector<QDockWidget*> open = openAtRight();
     const int rail = rail_.isHidden() ? 0 : rail_.sizeHint().width();
     if (open.empty()) return rail;
-    int usual = 0, now = 0;
-    for (const QDockWidget* dock : open) {
-        usual = std::max(usual, usualWidth(*dock));
-        now = std::max(now, dock->width());
-    }
+    int usual = 0;
+    for (const QDockWidget* dock : open) usual = std::max(usual, usualWidth(*dock));
+    const int now = widthNow();
     const int around = rail + window_.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window_);
-    if (held_) { // the panel follows the pointer; it gets no other width under it
-        if (std::abs(now - arranged_) > kSamePx) dragged_ = std::min(now, most);
+    if (held_) {                                                // the panel follows the pointer; it gets no other width under it
+        if (std::abs(now - heldFrom_) > kSamePx) heldFrom_ = 0; // also if it comes back there
+        if (heldFrom_ == 0) dragged_ = std::min(now, most);
         return now + around;
     }
     // no operator wants a panel that cuts off text, or one that takes the cloud's room
@@ -266,7 +265,14 @@ int Docks::setWidths(int most) {
     return arranged_ + around;
 }
 
+int Docks::widthNow() const {
+    int now = 0;
+    for (const QDockWidget* dock : openAtRight()) now = std::max(now, dock->width());
+    return now;
+}
+
 void Docks::setHeld(bool on) {
+    if (on) heldFrom_ = widthNow();
     if (std::exchange(held_, on) == on || on || !tableIsBelow()) return;
     const int high = named(kTable).widget->height();
     if (std::abs(high - arrangedTable_) > kSamePx) draggedTable_ = high;

@@ -72,6 +72,7 @@ private:
     [[nodiscard]] bool isOpenAt(const Dock& dock, int width, int most) const;
     [[nodiscard]] int usualWidth(const QDockWidget& dock) const;
     [[nodiscard]] std::vector<QDockWidget*> openAtRight() const;
+    [[nodiscard]] int widthNow() const; ///< of the docks at the right
     void place();
     void stack();
     void stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise);
@@ -89,6 +90,7 @@ private:
     std::set<DockLock> locks_;
     bool ofB_ = false;
     bool held_ = false;
+    int heldFrom_ = 0;       // width when the drag began; 0: it has changed since
     bool restacked_ = false; // docks left or joined a place: each place gets its height again
     int arranged_ = 0;       // width set by setWidths()
     int dragged_ = 0;        // 0: the width follows the window
