@@ -474,6 +474,7 @@ private slots:
         content.setMinimumWidth(400);
         QTRY_VERIFY(on.viewer.gray.width() < images);
         content.setMinimumWidth(least);
+        QVERIFY(on.use(edges::Settings{})); // with the next picture
         QTRY_COMPARE(on.viewer.gray.width(), images);
     }
 
