@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASO SUPUESTO %1°</translation></message>
+<message><source>START ASSUMED</source><translation>INICIO SUPUESTO</translation></message>
 <message><source>1 remark</source><translation>1 observación</translation></message>
 <message><source>%1 remarks</source><translation>%1 observaciones</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes en este barrido</translation></message>
@@ -681,6 +682,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The session %1 is not changed: this is another scan.</source><translation>La sesión %1 no se modifica: este es otro escaneo.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 no es el escaneo de esta sesión: su contenido es distinto. Los ajustes y la vista se han restaurado; los objetivos, la selección, las marcas, las rocas, A y la cámara no.</translation></message>
 <message><source>measurements: %1</source><translation>mediciones: %1</translation></message>
+<message><source>edits of rocks: %1</source><translation>correcciones de rocas: %1</translation></message>
 <message><source>settings, view</source><translation>ajustes, vista</translation></message>
 <message><source>Restored: %1. Undo begins here.</source><translation>Restaurado: %1. Deshacer empieza aquí.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Aún no hay ninguna sesión que continuar: abra antes un escaneo.</translation></message>
@@ -1008,7 +1010,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>as in the file</source><translation>como en el archivo</translation></message>
 <message><source>Choose…</source><translation>Elegir…</translation></message>
 <message><source>none</source><translation>ninguno</translation></message>
-<message><source>HTML: any browser opens it and turns the cloud, without a network</source><translation>HTML: cualquier navegador lo abre y gira la nube, sin red</translation></message>
+<message><source>HTML: a page for any browser</source><translation>HTML: una página para cualquier navegador</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir y archivar</translation></message>
 <message><source>Site</source><translation>Lugar</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>

@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PAS SUPPOSÉ %1°</translation></message>
+<message><source>START ASSUMED</source><translation>DÉBUT SUPPOSÉ</translation></message>
 <message><source>1 remark</source><translation>1 remarque</translation></message>
 <message><source>%1 remarks</source><translation>%1 remarques</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 plus tôt dans ce balayage</translation></message>
@@ -681,6 +682,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The session %1 is not changed: this is another scan.</source><translation>La session %1 n'est pas modifiée : ceci est un autre scan.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 n'est pas le scan de cette session : son contenu diffère. Réglages et vue sont repris ; cibles, sélection, marques, blocs, A et caméra ne le sont pas.</translation></message>
 <message><source>measurements: %1</source><translation>mesures : %1</translation></message>
+<message><source>edits of rocks: %1</source><translation>corrections de blocs : %1</translation></message>
 <message><source>settings, view</source><translation>réglages, vue</translation></message>
 <message><source>Restored: %1. Undo begins here.</source><translation>Rétabli : %1. Annuler commence ici.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Il n'y a pas encore de session à reprendre : ouvrez d'abord un scan.</translation></message>
@@ -1008,7 +1010,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>as in the file</source><translation>comme dans le fichier</translation></message>
 <message><source>Choose…</source><translation>Choisir…</translation></message>
 <message><source>none</source><translation>aucune</translation></message>
-<message><source>HTML: any browser opens it and turns the cloud, without a network</source><translation>HTML : tout navigateur l'ouvre et fait tourner le nuage, sans réseau</translation></message>
+<message><source>HTML: a page for any browser</source><translation>HTML : une page pour tout navigateur</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF : des pages à imprimer et à classer</translation></message>
 <message><source>Site</source><translation>Site</translation></message>
 <message><source>Author</source><translation>Auteur</translation></message>

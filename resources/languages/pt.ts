@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASSO SUPOSTO %1°</translation></message>
+<message><source>START ASSUMED</source><translation>INÍCIO SUPOSTO</translation></message>
 <message><source>1 remark</source><translation>1 observação</translation></message>
 <message><source>%1 remarks</source><translation>%1 observações</translation></message>
 <message><source>%1 earlier in this sweep</source><translation>%1 antes nesta varredura</translation></message>
@@ -681,6 +682,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The session %1 is not changed: this is another scan.</source><translation>A sessão %1 não é alterada: esta é outra varredura.</translation></message>
 <message><source>%1 is not the scan of this session: its content differs. Settings and view are restored; targets, selection, marks, rocks, A and the camera are not.</source><translation>%1 não é a varredura desta sessão: o conteúdo é outro. Ajustes e vista foram restaurados; alvos, seleção, marcas, rochas, A e a câmera não.</translation></message>
 <message><source>measurements: %1</source><translation>medições: %1</translation></message>
+<message><source>edits of rocks: %1</source><translation>correções de rochas: %1</translation></message>
 <message><source>settings, view</source><translation>ajustes, vista</translation></message>
 <message><source>Restored: %1. Undo begins here.</source><translation>Restaurado: %1. Desfazer começa aqui.</translation></message>
 <message><source>There is no session to go on with yet: open a scan first.</source><translation>Ainda não há sessão a continuar: abra primeiro uma varredura.</translation></message>
@@ -1008,7 +1010,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>as in the file</source><translation>como no arquivo</translation></message>
 <message><source>Choose…</source><translation>Escolher…</translation></message>
 <message><source>none</source><translation>nenhuma</translation></message>
-<message><source>HTML: any browser opens it and turns the cloud, without a network</source><translation>HTML: qualquer navegador abre e gira a nuvem, sem rede</translation></message>
+<message><source>HTML: a page for any browser</source><translation>HTML: uma página para qualquer navegador</translation></message>
 <message><source>PDF: pages to print and to file</source><translation>PDF: páginas para imprimir e arquivar</translation></message>
 <message><source>Site</source><translation>Local</translation></message>
 <message><source>Author</source><translation>Autor</translation></message>

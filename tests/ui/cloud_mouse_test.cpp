@@ -30,6 +30,20 @@ private slots:
         QCOMPARE(left.count(), 1);
     }
 
+    // The read-out was of the cell that a key had moved away.
+    void whatIsUnderThePointerFollowsAKey() {
+        view_->setScan(scan_);
+        (void)view_->grabFrame();
+        QSignalSpy hovered(view_.get(), &CloudView::hovered), left(view_.get(), &CloudView::hoverLeft);
+        const QPoint at = view_->pixelOf(100 * 300 + 150)->toPoint();
+        hover(*view_, at);
+        QCOMPARE(hovered.count(), 1);
+        view_->viewRight();
+        QTRY_COMPARE(hovered.count() + left.count(), 2); // at rest
+        hover(*view_, at);                               // the same as without the key
+        QCOMPARE(hovered.count() + left.count(), 2);
+    }
+
     void dragsMoveTheCameraAsPromised() {
         view_->setScan(scan_);
         QSignalSpy clicked(view_.get(), &CloudView::clicked);

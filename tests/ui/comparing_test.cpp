@@ -473,6 +473,18 @@ private slots:
         QVERIFY2(isRegion(1), qPrintable(legend.regionText()));
         QTest::keyClick(&on.window, Qt::Key_B, Qt::ShiftModifier);
         QVERIFY2(isRegion(count), qPrintable(legend.regionText()));
+        // By key and with a target, too, the legend stays at its side and open.
+        on.viewer.views.pin(on.picture().detection->edges->front());
+        QTRY_VERIFY(on.viewer.views.cloud().atRest());
+        QTest::qWait(100);
+        const int left = legend.x();
+        for (std::size_t n = 1; n <= count && n < 9; ++n) {
+            QTest::keyClick(&on.window, Qt::Key_N, Qt::ShiftModifier);
+            QVERIFY2(isRegion(n), qPrintable(legend.regionText()));
+            QTRY_VERIFY(on.viewer.views.cloud().atRest());
+            QTest::qWait(100);
+            QVERIFY2(legend.x() == left && legend.row(ChangeRow::Nearer)->isVisible(), qPrintable(legend.regionText()));
+        }
     }
 
     // The outline of the region, its text and its buttons stay while A, B and the difference are looked at in turn.

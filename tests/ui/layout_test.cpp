@@ -34,6 +34,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
+#include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
 #include <QtTest>
@@ -387,6 +388,96 @@ private slots:
     }
 
     // A panel that takes the place of the images says so once; Reset Layout gives the panels their heights and the pixels their shape.
+    // The images hid or shrank at the next picture, under the pointer: a click met another rock.
+    void whatTheDragOfAPanelMovesItMovesAtOnce() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        MainWindow& window = on.window;
+        resizeTo(window, {1280, 800});
+        QDockWidget& panel = *dock(window);
+        QTRY_VERIFY(panel.isVisible() && on.viewer.gray.isVisible());
+        const int usual = panel.width(), images = on.viewer.gray.width();
+        const QPoint edge = panel.geometry().topLeft() + QPoint(-2, 300);
+        const auto mouse = [&](QEvent::Type type, int moved, Qt::MouseButtons buttons) {
+            const QPoint at = edge - QPoint(moved, 0);
+            QMouseEvent event(type, at, window.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons, {});
+            QApplication::sendEvent(&window, &event);
+        };
+        const auto places = [&] {
+            QList<QRect> all{panel.geometry()};
+            for (const QWidget* view : {static_cast<QWidget*>(&on.viewer.gray), static_cast<QWidget*>(&on.viewer.cloud)})
+                all << QRect(view->mapTo(&window, QPoint()), view->isVisible() ? view->size() : QSize());
+            return all;
+        };
+        for (const int moved : {60, 220}) {
+            mouse(QEvent::MouseButtonPress, 0, Qt::LeftButton);
+            mouse(QEvent::MouseMove, moved, Qt::LeftButton);
+            QTRY_COMPARE(panel.width(), usual + moved); // the panel is under the pointer
+            QTRY_COMPARE(on.viewer.gray.isVisible(), moved < 100);
+            for (int n = 0; n < 5; ++n) QApplication::processEvents();
+            mouse(QEvent::MouseButtonRelease, moved, Qt::NoButton);
+            const QList<QRect> before = places();
+            QVERIFY(on.use(edges::Settings{})); // a new picture
+            QTest::qWait(300);
+            QCOMPARE(places(), before);
+            mouse(QEvent::MouseButtonPress, moved, Qt::LeftButton);
+            mouse(QEvent::MouseMove, 0, Qt::LeftButton);
+            QTRY_VERIFY(panel.width() == usual && on.viewer.gray.isVisible());
+            QTRY_COMPARE(on.viewer.gray.width(), images);
+            mouse(QEvent::MouseButtonRelease, 0, Qt::NoButton);
+        }
+    }
+
+    void imagesThatWereDraggedKeepTheirWidth() {
+        const QString ini = QString::fromStdString((folder_ / "dragged.ini").string());
+        int dragged = 0;
+        for (const bool again : {false, true}) {
+            WindowFixture on(ini);
+            QVERIFY(on.showWith(bare_));
+            resizeTo(on.window, {1280, 800});
+            QTRY_VERIFY(on.viewer.gray.isVisible());
+            const QWidget& gray = on.viewer.gray;
+            if (again) {
+                QTRY_COMPARE(gray.width(), dragged);
+                continue;
+            }
+            QSplitterHandle* handle = nullptr;
+            for (auto* each : on.window.findChildren<QSplitterHandle*>())
+                if (each->orientation() == Qt::Horizontal && each->isVisible()) handle = each;
+            QVERIFY(handle != nullptr);
+            const int before = gray.width();
+            const auto mouse = [&](QEvent::Type type, const QPoint& global, Qt::MouseButton button, Qt::MouseButtons buttons) {
+                QMouseEvent event(type, handle->mapFromGlobal(global), global, button, buttons, {});
+                QApplication::sendEvent(handle, &event);
+            };
+            const QPoint from = handle->mapToGlobal(handle->rect().center()), to = from - QPoint(50, 0);
+            mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+            mouse(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
+            mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+            QTRY_COMPARE(gray.width(), before - 50);
+            dragged = gray.width();
+            QVERIFY(on.use(edges::Settings{}));
+            QTest::qWait(500); // the layout is stored
+            QCOMPARE(gray.width(), dragged);
+        }
+    }
+
+    // A text that had made its panel wide squeezed the images for good.
+    void imagesThatWereSqueezedComeBack() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bare_));
+        resizeTo(on.window, {1280, 800});
+        QTRY_VERIFY(on.viewer.gray.isVisible());
+        const int images = on.viewer.gray.width();
+        QWidget& content = *dock(on.window)->widget();
+        const int least = content.minimumWidth();
+        content.setMinimumWidth(400);
+        QTRY_VERIFY(on.viewer.gray.width() < images);
+        content.setMinimumWidth(least);
+        QVERIFY(on.use(edges::Settings{})); // with the next picture
+        QTRY_COMPARE(on.viewer.gray.width(), images);
+    }
+
     void aPanelThatFoldsTheImagesSaysSo() {
         WindowFixture on;
         QVERIFY(on.showWith(bare_));

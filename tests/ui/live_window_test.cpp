@@ -95,8 +95,8 @@ private slots:
         counters.counterStep = 1000;
         narrow.narrowEvery = 2;
         clock.clockRate = -1;
-        for (const Case& each : {Case{counters, "COUNTERS IN DOUBT", "", "COUNTERS IN DOUBT"}, Case{narrow, "lines", " lost: lines ", ""},
-                                 Case{clock, "lines", "", "1 remark"}}) {
+        for (const Case& each : {Case{counters, "COUNTERS IN DOUBT", "", "COUNTERS IN DOUBT"},
+                                 Case{narrow, "lines", " lost: lines ", "START ASSUMED"}, Case{clock, "lines", "", "2 remarks"}}) {
             scanner::EmulatedScannerSettings settings;
             settings.linesPerSecond = 100;
             settings.faults = each.faults;

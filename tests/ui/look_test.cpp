@@ -3,6 +3,7 @@
 #include "core/edges/settings/parameters.h"
 #include "tests/support/folders.h"
 #include "tests/support/placements.h"
+#include "tests/ui/sized_window.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/base/cell_marks.h"
 #include "ui/base/elided_label.h"
@@ -17,6 +18,7 @@
 #include "ui/panels/live/health_strip.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/tuning/edge_legend.h"
+#include "ui/panels/tuning/status_line.h"
 #include "ui/views/cloud/view_cube.h"
 #include "ui/window/cab_mode.h"
 #include "ui/window/pane_places.h"
@@ -280,6 +282,31 @@ private slots:
         notice.hide();
     }
 
+    // A pinned cell left no room for it, and it was not there again after the pin.
+    void theStatusLineNamesTheSettingsAgainAfterAPin() {
+        WindowFixture on;
+        QVERIFY(on.showWith(bell_));
+        const auto detection = on.picture().detection;
+        StatusLine line;
+        line.show();
+        line.showSettings({});
+        line.showCounts(*detection);
+        const auto isNamed = [&] {
+            QApplication::processEvents();
+            return line.findChild<QLabel*>("settings")->isVisible();
+        };
+        bool pushedOut = false;
+        for (int wide = 1500; wide > 1000 && !pushedOut; wide -= 20) {
+            line.resize(wide, 30);
+            if (!isNamed()) break;
+            line.showProbe(edges::probeCell(*detection, detection->edges->front()), StatusLine::Cell::Pin);
+            pushedOut = !isNamed();
+            line.showProbe(std::nullopt, StatusLine::Cell::Pin);
+            QVERIFY2(isNamed(), qPrintable(QString::number(wide)));
+        }
+        QVERIFY(pushedOut);
+    }
+
     void openFile(const QUrl& url) { opened_ = url.toLocalFile(); }
 
     // The button opens a page itself, and the folder of other files.
@@ -400,6 +427,15 @@ private slots:
         QImage picture(40, 20, QImage::Format_RGB32);
         picture.fill(Qt::red);
         QVERIFY(picture.save(QString::fromStdString(logo)));
+        for (const char* language : {"es", "fr", "pt", "en"}) { // no text of the formats is cut
+            QVERIFY(useTexts(language));
+            ReportForm translated({}, nullptr);
+            translated.show();
+            const auto* format = translated.findChild<QComboBox*>("report-format");
+            for (int n = 0; n < format->count(); ++n)
+                QVERIFY2(format->fontMetrics().horizontalAdvance(format->itemText(n)) + 40 < format->width(),
+                         qPrintable(format->itemText(n)));
+        }
         ReportForm form({"Panel 3 <west>", "A. Miner", "one\ntwo & three", QString::fromStdString(logo), ".pdf"});
         form.findChild<QLineEdit*>("report-author")->setText(" B. Miner ");
         const ReportWords words = form.words();

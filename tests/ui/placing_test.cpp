@@ -91,6 +91,12 @@ private slots:
         QCOMPARE(on.place()->originEnhM.x(), 498700.0);
         QVERIFY2(on.placing.dialog()->stateText().contains("E 498765.432, N 5150123.456, RL 287.654"),
                  qPrintable(on.placing.dialog()->stateText()));
+        // What the next line does not give is not taken from the line before.
+        on.field("talin-pitch_deg").setText("3");
+        on.paste("P8; 498765.432; 5150123.456; 287.654; 217.4");
+        for (const char* each : {"inclinometer-tilt_x_deg", "inclinometer-tilt_y_deg", "talin-pitch_deg"})
+            QCOMPARE(on.field(each).text(), QString());
+        QVERIFY(on.placed());
         // Closed without storing, the scan has no place again.
         on.placing.dialog()->reject();
         QVERIFY(on.settled());
@@ -172,6 +178,11 @@ private slots:
         QCOMPARE(on.field("talin-heading_deg").placeholderText(), QString::fromUtf8("✕ missing"));
         QCOMPARE(on.fault("talin-heading_deg").text(), QString("Heading, clockwise from north is missing."));
         QVERIFY(!on.fault("talin-easting_m").isVisible());
+        on.field("talin-elevation_m").setText("-"); // the beginning of a number
+        QVERIFY(on.fault("talin-elevation_m").isVisible());
+        QCoreApplication::processEvents();
+        QCOMPARE(on.field("talin-roll_deg").mapTo(on.placing.dialog(), QPoint(0, 0)).y(), place);
+        on.field("talin-elevation_m").setText("287.654");
         on.field("talin-heading_deg").setText("400");
         QVERIFY(on.fault("talin-heading_deg").text().contains("must be from -360 to 360"));
         on.field("talin-heading_deg").setText("40");

@@ -569,6 +569,10 @@ private slots:
             on.window.cab().set(true);
             on.viewer.views.pin(100);
             QVERIFY(eventually([&] { return on.viewer.targets.settled(); }));
+            on.viewer.rocks.setShown(true);
+            QTRY_VERIFY(on.viewer.rocks.picture() && !on.viewer.rocks.behind());
+            on.viewer.rocks.setOperatorEdits({{{rocks::EditKind::NotRock, {3000}}}, {}});
+            QTRY_VERIFY(!on.viewer.rocks.behind());
             on.window.cab().useViews("edges edges");
             QVERIFY(on.viewer.views.edges().isVisible());
             QFile file(path);
@@ -586,7 +590,8 @@ private slots:
         QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         QTRY_VERIFY(on.viewer.views.edges().isVisible() && !on.viewer.views.cloud().isVisible());
         QCOMPARE(on.window.cab().viewsKept(), std::string("edges edges"));
-        QVERIFY2(on.viewer.notice.text().startsWith("Restored: 1 target"), qPrintable(on.viewer.notice.text()));
+        QVERIFY2(on.viewer.notice.text().startsWith("Restored: 1 target, edits of rocks: 1, settings, view."),
+                 qPrintable(on.viewer.notice.text()));
         QVERIFY(!on.viewer.undo.canUndo() && on.viewer.targets.active() != nullptr);
         on.window.cab().set(false);
         QVERIFY(on.viewer.views.cloud().isVisible());

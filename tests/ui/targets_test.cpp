@@ -612,6 +612,13 @@ private slots:
         QVERIFY(on.use(edges::Settings{}));
         QVERIFY(known(on));
         QTRY_VERIFY2(!card.text().contains("was "), qPrintable(card.text()));
+        // The former value of the distance, as of a live sweep, does not widen the panel.
+        const auto* targetsDock = on.window.findChild<QDockWidget*>("dock-targets");
+        const int least = targetsDock->minimumSizeHint().width();
+        auto* tolerance = card.findChild<QLabel*>("target-tolerance");
+        tolerance->setText("± 0.012 m\nwas 14.944 m ± 0.035 m, which is longer than any panel is wide at all");
+        QApplication::processEvents();
+        QCOMPARE(targetsDock->minimumSizeHint().width(), least);
         // The buttons of the card.
         QTest::mouseClick(card.copy(), Qt::LeftButton);
         QCOMPARE(QGuiApplication::clipboard()->text(), card.text());
@@ -648,6 +655,29 @@ private slots:
             for (int n = 0; n < list->count(); ++n) rows += list->viewport()->rect().contains(list->visualItemRect(list->item(n))) ? 1 : 0;
             QVERIFY2(rows >= 4, qPrintable(QString::number(rows)));
         }
+    }
+
+    // Each pin made the list higher twice: once by its number, and when its place was known.
+    void theCardStaysWhereItIsWhileATargetIsMeasured() {
+        WindowFixture on;
+        QVERIFY(showWith(on, placed_));
+        TargetCard& card = on.viewer.targetsPanel.card();
+        QList<int> tops;
+        const auto note = [&] {
+            const int top = card.mapTo(&on.viewer.targetsPanel, QPoint()).y();
+            if (card.isVisible() && (tops.isEmpty() || tops.back() != top)) tops << top;
+        };
+        for (const std::uint32_t cell : {60U * 160 + 80, 60U * 160 + 20}) {
+            on.viewer.views.pin(cell);
+            for (int n = 0; n < 40; ++n) {
+                QTest::qWait(5);
+                note();
+            }
+            QVERIFY(known(on));
+            QTest::qWait(50);
+            note();
+        }
+        QVERIFY2(tops.size() == 1, qPrintable(QString("%1 places, the last %2").arg(tops.size()).arg(tops.back())));
     }
 
     // The list of measurements was below the card, out of sight. A long note was cut by its field.

@@ -37,6 +37,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "COUNTERS IN DOUBT"),
     QT_TRANSLATE_NOOP("QObject", "MOUNTING ASSUMED"),
     QT_TRANSLATE_NOOP("QObject", "STEP ASSUMED %1°"),
+    QT_TRANSLATE_NOOP("QObject", "START ASSUMED"),
     QT_TRANSLATE_NOOP("QObject", "1 remark"),
     QT_TRANSLATE_NOOP("QObject", "%1 remarks"),
     QT_TRANSLATE_NOOP("QObject", "%1 earlier in this sweep"),

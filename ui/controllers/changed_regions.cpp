@@ -66,10 +66,7 @@ void Comparing::goToRegion(int by) {
     const QRect box(region.firstBeam, region.firstLine, region.lastBeam - region.firstBeam + 1, region.lastLine - region.firstLine + 1);
     const int around = std::max(kLeastAround, std::max(box.width(), box.height()) / 3);
     regionPart_ = QRectF(box.adjusted(-around, -around, around, around));
-    views_.gray().viewPort()->fitTo(regionPart_);
-    const std::vector<std::uint32_t> cells = cellsOf(kinds, region);
-    views_.cloud().lookAtCells(cells);
-    outlineRegion(cells);
+    // First the words: the cloud turns the region to where the legend with them leaves room, and the legend stays where it is.
     legend_.showRegion((n == 0 ? tr("region %1 of %2, the largest: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m")
                                : tr("region %1 of %2: %3 by %4 m ± %5 m,\nvisible %6 m², at %7 m"))
                            .arg(n + 1)
@@ -84,6 +81,10 @@ void Comparing::goToRegion(int by) {
                            .arg(count)
                            .arg(changeColour(region.farther ? ChangeRow::Farther : ChangeRow::Nearer).name(), region.farther ? "+" : "−")
                            .arg(region.byM, 0, 'f', 2));
+    views_.gray().viewPort()->fitTo(regionPart_);
+    const std::vector<std::uint32_t> cells = cellsOf(kinds, region);
+    views_.cloud().lookAtCells(cells);
+    outlineRegion(cells);
 }
 
 /// Without cells it takes the outline away, unless that is of a rock by now.

@@ -170,7 +170,7 @@ void Docks::setTableHeight() {
     const int wanted = draggedTable_ > 0 ? std::min(draggedTable_, window_.height() / 2) : usual;
     if (std::exchange(arrangedTable_, wanted) != wanted) triesOfTable_ = kTries;
     QDockWidget* table = named(kTable).widget;
-    if (triesOfTable_ == 0 || std::abs(table->height() - wanted) <= kSamePx) return;
+    if (held_ || triesOfTable_ == 0 || std::abs(table->height() - wanted) <= kSamePx) return;
     --triesOfTable_;
     window_.resizeDocks({table}, {wanted}, Qt::Vertical);
 }
@@ -248,24 +248,32 @@ int Docks::setWidths(int most) {
     const std::vector<QDockWidget*> open = openAtRight();
     const int rail = rail_.isHidden() ? 0 : rail_.sizeHint().width();
     if (open.empty()) return rail;
-    int usual = 0, now = 0;
-    for (const QDockWidget* dock : open) {
-        usual = std::max(usual, usualWidth(*dock));
-        now = std::max(now, dock->width());
+    int usual = 0;
+    for (const QDockWidget* dock : open) usual = std::max(usual, usualWidth(*dock));
+    const int now = widthNow();
+    const int around = rail + window_.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window_);
+    if (held_) {                                                // the panel follows the pointer; it gets no other width under it
+        if (std::abs(now - heldFrom_) > kSamePx) heldFrom_ = 0; // also if it comes back there
+        if (heldFrom_ == 0) dragged_ = std::min(now, most);
+        return now + around;
     }
     // no operator wants a panel that cuts off text, or one that takes the cloud's room
     arranged_ = dragged_ >= kLeastPanel && dragged_ <= most ? dragged_ : usual;
     if (std::abs(now - arranged_) > kSamePx) {
         for (QDockWidget* dock : open) window_.resizeDocks({dock}, {arranged_}, Qt::Horizontal); // its width changes later
     }
-    return arranged_ + rail + window_.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window_);
+    return arranged_ + around;
 }
 
-void Docks::noteDrag() {
+int Docks::widthNow() const {
     int now = 0;
     for (const QDockWidget* dock : openAtRight()) now = std::max(now, dock->width());
-    if (now > 0 && arranged_ > 0 && std::abs(now - arranged_) > kSamePx) dragged_ = now;
-    if (!tableIsBelow()) return;
+    return now;
+}
+
+void Docks::setHeld(bool on) {
+    if (on) heldFrom_ = widthNow();
+    if (std::exchange(held_, on) == on || on || !tableIsBelow()) return;
     const int high = named(kTable).widget->height();
     if (std::abs(high - arrangedTable_) > kSamePx) draggedTable_ = high;
 }

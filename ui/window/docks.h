@@ -41,8 +41,8 @@ public:
     /// After fit(): gives the open docks at the right the width to which the operator dragged them, else their usual one. Returns px of the
     /// window's width that they take, with the rail.
     int setWidths(int most);
-    /// The operator let go of the edge of a dock.
-    void noteDrag();
+    /// On while the operator drags the edge of a dock.
+    void setHeld(bool on);
     /// For the settings memory; 0: it was never dragged.
     [[nodiscard]] int draggedWidth() const { return dragged_; }
     void setDraggedWidth(int width) { dragged_ = width; }
@@ -72,6 +72,7 @@ private:
     [[nodiscard]] bool isOpenAt(const Dock& dock, int width, int most) const;
     [[nodiscard]] int usualWidth(const QDockWidget& dock) const;
     [[nodiscard]] std::vector<QDockWidget*> openAtRight() const;
+    [[nodiscard]] int widthNow() const; ///< of the docks at the right
     void place();
     void stack();
     void stackOnRocks(QDockWidget& dock, bool together, Qt::DockWidgetArea otherwise);
@@ -88,6 +89,8 @@ private:
     const QDockWidget* behindTab_ = nullptr; // the operator chose it in a menu while another tab hid it
     std::set<DockLock> locks_;
     bool ofB_ = false;
+    bool held_ = false;
+    int heldFrom_ = 0;       // width when the drag began; 0: it has changed since
     bool restacked_ = false; // docks left or joined a place: each place gets its height again
     int arranged_ = 0;       // width set by setWidths()
     int dragged_ = 0;        // 0: the width follows the window

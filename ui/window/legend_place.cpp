@@ -13,6 +13,8 @@
 #include <QLayout>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -71,10 +73,26 @@ std::vector<QRect> ringsIn(const CloudView& cloud) {
     return rings;
 }
 
+/// Whether the operator went to a changed region last, or chose a place.
+class Way {
+public:
+    bool visits(std::optional<std::size_t> pinned, std::optional<std::size_t> region) {
+        if (pinned != pinned_ || region != region_) visits_ = region && region != region_ && pinned == pinned_;
+        pinned_ = pinned;
+        region_ = region;
+        return visits_;
+    }
+
+private:
+    std::optional<std::size_t> pinned_, region_;
+    bool visits_ = false;
+};
+
 } // namespace
 
 void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& comparing, const Targets& targets) {
-    const auto look = [&cloud, &views, &comparing] {
+    const auto way = std::make_shared<Way>();
+    const auto look = [&cloud, &views, &comparing, way] {
         const auto fitLegends = [&](int height) {
             QLayout& over = *cloud.layout();
             for (int n = over.count() - 1; n >= 0; --n) { // the lowest first: those above it get the rest
@@ -96,7 +114,12 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& c
         const auto at = cell ? cloud.pixelOf(static_cast<std::uint32_t>(*cell)) : std::nullopt;
         const QRect label = at ? QRect(at->toPoint() - QPoint(kRing, kLabelHigh), QSize(kLabelWide, 2 * kLabelHigh)) : QRect();
         // Where neither side is free, the legends end below the label; where that is too little for them, each is one row.
-        const auto neitherIsFree = [&] { return !label.isEmpty() && isCovered(cloud, label, false) && isCovered(cloud, label, true); };
+        // The way to a changed region keeps that region free: on it no target moves or folds the legends.
+        const bool visits = way->visits(cell, comparing.visited());
+        const QRect avoided = visits ? QRect() : label;
+        const auto neitherIsFree = [&] {
+            return !avoided.isEmpty() && isCovered(cloud, avoided, false) && isCovered(cloud, avoided, true);
+        };
         if (neitherIsFree()) fitLegends(cloud.height() - label.bottom());
         if (neitherIsFree()) fitLegends(0);
         // They stay at their side until they cover more than at the other: the chosen place, then the change, then other targets. While
@@ -104,7 +127,7 @@ void keepLegendsOffPins(CloudView& cloud, LinkedViews& views, const Comparing& c
         const std::vector<QRect> rings = ringsIn(cloud);
         const auto covered = [&, change = changeIn(cloud, comparing)](bool side) {
             const auto is = [&](const QRect& place) { return !place.isEmpty() && isCovered(cloud, place, side); };
-            return std::tuple(is(label), is(change), std::ranges::count_if(rings, is));
+            return std::tuple(is(avoided), is(change), visits ? 0 : std::ranges::count_if(rings, is));
         };
         const bool right = cloud.atRest() && !hasPointer(cloud) && covered(!wasRight) < covered(wasRight) ? !wasRight : wasRight;
         QLayout* over = cloud.layout();

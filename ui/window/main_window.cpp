@@ -199,6 +199,7 @@ void MainWindow::layOutViews() {
         splitter->setHandleWidth(5);
         connect(splitter, &QSplitter::splitterMoved, this, [this] { rememberTimer_.start(); });
     }
+    connect(splitter_, &QSplitter::splitterMoved, this, [this] { imagesDragged_ = true; });
     for (QWidget* widget : {static_cast<QWidget*>(splitter_), pictures_}) widget->installEventFilter(this);
     splitter_->setStretchFactor(0, 0); // additional width goes to the cloud
     splitter_->setStretchFactor(1, 1);
@@ -235,7 +236,7 @@ void MainWindow::followPlaces() {
         });
     connect(places_, &PanePlaces::changed, this, [this] {
         viewer_.preferences.keep("window/large-view", places_->text());
-        arrangedImages_ = 0; // the width of the new places
+        imagesDragged_ = false; // the width of the new places
         arrange();
         rememberTimer_.start();
     });

@@ -105,10 +105,10 @@ private:
     PanePlaces* places_ = nullptr;
     CabMode* cab_ = nullptr;
     Docks* docks_ = nullptr;
-    bool byHand_ = false;       // the operator closes the window
-    bool framed_ = false;       // the desktop has reported the width of the window's frame
-    int arrangedImages_ = 0;    // width set by arrange(): images that still have it follow the window
-    bool roomForImages_ = true; // next to the cloud
+    bool byHand_ = false;        // the operator closes the window
+    bool framed_ = false;        // the desktop has reported the width of the window's frame
+    bool imagesDragged_ = false; // by the operator: their width does not follow the window
+    bool roomForImages_ = true;  // next to the cloud
     bool saidThatImagesFold_ = false;
     QTimer rememberTimer_;               // one write for a whole drag of window or splitter
     std::unique_ptr<Sessions> sessions_; // last: destroyed before the objects that it uses

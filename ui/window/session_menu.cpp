@@ -73,6 +73,7 @@ std::map<std::string, std::string> MainWindow::layoutKept() const {
             {"pictures", text(images_->saveState())},
             {"large", text(places_->text().toUtf8())},
             {"panel", text(QByteArray::number(docks_->draggedWidth()))},
+            {"images", text(imagesDragged_ ? "dragged" : "follow")},
             {"alone", text(alone)}};
 }
 
@@ -89,6 +90,7 @@ void MainWindow::useLayout(const std::map<std::string, std::string>& layout) {
     places_->use(QString::fromUtf8(bytes("large")));
     splitter_->restoreState(bytes("views"));
     images_->restoreState(bytes("pictures"));
+    imagesDragged_ = !layout.contains("images") || bytes("images") == "dragged"; // sessions of earlier versions do not say it
     places_->orient();
     const QByteArray alone = bytes("alone");
     const auto found = std::ranges::find_if(panes_, [&alone](const Pane* pane) { return pane->content()->objectName().toUtf8() == alone; });

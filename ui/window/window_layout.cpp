@@ -28,7 +28,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace edgescan::ui {
@@ -41,7 +40,6 @@ constexpr double kLeastCloudShare = 0.22; // of the views' width, while the imag
 constexpr int kRangeWindowFrom = 600;     // px of the window's height
 constexpr int kLeastImages = 140;         // px of width
 constexpr int kLeastImage = 96;           // px of height; in a lower column the range image is alone
-constexpr int kSameWidth = 2;             // px: widths that differ by less count as equal
 
 // Widths at which the cloud has most of the window and images and panel stay readable.
 int usualImages(int window) {
@@ -72,7 +70,7 @@ void MainWindow::arrange() {
     foldImages(!places_->imagesFirst() && tooNarrow, byPanel);
     showImages();
     if (maximised_ != nullptr || !roomForImages_) return;
-    const bool follow = arrangedImages_ == 0 || std::abs(pictures_->width() - arrangedImages_) <= kSameWidth;
+    const bool follow = !imagesDragged_;
     if (places_->imagesFirst()) {
         const int both = widthOfImagesFirst();
         if (follow || pictures_->width() > both) setImagesWidth(both);
@@ -125,7 +123,7 @@ int MainWindow::widthOfImagesFirst() {
 
 void MainWindow::setImagesWidth(int width) {
     splitter_->setSizes({width, std::max(1, splitter_->width() - width - splitter_->handleWidth())});
-    arrangedImages_ = splitter_->sizes().value(0); // the least widths of its parts may have changed it
+    imagesDragged_ = false;
 }
 
 void MainWindow::maximise(Pane* pane) {
@@ -158,7 +156,7 @@ void MainWindow::remember() {
     viewer_.preferences.keep("window/state", saveState());
     viewer_.preferences.keep("window/views", splitter_->saveState());
     viewer_.preferences.keep("window/images", images_->saveState());
-    viewer_.preferences.keep("window/images-width", QString::number(arrangedImages_));
+    viewer_.preferences.keep("window/images-dragged", imagesDragged_);
     viewer_.preferences.keep("window/panel-dragged", QString::number(docks_->draggedWidth()));
     viewer_.preferences.keep("window/table-dragged", QString::number(docks_->draggedTableHeight()));
 }
@@ -176,7 +174,7 @@ void MainWindow::restoreLayout() {
     places_->orient();
     places_->use(viewer_.preferences.text("window/large-view"));
     splitter_->restoreState(viewer_.preferences.bytes("window/views"));
-    arrangedImages_ = viewer_.preferences.text("window/images-width").toInt();
+    imagesDragged_ = viewer_.preferences.flag("window/images-dragged", false);
     docks_->setDraggedWidth(viewer_.preferences.text("window/panel-dragged").toInt());
     docks_->setDraggedTableHeight(viewer_.preferences.text("window/table-dragged").toInt());
     // A window on a screen that no longer exists is moved back; a window of a larger screen is shrunk.
@@ -203,7 +201,7 @@ void MainWindow::resetLayout() {
     if (maximised_ != nullptr) maximise(maximised_);
     places_->use(QString());
     places_->setImagesFirst(false);
-    arrangedImages_ = 0;
+    imagesDragged_ = false;
     images_->setSizes({1000, 1000});
     actionOf(keyedCommands(actions()), "View/True Angle Aspect").setChecked(false);
     docks_->reset();
@@ -235,7 +233,11 @@ bool MainWindow::event(QEvent* event) {
     // Qt would give the focus to the first button of a legend: the next Space would switch it.
     if (event->type() == QEvent::WindowActivate && focusWidget() == nullptr && viewer_.cloud.isVisible()) viewer_.cloud.setFocus();
     const bool done = QMainWindow::event(event);
-    if (event->type() == QEvent::MouseButtonRelease) docks_->noteDrag();
+    if (event->type() == QEvent::MouseButtonPress && event->isAccepted()) docks_->setHeld(true);
+    if (event->type() == QEvent::MouseButtonRelease) {
+        docks_->setHeld(false);
+        arrange(); // at once: nothing moves later under the pointer
+    }
     return done;
 }
 

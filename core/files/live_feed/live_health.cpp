@@ -65,7 +65,8 @@ std::string endOf(const LiveStatus& status, Liveness liveness) {
     if (sweep.expected == 0) return {};
     const int left = sweep.expected - sweep.lines;
     if (left <= 0) return sweep.complete() && !sweep.irregular.countersInDoubt() ? "sweep complete" : "sweep ended";
-    if (liveness != Liveness::Live || status.linesPerSecond <= 0.0) return {}; // without lines the time of the last one is unknown
+    // Without lines the time of the last one is unknown, and so it is where the sweep was joined in its middle.
+    if (liveness != Liveness::Live || status.linesPerSecond <= 0.0 || sweep.endUnknown) return {};
     return ageText(std::ceil(left / status.linesPerSecond)) + " left";
 }
 
@@ -94,6 +95,7 @@ std::string assumedWords(const std::string& sentence) {
 void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::SweepProgress& sweep) {
     health.remarks = sweep.irregular.sentences();
     if (!sweep.assumed.empty()) health.remarks.push_back(sweep.assumed);
+    if (!sweep.startAssumed.empty()) health.remarks.push_back(sweep.startAssumed);
     const auto tell = [&](std::uint64_t count, const std::string& what) {
         if (count > 0) health.remarks.push_back(std::to_string(count) + what);
     };
@@ -105,8 +107,9 @@ void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::
     const std::size_t count = health.remarks.size();
     health.remark = sweep.irregular.countersInDoubt() ? "COUNTERS IN DOUBT"
                     : !sweep.assumed.empty()          ? assumedWords(sweep.assumed)
-                    : count == 1                      ? "1 remark"
-                                                      : std::to_string(count) + " remarks";
+                    : count > 1                       ? std::to_string(count) + " remarks"
+                    : !sweep.startAssumed.empty()     ? "START ASSUMED"
+                                                      : "1 remark";
 }
 
 void tellRecording(LiveHealth& health, const RecordingState& recording) {

@@ -238,6 +238,7 @@ void SweepAssembler::splitAtReversal() {
         lostSince_ = lostSince;
         misfit_ = std::move(misfit);
         sweep_ = std::move(next);
+        startIsKnown_ = true;
         changed_ = true;
     }
 }

@@ -33,6 +33,10 @@ struct SweepProgress {
     AngleSource angleSource = AngleSource::Steps;
     /// a sentence about the assumed mounting: "How a motor turned ... ASSUMED: the axis (spin) ..."; empty: all values were given
     std::string assumed;
+    /// "The first line received is taken as line 0 of the sweep.": until the start of a sweep was seen, a connection in the middle of one
+    /// has its lines at wrong angles; empty: the start was seen, or the stepper reports its angles
+    std::string startAssumed;
+    bool endUnknown = false;   ///< the stepper's place is in the stream, and its start was not seen: the sweep may end before `expected`
     std::int64_t newestNs = 0; ///< host time of the newest line, by the clock of push()
     DeviceFlags device;        ///< at the newest line
     DeviceFlags deviceEver;    ///< at any line of the sweep
@@ -95,6 +99,7 @@ private:
     [[nodiscard]] bool encoderLeapsBack(std::uint32_t position, std::int64_t lost, bool restarted);
     [[nodiscard]] std::int64_t lostInRestart(const SweepLine& line) const;
     void describe(Scan& scan);
+    [[nodiscard]] std::string startAssumed(AngleSource source) const;
     [[nodiscard]] TelegramAccount account() const;
 
     SweepSettings settings_;
@@ -111,7 +116,7 @@ private:
     std::optional<std::uint32_t> encoderAt_;
     std::int64_t encoderCount_ = 0, encoderStep_ = 0; // step: counts to the newest line, of an encoder without a scale
     bool encoderWithoutScale_ = false, encoderWasReset_ = false;
-    bool startIsKnown_ = false; // the stepper was taken back to its start; before that, it may have been turning at the first line
+    bool startIsKnown_ = false; // the stepper went back to its start; before that, it may have been turning at the first line
     DeviceFlags device_;
 
     int number_ = 0;

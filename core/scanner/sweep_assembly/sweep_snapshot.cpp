@@ -54,8 +54,6 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
     return acquisition;
 }
 
-constexpr const char* kFirstLineAssumed = "The first line received is taken as line 0 of the sweep.";
-
 /// A step that is counted is assumed, too; an encoder or the stepper reports its angles itself.
 std::string assumedText(const SweepSettings& settings, AngleSource source) {
     std::string what, flags;
@@ -70,8 +68,7 @@ std::string assumedText(const SweepSettings& settings, AngleSource source) {
                       "--line-step");
     }
     if (what.empty()) return {};
-    const std::string first = source == AngleSource::Steps ? std::string(" ") + kFirstLineAssumed : "";
-    return kMountingAssumed + what + ". Give " + flags + " where that is wrong." + first;
+    return kMountingAssumed + what + ". Give " + flags + " where that is wrong.";
 }
 
 /// "312/1000 lines"; `of` 0: how many the sweep has is not known.
@@ -117,6 +114,9 @@ SweepProgress SweepAssembler::progress() const {
         progress.cells = sweep_->grid().counts(progress.lines);
         progress.angleSource = angleSourceOf(sweep_->facts(), settings_);
         progress.assumed = assumedText(settings_, progress.angleSource);
+        progress.startAssumed = startAssumed(progress.angleSource);
+        const bool placed = encoderAt_ || progress.angleSource == AngleSource::Stepper;
+        progress.endUnknown = placed && !startIsKnown_;
         progress.deviceEver = sweep_->deviceEver();
         progress.number = number_;
         progress.irregular = irregular_;
@@ -143,6 +143,14 @@ std::shared_ptr<const Scan> SweepAssembler::snapshot() {
     const std::shared_ptr<Scan> scan = sweep_->grid().scan(rows);
     describe(*scan);
     return snapshot_ = scan;
+}
+
+/// What is taken as the start of the sweep where nothing shows it.
+std::string SweepAssembler::startAssumed(AngleSource source) const {
+    if (source == AngleSource::Encoder && !settings_.encoderZero)
+        return "The encoder count of the first line received is taken as the first angle of the sweep.";
+    const bool isCounted = source == AngleSource::Steps || source == AngleSource::Time;
+    return isCounted && !startIsKnown_ ? "The first line received is taken as line 0 of the sweep." : "";
 }
 
 /// Sets everything but ranges and states; the scan may hold an earlier snapshot.
@@ -174,11 +182,9 @@ void SweepAssembler::describe(Scan& scan) {
     warnAboutRows("Telegrams were lost: ", gone);
     warnAboutRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
     for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
-    if (!now.assumed.empty()) warn(now.assumed);
-    const bool isCounted = angles.source == AngleSource::Steps || angles.source == AngleSource::Time;
-    if (isCounted && !startIsKnown_ && now.assumed.empty()) warn(kFirstLineAssumed);
-    if (angles.source == AngleSource::Encoder && !settings_.encoderZero)
-        warn("The encoder count of the first line received is taken as the first angle of the sweep.");
+    const std::string between = now.assumed.empty() || now.startAssumed.empty() ? "" : " ";
+    const std::string assumed = now.assumed + between + now.startAssumed;
+    if (!assumed.empty()) warn(assumed);
     if (angles.source == AngleSource::Time) warn("The line angles are computed from time alone: a change of speed bends the cloud.");
     if (encoderWithoutScale_)
         warn("The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.");

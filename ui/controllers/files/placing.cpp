@@ -193,9 +193,9 @@ void Placing::takeLine(const QString& line, bool northingFirst) {
     const auto read = parseSurveyLine(exactBytes(line), northingFirst ? SurveyOrder::NorthingFirst : SurveyOrder::EastingFirst);
     if (!read) return dialog_->showState("✕ " + coreSentence(read.error().sentence()), false);
     PlaceTexts texts = dialog_->poseTexts();
-    const auto put = [&](const std::string& key, std::optional<double> value) {
+    const auto put = [&](const std::string& key, std::optional<double> value) { // an angle that the line does not give is of another pose
         for (std::size_t n = 0; n < texts.size(); ++n) {
-            if (value && key == poseFields()[n].key) texts[n] = shortestText(*value);
+            if (key == poseFields()[n].key) texts[n] = value ? shortestText(*value) : std::string();
         }
     };
     put("easting_m", read->enhM.x());
@@ -204,6 +204,8 @@ void Placing::takeLine(const QString& line, bool northingFirst) {
     put("heading_deg", read->headingDeg);
     put("tilt_x_deg", read->pitchDeg);
     put("tilt_y_deg", read->rollDeg);
+    put("pitch_deg", std::nullopt);
+    put("roll_deg", std::nullopt);
     dialog_->showPose(texts);
 }
 

@@ -188,8 +188,9 @@ void Targets::show() {
         const QString note = target.note.empty() ? QString() : "   " + shownName(exactText(target.note), 80);
         words += note;
         const QString first = words; // shortened in the list
-        if (const QString place = now != nullptr ? briefPositionText(*now) : QString(); !place.isEmpty()) words += "\n" + place;
-        QStringList shortened; // the class of its edge and the second row last
+        const QString place = now != nullptr ? briefPositionText(*now) : QString();
+        words += "\n" + (place.isEmpty() ? QString(" ") : place); // two rows before it is known: the card below the list stays where it is
+        QStringList shortened;                                    // the class of its edge and the second row last
         if (!note.isEmpty()) shortened << note;
         QString state; // its rock, and whether it is locked
         if (const rocks::Rock* rock = around(target.cell).rock) state += "   " + tr("rock %1").arg(rock->label);

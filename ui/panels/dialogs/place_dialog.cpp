@@ -1,6 +1,7 @@
 // Two pages of rows, one per field of the core's tables.
 #include "ui/panels/dialogs/place_dialog.h"
 
+#include "ui/base/elided_label.h"
 #include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
@@ -160,7 +161,11 @@ QWidget* PlaceDialog::mountingPage() {
 void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector<Row>& rows) {
     auto* label = wrappedLabel(QObject::tr(field.label));
     label->setMinimumWidth(170);
-    auto* fault = wrappedLabel();
+    auto* fault = new ElidedLabel; // in one line, whose place is there before: no field moves while numbers are typed
+    fault->setFixedHeight(fault->fontMetrics().height());
+    QSizePolicy stays = fault->sizePolicy();
+    stays.setRetainSizeWhenHidden(true);
+    fault->setSizePolicy(stays);
     fault->setObjectName(QString("fault-%1-%2").arg(field.group, field.key));
     followColours(*fault, [fault](const Theme& theme) {
         QPalette palette = fault->palette();
@@ -169,8 +174,7 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
     });
     fault->hide();
     Row row{{}, {}, fault, nullptr, {}};
-    auto* cell = new QVBoxLayout;
-    cell->setSpacing(2);
+    QWidget* cell = nullptr;
     const auto told = [this] {
         if (showing_) return;
         typed_ = true;
@@ -186,7 +190,7 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
         row.show = [choice, usual = QString(field.usual)](const QString& text) {
             if (const int at = choice->findData(text.isEmpty() ? usual : text); at >= 0) choice->setCurrentIndex(at);
         };
-        cell->addWidget(choice);
+        cell = choice;
         label->setBuddy(choice);
     } else {
         auto* edit = new QLineEdit;
@@ -198,11 +202,12 @@ void PlaceDialog::addRow(QFormLayout& form, const PlaceField& field, std::vector
         connect(edit, &QLineEdit::textChanged, this, told);
         row.text = [edit] { return edit->text(); };
         row.show = [edit](const QString& text) { edit->setText(text); };
-        cell->addWidget(edit);
+        cell = edit;
         label->setBuddy(edit);
     }
-    cell->addWidget(fault);
+    form.setVerticalSpacing(1); // the lines of the faults keep the fields apart
     form.addRow(label, cell);
+    form.addRow(fault);
     rows.push_back(std::move(row));
 }
 
@@ -248,13 +253,10 @@ void PlaceDialog::showFaults(const TypedPlace& typed) {
             const Row& row = rows[n];
             const QString fault = shownText(faults[n]);
             row.fault->setText(fault);
+            row.fault->setToolTip(fault);
             if (row.edit != nullptr) row.edit->setPlaceholderText(fault.isEmpty() ? row.usual : tr("✕ missing"));
             const bool ofText = !fault.isEmpty() && (row.edit == nullptr || !row.edit->text().isEmpty()); // else the field says it
             row.fault->setVisible(ofText);
-            if (!ofText) continue;
-            QSizePolicy stays = row.fault->sizePolicy(); // the fields below move once at most
-            stays.setRetainSizeWhenHidden(true);
-            row.fault->setSizePolicy(stays);
         }
     };
     const PlaceTexts none(typed.poseFaults.size()); // what was not typed yet is not wrong

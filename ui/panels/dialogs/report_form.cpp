@@ -44,7 +44,7 @@ ReportForm::ReportForm(const ReportWords& words, QWidget* parent)
     format_->setObjectName("report-format");
     format_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a low screen of a cab is narrower than its texts
     format_->setMinimumContentsLength(kLettersOfFormat);
-    format_->addItem(tr("HTML: any browser opens it and turns the cloud, without a network"), ".html");
+    format_->addItem(tr("HTML: a page for any browser"), ".html");
     format_->addItem(tr("PDF: pages to print and to file"), ".pdf");
     format_->setCurrentIndex(std::max(0, format_->findData(words.extension)));
     auto* fields = new QWidget;

@@ -92,7 +92,10 @@ TargetCard::TargetCard(QWidget* parent)
     head->addWidget(close_);
     auto* number = new QHBoxLayout;
     number->addWidget(distance_);
-    number->addWidget(tolerance_, 1, Qt::AlignLeft | Qt::AlignBottom);
+    tolerance_->setObjectName("target-tolerance");
+    tolerance_->setWordWrap(true); // "was 14.944 m ± 0.035 m" does not widen the panel
+    tolerance_->setAlignment(Qt::AlignLeft | Qt::AlignBottom);
+    number->addWidget(tolerance_, 1);
     lines_->setSpacing(2);
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {why_, measure_, copy_}) {

@@ -245,6 +245,10 @@ void StatusLine::showProbe(const std::optional<edges::Probe>& probe, Cell cell) 
     const QString whose = !probe || cell == Cell::Pointer ? QString() : (cell == Cell::Pin ? tr("Pinned:") : QString("A:")) + " ";
     probeMain_ = whose + words.place + (words.place.isEmpty() ? "" : "  ") + words.verdict;
     probeMore_ = words.cell;
+    if (probe)
+        ofPin_ |= cell == Cell::Pin;
+    else if (std::exchange(ofPin_, false)) // the pin is gone: what it left no room for comes back
+        longestProbe_ = longestCell_ = 0;
     // Widgets at the right must not appear and disappear with mouse movements.
     longestProbe_ = std::max(longestProbe_, QFontMetrics(probe_->font()).horizontalAdvance(probeMain_));
     longestCell_ = std::max(longestCell_, QFontMetrics(probe_->font()).horizontalAdvance(probeShown()));

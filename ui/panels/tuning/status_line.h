@@ -94,6 +94,7 @@ private:
     std::vector<QWidget*> pinnedWidgets_;
     QString probeMain_, probeMore_;
     int longestProbe_ = 0, longestCell_ = 0; // px; longest texts of this scan, without and with the cell
+    bool ofPin_ = false;                     // one of them may be of a pinned cell
     QToolButton* noPose_;
     QWidget* work_;
     QLabel* stage_;

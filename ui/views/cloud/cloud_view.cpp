@@ -50,6 +50,7 @@ CloudView::CloudView(QWidget* parent) : QVTKOpenGLNativeWidget(parent), scene_(s
     connect(&restTimer_, &QTimer::timeout, this, [this] {
         if (drag_ == DragAction::None) scene_->hideFocus();
         growing_ = false;
+        pointAgain();
         requestFrame();
     });
     applyColours();
@@ -71,6 +72,7 @@ void CloudView::setCloud(std::shared_ptr<const Scan> scan, std::shared_ptr<const
     selection_ = nullptr;
     if (std::exchange(faces_, nullptr)) applyColours();
     marked_ = std::nullopt;
+    pointer_.reset();
     pointAt(std::nullopt);
     scene_->setCloud(cloud_);
     scene_->setFaces(pointColours());
@@ -170,6 +172,7 @@ void CloudView::applyCamera() {
     followSpacing();
     updateOverlay();
     requestFrame();
+    if (!restTimer_.isActive()) pointAgain();
 }
 
 double CloudView::pixelsOfEdge() const { return std::round(edgeSizeFor(pointSize_) * devicePixelRatioF()); }

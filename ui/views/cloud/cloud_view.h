@@ -278,6 +278,7 @@ private:
     void showFocus();
     void pinch(QPointF middle, QPointF shift, double factor);
     void pointAt(std::optional<std::uint32_t> cell);
+    void pointAgain();
     void wheelZoom(QPointF pixel, double notches);
     void wheelClip(double& share, double notches);
     [[nodiscard]] double aspect() const;
@@ -329,6 +330,7 @@ private:
     Eigen::Vector3d dragAnchor_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d wheelAnchor_ = Eigen::Vector3d::Zero();
     QPointF wheelAt_{-1e9, -1e9};
+    std::optional<QPointF> pointer_; // over the cloud, without a drag
     std::optional<std::uint32_t> hoveredCell_, marked_;
 
     DrawingBudget budget_;

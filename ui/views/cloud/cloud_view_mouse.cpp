@@ -76,10 +76,12 @@ void CloudView::mousePressEvent(QMouseEvent* event) {
 void CloudView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = place(*event);
     if (drag_ == DragAction::None) {
+        pointer_ = at;
         pointAt(cellAt(at));
         return;
     }
     if (!press_.travels(at)) return;
+    pointer_.reset();
     pointAt(std::nullopt);
     drag(at);
     press_.last = at;
@@ -198,8 +200,14 @@ void CloudView::pointAt(std::optional<std::uint32_t> cell) {
         emit hoverLeft();
 }
 
+/// A key may have moved the cloud under the pointer.
+void CloudView::pointAgain() {
+    if (pointer_) pointAt(cellAt(*pointer_));
+}
+
 void CloudView::leaveEvent(QEvent* event) {
     QVTKOpenGLNativeWidget::leaveEvent(event);
+    pointer_.reset();
     pointAt(std::nullopt);
 }
 

@@ -110,6 +110,12 @@ TEST(LiveHealth, ReportsLinesLossesWindowPoseEndAndRecording) {
     EXPECT_EQ(healthOf(normal).lines, "INCOMPLETE 312/1000 lines");
     EXPECT_EQ(health.noReturn, "no return 4.2 %");
     EXPECT_EQ(health.end, "28 s left");
+    LiveStatus joined = status; // in the middle of a sweep
+    joined.sweep.startAssumed = "The first line received is taken as line 0 of the sweep.";
+    joined.sweep.endUnknown = true;
+    EXPECT_EQ(healthOf(joined).end, "");
+    EXPECT_EQ(healthOf(joined).remark, "START ASSUMED");
+    EXPECT_EQ(healthOf(joined).telegrams, Condition::OutOfSpec);
     status.connection.phase = scanner::ConnectionPhase::Lost; // no lines arrive: the time of the last one is unknown
     EXPECT_EQ(healthOf(status).end, "");
     status.connection.phase = scanner::ConnectionPhase::Live;

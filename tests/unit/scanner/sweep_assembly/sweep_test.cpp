@@ -82,6 +82,10 @@ TEST(Sweep, AnEncoderThatLeapsBackBeginsANewSweep) {
     settings.expectedLines = 60;
     SweepAssembler assembler(settings);
     for (int n = 0; n < 80; ++n) {
+        if (n == 20) {
+            EXPECT_EQ(assembler.progress().startAssumed, kFirstLine);
+            EXPECT_TRUE(assembler.progress().endUnknown) << "40 lines are to come by the count, 5 by the encoder";
+        }
         ScanTelegram telegram = telegramOfLine(n, {});
         telegram.encoders = {{static_cast<std::uint32_t>(4'294'967'000U + static_cast<unsigned>((n < 25 ? n + 35 : n - 25) * 77)), 0}};
         pushTelegram(assembler, telegram, hostNsOfLine(n));
@@ -92,6 +96,8 @@ TEST(Sweep, AnEncoderThatLeapsBackBeginsANewSweep) {
     EXPECT_TRUE(warns(*finished[0].scan, kFirstLine));
     EXPECT_EQ(assembler.progress().lines, 55);
     EXPECT_FALSE(warns(*assembler.snapshot(), kFirstLine)) << "the leap shows where this sweep begins";
+    EXPECT_EQ(assembler.progress().startAssumed, "");
+    EXPECT_FALSE(assembler.progress().endUnknown);
     EXPECT_TRUE(rowHolds(*assembler.snapshot(), 0, 25));
 }
 
@@ -260,6 +266,8 @@ TEST(Sweep, StepperReadingsLatchedWithTheirLines) {
     for (int row = 0; row < 60; ++row) EXPECT_NEAR(polarOf(*scan).lineDeg[std::size_t(row)], 7 + 0.2 * row, 1e-9);
     EXPECT_NEAR(polarOf(*scan).lineSkewDeg[0], 5.0 * 0.04 * 139 / 360, 1e-9);
     EXPECT_EQ(assembler.progress().angleSource, AngleSource::Stepper);
+    EXPECT_EQ(assembler.progress().startAssumed, "") << "the angles are measured";
+    EXPECT_TRUE(assembler.progress().endUnknown) << "the stepper did not go back yet";
     EXPECT_TRUE(rowIsLost(*scan, 30));
 }
 
