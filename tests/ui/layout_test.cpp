@@ -417,7 +417,9 @@ private slots:
             for (int n = 0; n < 5; ++n) QApplication::processEvents();
             mouse(QEvent::MouseButtonRelease, moved, Qt::NoButton);
             const QList<QRect> before = places();
-            QVERIFY(on.use(edges::Settings{})); // a new picture
+            edges::Settings other;
+            other.classes = moved < 100 ? edges::kClassConvex : edges::kClassJump;
+            QVERIFY(on.use(other)); // a new picture
             QTest::qWait(300);
             QCOMPARE(places(), before);
             mouse(QEvent::MouseButtonPress, moved, Qt::LeftButton);
@@ -460,22 +462,6 @@ private slots:
             QTest::qWait(500); // the layout is stored
             QCOMPARE(gray.width(), dragged);
         }
-    }
-
-    // A text that had made its panel wide squeezed the images for good.
-    void imagesThatWereSqueezedComeBack() {
-        WindowFixture on;
-        QVERIFY(on.showWith(bare_));
-        resizeTo(on.window, {1280, 800});
-        QTRY_VERIFY(on.viewer.gray.isVisible());
-        const int images = on.viewer.gray.width();
-        QWidget& content = *dock(on.window)->widget();
-        const int least = content.minimumWidth();
-        content.setMinimumWidth(400);
-        QTRY_VERIFY(on.viewer.gray.width() < images);
-        content.setMinimumWidth(least);
-        QVERIFY(on.use(edges::Settings{})); // with the next picture
-        QTRY_COMPARE(on.viewer.gray.width(), images);
     }
 
     void aPanelThatFoldsTheImagesSaysSo() {
