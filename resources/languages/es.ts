@@ -648,7 +648,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes. Cortar a lo largo de una línea la divide donde usted dibuje.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro. Cada parte necesita %1 celdas.</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>

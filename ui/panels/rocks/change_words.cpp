@@ -32,16 +32,26 @@ QString lostWords(const rocks::RegionChanges::Lost& lost, const RockPicture& pic
         break;
     }
     if (rocks::looksLikeRock(region, settings) && region.confidence < rocks::kLeastConfidence)
-        return part + QObject::tr("its confidence is %1, and a rock needs %2. Click it and press “A Rock” (N) to show it.")
+        return part + QObject::tr("its confidence is %1, and a rock needs %2. Click it and press N to show it.")
                           .arg(region.confidence, 0, 'f', 2)
                           .arg(rocks::kLeastConfidence, 0, 'f', 2);
-    return part + QObject::tr("it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press “A Rock” (N) to show it.")
+    return part + QObject::tr("it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press N to show it.")
                       .arg(settings.farthestM, 0, 'f', 1);
 }
 
 QString numbersOf(const std::set<std::uint32_t>& labels) {
     QStringList numbers;
     for (const std::uint32_t label : labels) numbers << QString::number(label);
+    return numbers.join(", ");
+}
+
+/// Each with its visible spans a × b.
+QString numbersWithSizes(const std::set<std::uint32_t>& labels, const RockPicture& picture) {
+    QStringList numbers;
+    for (const std::uint32_t label : labels) {
+        const rocks::Rock& rock = *picture.rock(label);
+        numbers << QStringLiteral("%1 (%2 × %3 m)").arg(label).arg(rock.longestCaliperM, 0, 'f', 2).arg(rock.shortestCaliperM, 0, 'f', 2);
+    }
     return numbers.join(", ");
 }
 
@@ -63,7 +73,7 @@ QString editWords(rocks::EditKind kind, const RockPicture& before, const RockPic
         }
     } else if (kind == rocks::EditKind::Cut || kind == rocks::EditKind::Part) {
         for (const auto& [rock, to] : parts) {
-            if (to.size() > 1) sentences << QObject::tr("Split: rock %1 is now rocks %2.").arg(rock).arg(numbersOf(to));
+            if (to.size() > 1) sentences << QObject::tr("Split: rock %1 is now rocks %2.").arg(rock).arg(numbersWithSizes(to, after));
         }
     }
     return sentences.join(' ');

@@ -154,6 +154,9 @@ private:
     [[nodiscard]] QRectF toPixels(const QRectF& cells) const;
 
     std::shared_ptr<ViewPort> viewPort_;
+    Touch touch_{*this, [this](QPointF middle, QPointF shift, double factor) {
+                     pinch(middle, shift, factor);
+                 }}; // before the children: event() asks it
     QToolButton* fit_;
     Pyramid picture_;
     Pyramid overlay_;
@@ -183,7 +186,6 @@ private:
 
     Drag drag_ = Drag::None;
     Press press_;
-    Touch touch_{*this, [this](QPointF middle, QPointF shift, double factor) { pinch(middle, shift, factor); }};
 };
 
 } // namespace edgescan::ui
