@@ -55,7 +55,7 @@ bool finished(const Record& record, const files::LiveStatus& status, std::chrono
 // Remarks about sweeps, telegrams and the disk, as sentences.
 std::vector<std::string> remarks(const files::LiveStatus& status, const files::RecordingState& recorded) {
     std::vector<std::string> all = status.sweep.irregularEver.sentences();
-    if (!status.sweep.assumed.empty()) all.push_back(status.sweep.assumed);
+    if (const std::string assumed = status.sweep.allAssumed(); !assumed.empty()) all.push_back(assumed);
     const auto count = [&](std::uint64_t number, const std::string& what) {
         if (number > 0) all.push_back(std::to_string(number) + what);
     };

@@ -718,7 +718,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
 <message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
-<message><source>click the rock at one side</source><translation>haga clic en la roca de un lado</translation></message>
+<message><source>click the near rock at one side</source><translation>haga clic en la roca cercana de un lado</translation></message>
 <message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
 <message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clic pasó por una abertura: su superficie está %1 m detrás de la roca que la rodea.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>

@@ -718,7 +718,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
 <message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
-<message><source>click the rock at one side</source><translation>cliquez la roche d'un côté</translation></message>
+<message><source>click the near rock at one side</source><translation>cliquez la roche proche d'un côté</translation></message>
 <message><source>click the rock at the other side</source><translation>cliquez la roche de l'autre côté</translation></message>
 <message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Ce clic est passé par une ouverture : sa surface est à %1 m derrière les blocs qui l'entourent.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>

@@ -718,7 +718,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
 <message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
-<message><source>click the rock at one side</source><translation>clique na rocha de um lado</translation></message>
+<message><source>click the near rock at one side</source><translation>clique na rocha próxima de um lado</translation></message>
 <message><source>click the rock at the other side</source><translation>clique na rocha do outro lado</translation></message>
 <message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clique passou por uma abertura: a superfície está %1 m atrás da rocha em volta dela.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>

@@ -504,7 +504,7 @@ private slots:
         const int scrolled = table.horizontalScrollBar()->value();
         QVERIFY(numbers.visibleRegion().boundingRect().width() == table.columnWidth(0));
         const auto place = [&on](const QTableView& view, int row) {
-            const QRect rect = view.visualRect(view.model()->index(row, &view == &on.viewer.rockTable.numbers() ? 0 : 10));
+            const QRect rect = view.visualRect(view.model()->index(row, &view == on.viewer.rockTable.numbers() ? 0 : 10));
             return QRect(view.viewport()->mapToGlobal(rect.topLeft()), rect.size());
         };
         QCOMPARE(place(numbers, 2).top(), place(table, 2).top());

@@ -7,6 +7,7 @@
 #include "ui/base/shown_text.h"
 #include "ui/panels/dialogs/why_card.h"
 #include "ui/panels/targets/target_words.h"
+#include "ui/views/cloud/cloud_view.h"
 #include "ui/views/image/image_view.h"
 
 #include <QMenu>
@@ -50,8 +51,7 @@ std::optional<std::size_t> edgeNextTo(const edges::Detection& detection, std::si
     return isNear ? edge : std::nullopt;
 }
 
-/// With the digits of the verdict.
-QString number(double value) { return QString::number(value, 'f', std::abs(value) < 10.0 ? 2 : 1); }
+QString number(double strength) { return shownText(edges::strengthNumber(strength)); }
 
 /// Which number is the cell's, and which are those of the setting.
 QString strengths(const edges::Why& why) {

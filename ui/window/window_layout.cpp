@@ -184,7 +184,10 @@ void MainWindow::restoreLayout() {
     }
     const QRect room = at != nullptr ? at->availableGeometry() : screen;
     if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room.size() - title));
-    if (at == nullptr) move(room.topLeft());
+    // Qt leaves 20 px above a restored window for a title; where no window manager makes the window as large as the screen, its foot is off
+    // it.
+    const bool isTooLow = isMaximized() && !room.contains(geometry());
+    if (at == nullptr || isTooLow) move(room.topLeft());
 }
 
 void MainWindow::fitScreen() { fitIntoScreen(*this); }

@@ -32,6 +32,10 @@ struct Why : Judgement {
 /// `k` must be a cell of the detection's scan. Runs the method's stages again, so it costs about as much as the detection.
 [[nodiscard]] Why whyCell(const Detection& detection, std::size_t k);
 
+/// A strength or a threshold with two digits, from 10 on with one. It is rounded down, as the largest threshold is at which a cell is an
+/// edge: "1.73 ... disappears above 1.72" would contradict itself.
+[[nodiscard]] std::string strengthNumber(double value);
+
 /// The names of parameters: the flags of the command line, or the labels of the sliders.
 enum class Naming : std::uint8_t { Keys, Labels };
 [[nodiscard]] std::string whyVerdict(const Why& why, const Settings& settings, Naming naming, Translated translated = asWritten);

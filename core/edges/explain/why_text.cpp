@@ -13,12 +13,15 @@ namespace {
 
 std::string number(double value) { return fixedText(value, std::abs(value) < 10 ? 2 : 1); }
 
-/// Rounded down, as the largest threshold is at which the cell is an edge: "1.73 ... disappears above 1.72" would contradict itself.
+} // namespace
+
 std::string strengthNumber(double value) {
     constexpr double kNearlyNext = 1e-4; // of the last digit: 0.7 has no exact binary value
     const double tens = std::abs(value) < 10 ? 100.0 : 10.0;
     return number(std::floor(value * tens + kNearlyNext) / tens);
 }
+
+namespace {
 
 std::string whole(double value) { return fixedText(value, value < 10 ? 1 : 0); }
 

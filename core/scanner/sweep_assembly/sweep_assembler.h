@@ -41,6 +41,8 @@ struct SweepProgress {
     DeviceFlags device;        ///< at the newest line
     DeviceFlags deviceEver;    ///< at any line of the sweep
 
+    /// All sentences about what was assumed; empty: nothing was.
+    [[nodiscard]] std::string allAssumed() const { return assumed + (assumed.empty() || startAssumed.empty() ? "" : " ") + startAssumed; }
     /// Nothing is missing, and the expected number of rows is there.
     [[nodiscard]] bool complete() const { return received == lines && (expected == 0 || lines >= expected); }
     /// "1000/1000 lines", "INCOMPLETE 970/1000 lines", "INCOMPLETE 20/24 lines", "24/24 lines, COUNTERS IN DOUBT"; of unknown length

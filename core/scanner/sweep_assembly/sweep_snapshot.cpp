@@ -182,9 +182,7 @@ void SweepAssembler::describe(Scan& scan) {
     warnAboutRows("Telegrams were lost: ", gone);
     warnAboutRows("Telegrams had fewer beams than the sweep, the others are lost: ", now.narrow);
     for (std::string& sentence : now.irregular.sentences()) warn(std::move(sentence));
-    const std::string between = now.assumed.empty() || now.startAssumed.empty() ? "" : " ";
-    const std::string assumed = now.assumed + between + now.startAssumed;
-    if (!assumed.empty()) warn(assumed);
+    if (std::string assumed = now.allAssumed(); !assumed.empty()) warn(std::move(assumed));
     if (angles.source == AngleSource::Time) warn("The line angles are computed from time alone: a change of speed bends the cloud.");
     if (encoderWithoutScale_)
         warn("The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.");

@@ -78,15 +78,17 @@ void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after) {
 }
 
 void Rocks::push(const QString& name, rocks::Edit edit) {
+    const rocks::EditKind kind = edit.kind;
     std::vector<rocks::Edit> edits = edits_;
     edits.push_back(std::move(edit));
-    pushEdits(name, std::move(edits));
+    pushEdits(name, std::move(edits), kind);
 }
 
 /// What the step changed is judged when its rocks are known; before, this only is known of those on the screen that have all edits so far.
-void Rocks::pushEdits(const QString& name, std::vector<rocks::Edit> edits) {
+void Rocks::pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind) {
     const bool known = picture_ && !ofAnotherPicture() && picture_->study.edits == edits_ && picture_->study.settings == settings_;
     judgedFrom_ = known ? picture_ : nullptr;
+    judgedKind_ = kind;
     pushOperatorEdits(name, {std::move(edits), settings_.region});
 }
 
@@ -109,11 +111,9 @@ void Rocks::judgeEdit() {
             tr("No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its "
                "outline."));
     }
-    const bool isNew = edits_.size() > before->study.edits.size();
-    const rocks::EditKind kind = isNew ? edits_.back().kind : rocks::EditKind::Part; // a split that took joins back
-    const bool merges = kind == rocks::EditKind::Join;
+    const bool merges = judgedKind_ == rocks::EditKind::Join;
     const QString apart = merges ? apartWords(edits_.back().cells, *before, *picture_) : QString(); // names the merged rock too
-    const QString result = apart.isEmpty() ? editWords(kind, *before, *picture_) : apart;
+    const QString result = apart.isEmpty() ? editWords(judgedKind_, *before, *picture_) : apart;
     const QString words = QStringList{result, changeWords(changes, *picture_)}.join(' ').trimmed();
     if (!apart.isEmpty()) {
         notice_.showNotice(NoticeBar::Kind::Warning, words);

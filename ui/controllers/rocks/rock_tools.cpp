@@ -107,7 +107,7 @@ void Rocks::splitAt(std::size_t cell) {
         if (picture_->study.edits != edits_)
             return notice_.showHint(tr("The rocks are still being computed: split again when they are here."));
         select({cell});
-        return pushEdits(stepName("split of a rock"), std::move(*joinedSplit));
+        return pushEdits(stepName("split of a rock"), std::move(*joinedSplit), rocks::EditKind::Part);
     }
     if (edit.cells.empty()) {
         notice_.showHint(tr(
@@ -115,7 +115,13 @@ void Rocks::splitAt(std::size_t cell) {
         return;
     }
     select({cell});
-    push(isLarger ? stepName("merge of rocks") : stepName("split of a rock"), std::move(edit));
+    if (isLarger) return push(stepName("merge of rocks"), std::move(edit));
+    if (picture_->labelAt(cell) == 0) return push(stepName("split of a rock"), std::move(edit));
+    // The operator says that the part is a rock of its own: alone it may look like a wall.
+    std::vector<rocks::Edit> edits = edits_;
+    edits.push_back(std::move(edit));
+    edits.push_back({rocks::EditKind::Rock, {static_cast<std::uint32_t>(cell)}});
+    pushEdits(stepName("split of a rock"), std::move(edits), rocks::EditKind::Part);
 }
 
 void Rocks::takeStroke(const std::vector<QPoint>& cells) {

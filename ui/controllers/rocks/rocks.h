@@ -142,7 +142,7 @@ private:
     void click(const inspect::MeantCell& click);
     void splitAt(std::size_t cell);
     void push(const QString& name, rocks::Edit edit);
-    void pushEdits(const QString& name, std::vector<rocks::Edit> edits);
+    void pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind); ///< `kind`: what the operator did
     void pushOperatorEdits(const QString& name, OperatorEdits after);
     void judgeEdit();
     [[nodiscard]] bool isNewestStep() const;
@@ -183,7 +183,8 @@ private:
     std::shared_ptr<const RockPicture> familyPicture_;
     std::size_t familyCell_ = 0;
     rocks::WheelPieces family_;
-    std::size_t piece_ = 0;                         // index in the family
+    std::size_t piece_ = 0; // index in the family
+    rocks::EditKind judgedKind_ = rocks::EditKind::Part;
     std::shared_ptr<const RockPicture> judgedFrom_; // the rocks before the newest edit, until those after it are known
     QUndoCommand* newestEdit_ = nullptr;            // of the undo stack, while it is there
     // Turning on without a pause is one step of undo: the number of the last one, what it turned, and when.

@@ -20,7 +20,7 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
                             Measures::tr("click the end of the other side")};
     const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
                             Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
-    const QStringList throat{Measures::tr("click the rock at one side"), Measures::tr("click the rock at the other side")};
+    const QStringList throat{Measures::tr("click the near rock at one side"), Measures::tr("click the rock at the other side")};
     const QStringList& all = kind == inspect::MeasureKind::Throat     ? throat
                              : kind == inspect::MeasureKind::Angle    ? angle
                              : kind == inspect::MeasureKind::Spans    ? spans

@@ -44,6 +44,7 @@ void fitHeight(QListWidget& list, int most, bool constant, int free) {
     if (list.minimumHeight() != before && list.currentItem() != nullptr) list.scrollToItem(list.currentItem());
 }
 
+constexpr int kAroundText = 16;          // px of a button
 constexpr int kLettersOfName = 10;       // with the two blanks before it
 constexpr int kShortened = Qt::UserRole; // TargetLine::shortened
 
@@ -116,8 +117,10 @@ TargetsPanel::TargetsPanel(QWidget* parent)
     measuresTitle_->setFont(bold);
     auto* titleOfMeasures = new QHBoxLayout;
     titleOfMeasures->addWidget(measuresTitle_, 1);
-    titleOfMeasures->addWidget(section_);
-    titleOfMeasures->addWidget(removeMeasure_);
+    for (QPushButton* button : {section_, removeMeasure_}) { // narrower than usual: a panel of 250 px has room for both
+        button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + kAroundText);
+        titleOfMeasures->addWidget(button);
+    }
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 4, 8, 4);
     column->setSpacing(4);
