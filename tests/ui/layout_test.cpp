@@ -561,9 +561,16 @@ private slots:
                          qPrintable(QString("%1 px of %2").arg(table->height()).arg(size.height())));
             QVERIFY(on.viewer.rockTable.table()->viewport()->height() >= 3 * 24);
         }
-        on.window.resizeDocks({table}, {340}, Qt::Vertical);
+        const QPoint edge = table->geometry().topLeft() + QPoint(300, -2);
+        const auto mouse = [&](QEvent::Type type, int moved, Qt::MouseButtons buttons) {
+            const QPoint at = edge - QPoint(0, moved);
+            QMouseEvent event(type, at, on.window.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons, {});
+            QApplication::sendEvent(&on.window, &event);
+        };
+        mouse(QEvent::MouseButtonPress, 0, Qt::LeftButton);
+        mouse(QEvent::MouseMove, 80, Qt::LeftButton);
         QVERIFY(eventually([&] { return table->height() > 300; }));
-        QTest::mouseRelease(&on.window, Qt::LeftButton, Qt::NoModifier, {2, 2}); // the operator let go of its edge
+        mouse(QEvent::MouseButtonRelease, 80, Qt::NoButton);
         const int dragged = table->height();
         resizeTo(on.window, {1900, 1000});
         for (int n = 0; n < 5; ++n) QApplication::processEvents();

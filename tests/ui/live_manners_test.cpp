@@ -1028,7 +1028,7 @@ private slots:
         QTRY_COMPARE(strip.shown().remark, std::string("START ASSUMED"));
         QCOMPARE(strip.shown().end, std::string()); // the connection may be in the middle of a sweep
         QTRY_VERIFY_WITH_TIMEOUT(strip.shown().end.ends_with(" left"), 20000);
-        QCOMPARE(strip.shown().remark, std::string()); // the encoder leapt back to the start
+        QTRY_VERIFY2(strip.shown().remark.empty(), strip.shown().remark.c_str()); // the encoder leapt back, also in the picture
         QVERIFY(strip.bar().share() > 0.0 && strip.bar().share() < 1.0);
         emulated.reset();
         QTRY_VERIFY(strip.shown().liveness == files::Liveness::Lost);

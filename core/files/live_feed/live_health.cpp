@@ -95,7 +95,8 @@ std::string assumedWords(const std::string& sentence) {
 void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::SweepProgress& sweep) {
     health.remarks = sweep.irregular.sentences();
     if (!sweep.assumed.empty()) health.remarks.push_back(sweep.assumed);
-    if (!sweep.startAssumed.empty()) health.remarks.push_back(sweep.startAssumed);
+    const bool startAssumed = !sweep.startAssumed.empty() && health.liveness != Liveness::Stopped; // then it is a warning of the scan
+    if (startAssumed) health.remarks.push_back(sweep.startAssumed);
     const auto tell = [&](std::uint64_t count, const std::string& what) {
         if (count > 0) health.remarks.push_back(std::to_string(count) + what);
     };
@@ -108,7 +109,7 @@ void tellTelegrams(LiveHealth& health, const LiveStatus& status, const scanner::
     health.remark = sweep.irregular.countersInDoubt() ? "COUNTERS IN DOUBT"
                     : !sweep.assumed.empty()          ? assumedWords(sweep.assumed)
                     : count > 1                       ? std::to_string(count) + " remarks"
-                    : !sweep.startAssumed.empty()     ? "START ASSUMED"
+                    : startAssumed                    ? "START ASSUMED"
                                                       : "1 remark";
 }
 

@@ -90,7 +90,7 @@ QVariant RockTableModel::data(const QModelIndex& index, int role) const {
     return {};
 }
 
-/// "size: visible width b [m]" as "b [m]": five columns of a narrow table are in sight. The tool tip has all of it.
+/// "size: visible width b [m]" as "b [m]": four columns of a narrow table are in sight. The tool tip has all of it.
 QString RockTableModel::briefly(const QString& head) {
     static const QRegularExpression kLetter("^(?:(±) .*|.* (\\w)) (\\[[^\\]]+\\])$", QRegularExpression::UseUnicodePropertiesOption);
     const QRegularExpressionMatch match = kLetter.match(head);
