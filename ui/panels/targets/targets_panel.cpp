@@ -46,6 +46,7 @@ void fitHeight(QListWidget& list, int most, bool constant, int free) {
 
 constexpr int kAroundText = 16;          // px of a button
 constexpr int kLettersOfName = 10;       // with the two blanks before it
+constexpr int kLettersOfPart = 6;        // with three blanks; a part with fewer would be an unexplained "…"
 constexpr int kShortened = Qt::UserRole; // TargetLine::shortened
 
 /// Without the ends of those parts that it can do without. Of the last one, a name, the beginning stays.
@@ -54,9 +55,10 @@ QString fittedRow(QString row, const QStringList& shortened, const QFontMetrics&
         const int over = metrics.horizontalAdvance(row) - room;
         const auto at = row.indexOf(part);
         if (over <= 0 || at < 0) continue;
-        const QString least = part.left(part == shortened.back() ? kLettersOfName : 3) + "…";
-        const int left = std::max(metrics.horizontalAdvance(part) - over, metrics.horizontalAdvance(least));
-        row.replace(at, part.size(), metrics.elidedText(part, Qt::ElideRight, left));
+        const bool isName = part == shortened.back();
+        const int least = metrics.horizontalAdvance(part.left(isName ? kLettersOfName : kLettersOfPart) + "…");
+        const int left = metrics.horizontalAdvance(part) - over;
+        row.replace(at, part.size(), left < least && !isName ? QString() : metrics.elidedText(part, Qt::ElideRight, std::max(left, least)));
     }
     return metrics.elidedText(row, Qt::ElideRight, room);
 }
