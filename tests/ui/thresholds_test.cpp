@@ -264,10 +264,11 @@ private slots:
         };
         const QString ofWeak = plainOf(*weak);
         const edges::CellStrength& top = weak->chain.back();
-        QVERIFY2(ofWeak.contains(QString("Its strength %1 is below the Edge strength 2.50").arg(weak->strength, 0, 'f', 2)),
+        QVERIFY2(ofWeak.contains(QString("Its strength %1 is below the Edge strength 2.50")
+                                     .arg(QString::fromStdString(edges::strengthNumber(weak->strength)))),
                  qPrintable(ofWeak));
         QVERIFY2(ofWeak.contains(QString("reaches %1 at line %2, beam %3")
-                                     .arg(top.strength, 0, 'f', top.strength < 10.0 ? 2 : 1)
+                                     .arg(QString::fromStdString(edges::strengthNumber(top.strength)))
                                      .arg(top.line)
                                      .arg(top.beam)),
                  qPrintable(ofWeak));
