@@ -59,6 +59,16 @@ class CabEaseTest : public QObject {
         QTest::mouseClick(&image, Qt::LeftButton, Qt::NoModifier, at.toPoint());
     }
 
+    /// The demo before and after a blast, with its counts.
+    static bool comparesInCab(WindowFixture& on, const QSize& size) {
+        if (!on.show()) return false;
+        on.window.cab().set(true);
+        resizeTo(on.window, size);
+        on.viewer.comparing.openDemoPair();
+        const ChangeLegend& legend = on.viewer.changeLegend;
+        return eventually([&] { return legend.isVisible() && !legend.counted(ChangeRow::Nearer).isEmpty(); });
+    }
+
 private slots:
     void initTestCase() {
         useTheme(*qApp);
@@ -362,12 +372,8 @@ private slots:
     void theComparisonLeavesItsChangeFree() {
         for (const QSize size : {QSize(853, 533), QSize(1280, 800)}) {
             WindowFixture on;
-            QVERIFY(on.show());
-            on.window.cab().set(true);
-            resizeTo(on.window, size);
-            on.viewer.comparing.openDemoPair();
+            QVERIFY(comparesInCab(on, size));
             ChangeLegend& legend = on.viewer.changeLegend;
-            QVERIFY(eventually([&] { return legend.isVisible() && !legend.counted(ChangeRow::Nearer).isEmpty(); }));
             const CloudView& cloud = on.viewer.cloud;
             QTRY_VERIFY(cloud.atRest() && on.viewer.comparing.settled());
             for (int n = 0; n < 2; ++n) { // before and after the first tap on Next
@@ -390,12 +396,8 @@ private slots:
     void theScaleLeavesAComparisonThatUnfolds() {
         for (const QSize size : {QSize(853, 480), QSize(853, 533), QSize(1280, 800)}) {
             WindowFixture on;
-            QVERIFY(on.show());
-            on.window.cab().set(true);
-            resizeTo(on.window, size);
-            on.viewer.comparing.openDemoPair();
+            QVERIFY(comparesInCab(on, size));
             ChangeLegend& legend = on.viewer.changeLegend;
-            QVERIFY(eventually([&] { return legend.isVisible() && !legend.counted(ChangeRow::Nearer).isEmpty(); }));
             QTRY_VERIFY(on.viewer.cloud.atRest() && on.viewer.comparing.settled());
             auto* fold = legend.findChild<QToolButton*>("change-fold");
             if (fold->isChecked()) QTest::mouseClick(fold, Qt::LeftButton);

@@ -622,7 +622,7 @@ private slots:
         useLanguage("en");
     }
 
-    // Each small picture has its name, also where there is no line for it below the picture.
+    // Each small picture shows its name. On a low screen the name is over the picture.
     void theSmallPictureHasItsName() {
         WindowFixture on;
         QVERIFY(on.showWith(scan_));

@@ -51,6 +51,12 @@ class LayoutTest : public QObject {
 
     static QDockWidget* dock(MainWindow& window) { return window.findChild<QDockWidget*>("dock-edges"); }
 
+    /// Of the left button; QTest::mouseMove() sends none while it is down.
+    static void sendMouse(QWidget& to, QEvent::Type type, const QPoint& at, Qt::MouseButtons buttons) {
+        QMouseEvent event(type, at, to.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons, {});
+        QApplication::sendEvent(&to, &event);
+    }
+
 private slots:
     void initTestCase() {
         useTheme(*qApp);
@@ -399,9 +405,7 @@ private slots:
         const int usual = panel.width(), images = on.viewer.gray.width();
         const QPoint edge = panel.geometry().topLeft() + QPoint(-2, 300);
         const auto mouse = [&](QEvent::Type type, int moved, Qt::MouseButtons buttons) {
-            const QPoint at = edge - QPoint(moved, 0);
-            QMouseEvent event(type, at, window.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons, {});
-            QApplication::sendEvent(&window, &event);
+            sendMouse(window, type, edge - QPoint(moved, 0), buttons);
         };
         const auto places = [&] {
             QList<QRect> all{panel.geometry()};
@@ -448,14 +452,13 @@ private slots:
                 if (each->orientation() == Qt::Horizontal && each->isVisible()) handle = each;
             QVERIFY(handle != nullptr);
             const int before = gray.width();
-            const auto mouse = [&](QEvent::Type type, const QPoint& global, Qt::MouseButton button, Qt::MouseButtons buttons) {
-                QMouseEvent event(type, handle->mapFromGlobal(global), global, button, buttons, {});
-                QApplication::sendEvent(handle, &event);
-            };
             const QPoint from = handle->mapToGlobal(handle->rect().center()), to = from - QPoint(50, 0);
-            mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
-            mouse(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
-            mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+            const auto mouse = [&](QEvent::Type type, const QPoint& global, Qt::MouseButtons buttons) {
+                sendMouse(*handle, type, handle->mapFromGlobal(global), buttons);
+            };
+            mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
+            mouse(QEvent::MouseMove, to, Qt::LeftButton);
+            mouse(QEvent::MouseButtonRelease, to, Qt::NoButton);
             QTRY_COMPARE(gray.width(), before - 50);
             dragged = gray.width();
             QVERIFY(on.use(edges::Settings{}));
@@ -563,9 +566,7 @@ private slots:
         }
         const QPoint edge = table->geometry().topLeft() + QPoint(300, -2);
         const auto mouse = [&](QEvent::Type type, int moved, Qt::MouseButtons buttons) {
-            const QPoint at = edge - QPoint(0, moved);
-            QMouseEvent event(type, at, on.window.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, buttons, {});
-            QApplication::sendEvent(&on.window, &event);
+            sendMouse(on.window, type, edge - QPoint(0, moved), buttons);
         };
         mouse(QEvent::MouseButtonPress, 0, Qt::LeftButton);
         mouse(QEvent::MouseMove, 80, Qt::LeftButton);

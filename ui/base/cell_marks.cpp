@@ -227,7 +227,7 @@ private:
 };
 
 /// Of the measurements at one place only one has its value: the chosen one, else the newest.
-void shortenHeaps(std::vector<ScreenMarks::Measure>& shown, const std::vector<QString>& briefs) {
+void shortenHeaps(std::vector<ScreenMarks::Measure>& shown) {
     std::vector<std::size_t> order(shown.size());
     std::iota(order.rbegin(), order.rend(), std::size_t{0});
     std::ranges::stable_partition(order, [&](std::size_t n) { return shown[n].active; });
@@ -235,8 +235,8 @@ void shortenHeaps(std::vector<ScreenMarks::Measure>& shown, const std::vector<QS
     for (const std::size_t n : order) {
         if (shown[n].label.isEmpty()) continue;
         const auto isNear = [&](const QPointF& at) { return QLineF(at, shown[n].labelAt).length() < kOnePlace; };
-        if (!briefs[n].isEmpty() && std::ranges::any_of(whole, isNear))
-            shown[n].label = briefs[n];
+        if (!shown[n].brief.isEmpty() && std::ranges::any_of(whole, isNear))
+            shown[n].label = shown[n].brief;
         else
             whole.push_back(shown[n].labelAt);
     }
@@ -301,7 +301,6 @@ void drawMove(QPainter& painter, const QLineF& move) {
 
 ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optional<MarkPlace>(std::size_t)>& placeOf, bool small) {
     ScreenMarks shown;
-    std::vector<QString> briefs; // of the shown measurements
     for (const MeasureMark& measure : marks.measures) {
         ScreenMarks::Measure drawn;
         drawn.index = static_cast<std::size_t>(&measure - marks.measures.data());
@@ -325,9 +324,8 @@ ScreenMarks screenMarks(const CellMarks& marks, const std::function<std::optiona
         if (drawn.lines.empty()) drawn.label.clear(); // it would be nowhere
         drawn.brief = measure.brief;
         shown.measures.push_back(std::move(drawn));
-        briefs.push_back(measure.brief);
     }
-    shortenHeaps(shown.measures, briefs);
+    shortenHeaps(shown.measures);
     for (const TargetMark& target : marks.targets) {
         const QString& words = small && !target.active ? target.brief : target.tag;
         const auto place = placeOf(target.cell);

@@ -80,7 +80,7 @@ struct ScreenMarks {
         QPointF labelAt;
         bool active = false;
         std::size_t index = 0; ///< in CellMarks::measures
-        QString brief{};       ///< in place of `label` in a view that is too narrow for it
+        QString brief{};       ///< in place of `label` where another label is at the same place, or the view is too narrow
         bool operator==(const Measure&) const = default;
     };
     std::vector<Target> targets;

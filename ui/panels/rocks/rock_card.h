@@ -25,7 +25,7 @@ public:
     /// `cells`: the selected cells; the card describes the last one. Hidden without a selection. `stale`: the numbers belong to an older
     /// picture.
     /// `targets`: the operator's targets by cell, each with its number and name.
-    void show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale, const RockNames& targets = {});
+    void show(const RockPicture& picture, const std::vector<std::size_t>& cells, bool stale, const RockNames& targets);
     /// All texts of the card, row by row.
     [[nodiscard]] QString text() const;
 

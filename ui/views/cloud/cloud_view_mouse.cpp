@@ -69,7 +69,7 @@ void CloudView::mousePressEvent(QMouseEvent* event) {
     press_.begin(*event);
     if (event->button() == Qt::LeftButton && tool_ != DragTool::Move && drag_ != DragAction::None) drag_ = DragAction::Select;
     dragged_.clear();
-    turnAxis_ = turntableAxis(pose_, axes().up, cloud_ ? cloud_->scannerView.up : axes().up);
+    if (drag_ == DragAction::Rotate && cloud_) turnAxis_ = turntableAxis(pose_, axes().up, cloud_->scannerView.up);
     if (drag_ == DragAction::Pan || drag_ == DragAction::Zoom) dragAnchor_ = anchorAt(press_.from);
 }
 

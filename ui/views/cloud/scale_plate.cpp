@@ -1,6 +1,7 @@
 // Draws the scale bar, the axes and the colour scale of the cloud.
 #include "ui/views/cloud/scale_plate.h"
 
+#include "core/base/order_statistic.h"
 #include "core/scan/georef/placed_points.h"
 #include "ui/base/shown_text.h"
 #include "ui/views/cloud/cloud_view.h"
@@ -38,25 +39,31 @@ ScalePlate::ScalePlate(CloudView* cloud) : ViewPlate(cloud), cloud_(cloud) {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     connect(cloud, &CloudView::frameDrawn, this, &ScalePlate::follow);
     cloud->installEventFilter(this);
+    for (QObject* child : cloud->children()) watch(child);
     hide();
 }
 
 bool ScalePlate::eventFilter(QObject* watched, QEvent* event) {
     const auto type = event->type();
     if (watched == cloud_ && type == QEvent::Resize) place();
+    // A plate that was made as a child has its type when it is polished, another one when it is added.
+    if (watched == cloud_ && (type == QEvent::ChildAdded || type == QEvent::ChildPolished))
+        watch(static_cast<QChildEvent*>(event)->child());
     // A legend that unfolds draws no frame. Queued: the layout moves several of them.
     const bool moves = type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide;
     if (watched != cloud_ && moves) QMetaObject::invokeMethod(this, &ScalePlate::place, Qt::QueuedConnection);
     return ViewPlate::eventFilter(watched, event);
 }
 
+/// The plates and buttons that it keeps off.
+void ScalePlate::watch(QObject* child) {
+    const bool isPlate = qobject_cast<ViewPlate*>(child) != nullptr || qobject_cast<QAbstractButton*>(child) != nullptr;
+    if (isPlate && child != this) child->installEventFilter(this); // a second installation changes nothing
+}
+
 bool ScalePlate::coloured() const { return colours_.points && cloud_->pointColours() == colours_.points; }
 
 void ScalePlate::place() {
-    for (QWidget* other : cloud_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-        const bool isPlate = qobject_cast<ViewPlate*>(other) != nullptr || qobject_cast<QAbstractButton*>(other) != nullptr;
-        if (isPlate && other != this) other->installEventFilter(this); // a second installation changes nothing
-    }
     const auto& cloud = cloud_->geometryOfCloud();
     isSmall_ = cloud_->width() < kSmallView;
     const bool crowded = isSmall_ && !(cloud_->caption().isEmpty() && keptFree_.isEmpty()); // most of a small view is for the rocks
@@ -162,10 +169,8 @@ double ScalePlate::medianDepth() const {
         const ScreenPoint at = toScreen(view, cloud.point(k));
         if (at.inside && at.x >= 0.0 && at.x < view.width && at.y >= 0.0 && at.y < view.height) depths.push_back(depthOf(cloud.point(k)));
     }
-    if (depths.empty()) depths.push_back(depthOf(cloud.mainBounds.center()));
-    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::ranges::nth_element(depths, middle);
-    return *middle > 1e-3 ? *middle : pose.distance();
+    const double depth = median(std::move(depths), depthOf(cloud.mainBounds.center()));
+    return depth > 1e-3 ? depth : pose.distance();
 }
 
 void ScalePlate::showColours(const CloudColours& colours) {

@@ -71,6 +71,7 @@ private:
     bool seeThrough_ = false;          // it covers a ring
     [[nodiscard]] double unit() const; // 1; larger with a larger font
     [[nodiscard]] double medianDepth() const;
+    void watch(QObject* child);
     [[nodiscard]] bool coloured() const;
     [[nodiscard]] QSize plain() const; // without the colours, in units
     void drawBar(QPainter& painter) const;

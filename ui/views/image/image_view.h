@@ -154,9 +154,8 @@ private:
     [[nodiscard]] QRectF toPixels(const QRectF& cells) const;
 
     std::shared_ptr<ViewPort> viewPort_;
-    Touch touch_{*this, [this](QPointF middle, QPointF shift, double factor) {
-                     pinch(middle, shift, factor);
-                 }}; // before the children: event() asks it
+    // Before the children: event() asks it.
+    Touch touch_{*this, [this](QPointF middle, QPointF shift, double factor) { pinch(middle, shift, factor); }};
     QToolButton* fit_;
     Pyramid picture_;
     Pyramid overlay_;
