@@ -393,6 +393,16 @@ private slots:
         const auto measured = inspect::measureCells(scan, {}, throat.kind, throat.cells);
         QVERIFY2(measured && measured->lengths[0].valueM < 0.6, qPrintable(QString::number(measured->lengths[0].valueM)));
         QVERIFY(known(on));
+        // A click on the ring of a target takes its cell: the prompt and the card say so, and a ring is where the length begins.
+        on.viewer.measures.start(inspect::MeasureKind::Distance);
+        click(gray, static_cast<int>(targets(on)[0].cell) / scan.beams(), static_cast<int>(targets(on)[0].cell) % scan.beams());
+        QCOMPARE(on.viewer.measures.picked().front().cell, targets(on)[0].cell);
+        QVERIFY2(words.last().front().toString().contains("the last click took target 1, at 5.00 m"),
+                 qPrintable(words.last().front().toString()));
+        QVERIFY(gray.marks().measures.back().active);
+        click(gray, 10, 10);
+        QTRY_VERIFY2(on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back()).remarks.contains("end 1 is target 1"),
+                     qPrintable(on.viewer.targets.wordsOf(on.viewer.targets.notebook().measures.back()).remarks.join("; ")));
         // A length from the near side to the wall is marked and warned about.
         on.viewer.measures.start(inspect::MeasureKind::Distance);
         click(gray, 30, 10);

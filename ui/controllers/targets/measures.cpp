@@ -172,6 +172,7 @@ void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells,
 void Measures::show() {
     if (!kind_) return;
     MeasureMark draft;
+    draft.active = true; // its ends have rings: a click near a target takes the cell of that
     for (const inspect::MeantCell& click : picked_) {
         draft.cells.push_back(click.cell);
         draft.clicked.push_back(click.clicked);
@@ -182,9 +183,13 @@ void Measures::show() {
     targets_.showDraft(draft);
     QString words = throats_.behind() ? tr("Throat width: the narrowest way is being searched …") : wordsFor(*kind_, picked_.size());
     if (views_.flipped())
-        words = LinkedViews::onlyOfB();          // no number of B over A
-    else if (!picked_.empty() && views_.shown()) // a side that is far behind the throat that was meant shows by its range
-        words += tr(" · the last click is at %1 m").arg(views_.shown()->detection->scan->rangeMm[picked_.back().cell] / 1000.0, 0, 'f', 2);
+        words = LinkedViews::onlyOfB();            // no number of B over A
+    else if (!picked_.empty() && views_.shown()) { // a side that is far behind the throat that was meant shows by its range
+        const QString target = targets_.nameAt(picked_.back().cell);
+        const QString away = QString::number(views_.shown()->detection->scan->rangeMm[picked_.back().cell] / 1000.0, 'f', 2);
+        words += target.isEmpty() ? tr(" · the last click is at %1 m").arg(away)
+                                  : tr(" · the last click took target %1, at %2 m").arg(target, away);
+    }
     emit asked(words);
 }
 

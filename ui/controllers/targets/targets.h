@@ -104,6 +104,8 @@ public:
     /// "3 Big one · 12.340 m · rock 4 · E ... N ... RL ... m": what the list shows of it, in one line.
     [[nodiscard]] QString inWords(const inspect::PinnedTarget& target) const;
     [[nodiscard]] MeasureWords wordsOf(const inspect::StoredMeasure& measure) const;
+    /// "3  Big one" of the target at this cell; empty: there is none.
+    [[nodiscard]] QString nameAt(std::uint32_t cell) const;
     /// Kind and length of each measurement, in the order of the notebook.
     [[nodiscard]] std::vector<QString> measuresInWords() const;
     [[nodiscard]] inspect::TargetsPart part() const;
@@ -153,6 +155,7 @@ private:
     void show();
     void showCard();
     void keepConfidence();
+    [[nodiscard]] QString atTargetsText(const inspect::StoredMeasure& measure) const;
     [[nodiscard]] static QString nameOf(const inspect::PinnedTarget& target); ///< "3  Big one"
     [[nodiscard]] QStringList wordsOf(const inspect::PinnedTarget& target) const;
     void findSweep();

@@ -91,6 +91,22 @@ QString Targets::tagOf(const inspect::PinnedTarget& target) const {
     return rock == nullptr ? tag : tag + " · " + tr("rock %1").arg(rock->label);
 }
 
+QString Targets::nameAt(std::uint32_t cell) const {
+    const auto found = std::ranges::find(notebook_.targets, cell, &inspect::PinnedTarget::cell);
+    return found == notebook_.targets.end() ? QString() : nameOf(*found).simplified();
+}
+
+/// "end 1 is target 3"; a click near a target took its cell. Not for ends that the method finds.
+QString Targets::atTargetsText(const inspect::StoredMeasure& measure) const {
+    if (measure.kind == inspect::MeasureKind::Throat) return {};
+    QStringList ends;
+    for (std::size_t n = 0; n < measure.cells.size(); ++n) {
+        const QString target = nameAt(measure.cells[n]);
+        if (!target.isEmpty()) ends << tr("end %1 is target %2").arg(QString::number(n + 1), target);
+    }
+    return ends.join(" · ");
+}
+
 QString Targets::nameOf(const inspect::PinnedTarget& target) {
     return QString::number(target.number) + (target.name.empty() ? QString() : "  " + shownName(exactText(target.name)));
 }
@@ -153,6 +169,7 @@ MeasureWords Targets::wordsOf(const inspect::StoredMeasure& measure) const {
     }
     if (!measure.clicked.empty() && measure.kind != inspect::MeasureKind::Throat) // whose ends are near the clicks anyway
         all << movedText(measure);
+    all << atTargetsText(measure);
     if (now != nullptr && isDoubtful(*known_.picture->detection->scan, measure))
         all << tr("▲ a nearer surface is within %1 cells of a click").arg(inspect::kSnapReach);
     if (now != nullptr) all << (words.offEdge = offEdgeText(*known_.picture->detection->mask, measure));
