@@ -653,6 +653,43 @@ private slots:
         on.window.cab().set(false);
     }
 
+    // A swipe scrolls a long menu and carries out no entry; in a short one it does nothing. A tap that slips a little is a tap.
+    void aSwipeOverAMenuScrollsIt() {
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        for (const int entries : {60, 4}) {
+            QMenu menu;
+            for (int n = 0; n < entries; ++n) menu.addAction(QString("entry %1").arg(n));
+            QSignalSpy chosen(&menu, &QMenu::triggered);
+            menu.popup({40, 0});
+            QTRY_VERIFY(menu.isVisible());
+            const auto top = [&] { return menu.actionGeometry(menu.actions().front()).top(); };
+            const auto send = [&](QEvent::Type type, const QPoint& at) {
+                QMouseEvent event(type, at, menu.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                                  type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+                QApplication::sendEvent(&menu, &event);
+            };
+            const auto swipe = [&](int from, int to) {
+                send(QEvent::MouseButtonPress, {60, from});
+                for (int y = from; y != to; y += to > from ? 2 : -2) send(QEvent::MouseMove, {60, y});
+                send(QEvent::MouseButtonRelease, {60, to});
+            };
+            const int low = std::min(menu.height() - 60, 600), first = top();
+            swipe(low, 60);
+            QVERIFY(menu.isVisible() && chosen.isEmpty());
+            QVERIFY2(entries == 4 ? top() == first : std::abs(first - top() - (low - 60)) <= 48,
+                     qPrintable(QString("%1 %2").arg(first).arg(top())));
+            swipe(60, low);
+            QVERIFY(menu.isVisible() && chosen.isEmpty());
+            QVERIFY2(std::abs(top() - first) <= 48, qPrintable(QString("%1 %2").arg(first).arg(top())));
+            swipe(100, 110);
+            QTRY_COMPARE(chosen.count(), 1);
+            QVERIFY(!menu.isVisible());
+        }
+        on.window.cab().set(false);
+    }
+
     // A long menu has one column, which scrolls by its arrows: columns would leave a low screen at its right.
     void aMenuHasOneColumn() {
         WindowFixture on;

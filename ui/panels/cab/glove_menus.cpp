@@ -1,4 +1,4 @@
-// The entry that closes a menu, and its scrolling by taps.
+// The entry that closes a menu, and its scrolling by taps and swipes.
 #include "ui/panels/cab/glove_menus.h"
 
 #include <QAction>
@@ -10,11 +10,16 @@
 #include <QStyle>
 #include <QWheelEvent>
 
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
 namespace edgescan::ui {
 namespace {
 
 constexpr const char* kTaken = "of-gloves";
 constexpr int kScrolledEntries = 5; // by a tap on an arrow
+constexpr int kSwipePx = 20;        // up or down from the press: farther than a tap slips
 
 /// The direction of the menu's arrow at this place, if more entries are there: 1 for the upper arrow, -1 for the lower one; else 0.
 int arrowAt(const QMenu& menu, const QPoint& at) {
@@ -25,23 +30,27 @@ int arrowAt(const QMenu& menu, const QPoint& at) {
     return y >= menu.height() - high && menu.actionGeometry(all.back()).bottom() > menu.height() ? -1 : 0;
 }
 
-/// Qt scrolls from a press on an arrow until the pointer leaves it, which a finger does not; and not after an entry opened another menu,
-/// which gets the events then.
-bool scrollByTap(const QMenu& opened, const QPoint& at) {
+bool isLong(const QMenu& menu) { return menu.sizeHint().height() > menu.screen()->availableGeometry().height(); }
+
+/// The menu under a finger: an entry may have opened another menu, which gets the events of the first one.
+QMenu* menuAt(QMenu& opened, const QPoint& at) {
+    if (opened.geometry().contains(at)) return &opened;
     for (QWidget* each : QApplication::topLevelWidgets()) {
         auto* menu = qobject_cast<QMenu*>(each);
-        const int way = menu != nullptr && (menu == &opened || !opened.geometry().contains(at)) ? arrowAt(*menu, at) : 0;
-        if (way == 0) continue;
-        while (QApplication::activePopupWidget() != menu && QApplication::activePopupWidget() != nullptr)
-            QApplication::activePopupWidget()->close();
-        for (int n = 0; n < kScrolledEntries; ++n) {
-            QWheelEvent step(menu->mapFromGlobal(at), at, {}, {0, way * QWheelEvent::DefaultDeltasPerStep}, Qt::NoButton, Qt::NoModifier,
-                             Qt::NoScrollPhase, false);
-            QApplication::sendEvent(menu, &step);
-        }
-        return true;
+        if (menu != nullptr && menu->isVisible() && menu->geometry().contains(at)) return menu;
     }
-    return false;
+    return nullptr;
+}
+
+/// Towards the first entry with 1, the last with -1. Closes the menus that it opened.
+void scroll(QMenu& menu, const QPoint& at, int way, int entries) {
+    while (QApplication::activePopupWidget() != &menu && QApplication::activePopupWidget() != nullptr)
+        QApplication::activePopupWidget()->close();
+    for (int n = 0; n < entries; ++n) {
+        QWheelEvent step(menu.mapFromGlobal(at), at, {}, {0, way * QWheelEvent::DefaultDeltasPerStep}, Qt::NoButton, Qt::NoModifier,
+                         Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&menu, &step);
+    }
 }
 
 } // namespace
@@ -74,13 +83,37 @@ bool GloveMenus::eventFilter(QObject* watched, QEvent* event) {
             take(*menu);
         }
     }
-    const bool press = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
-    if (press || event->type() == QEvent::MouseButtonRelease) {
-        const auto* menu = qobject_cast<const QMenu*>(watched);
-        if (press && menu != nullptr) scrolling_ = scrollByTap(*menu, static_cast<QMouseEvent*>(event)->globalPos());
-        return scrolling_ && menu != nullptr; // the release too
+    const bool mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick ||
+                       event->type() == QEvent::MouseMove || event->type() == QEvent::MouseButtonRelease;
+    auto* menu = mouse ? qobject_cast<QMenu*>(watched) : nullptr;
+    return menu != nullptr && readMouse(*menu, *static_cast<QMouseEvent*>(event));
+}
+
+/// Qt scrolls from a press on an arrow until the pointer leaves it, which a finger does not; and a swipe over entries carries out the last.
+bool GloveMenus::readMouse(QMenu& opened, const QMouseEvent& event) {
+    const QPoint at = event.globalPos();
+    if (event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonDblClick) {
+        pressed_ = menuAt(opened, at);
+        from_ = at;
+        const int way = pressed_ ? arrowAt(*pressed_, at) : 0;
+        scrolling_ = way != 0;
+        if (scrolling_) scroll(*pressed_, at, way, kScrolledEntries);
+        return scrolling_;
     }
-    return false;
+    if (event.type() == QEvent::MouseMove && event.buttons() != Qt::NoButton && pressed_) swipe(at.y());
+    if (event.type() != QEvent::MouseButtonRelease) return scrolling_;
+    pressed_ = nullptr;
+    return std::exchange(scrolling_, false);
+}
+
+/// The entries follow the finger by whole ones.
+void GloveMenus::swipe(int y) {
+    if (!scrolling_ && std::abs(y - from_.y()) < kSwipePx) return;
+    if (!std::exchange(scrolling_, true)) pressed_->setActiveAction(nullptr);
+    const int high = std::max(1, pressed_->actionGeometry(pressed_->actions().front()).height()), entries = (y - from_.y()) / high;
+    if (entries == 0 || !isLong(*pressed_)) return;
+    scroll(*pressed_, {from_.x(), pressed_->geometry().center().y()}, entries > 0 ? 1 : -1, std::abs(entries));
+    from_.ry() += entries * high;
 }
 
 /// The entries are there only while the menu is open: menus are filled and compared without it.
@@ -91,7 +124,7 @@ void GloveMenus::take(QMenu& menu) {
         menu.setAttribute(Qt::WA_NoMouseReplay, on_); // each time: Qt forgets it
         if (on_ && !menu.isEmpty()) menu.insertAction(menu.actions().front(), close_);
         // Where the lower arrow was: a tap too many chooses nothing.
-        if (on_ && menu.sizeHint().height() > menu.screen()->availableGeometry().height()) menu.addAction(end_);
+        if (on_ && isLong(menu)) menu.addAction(end_);
     });
     connect(&menu, &QMenu::aboutToHide, this, [this, &menu] {
         for (QAction* each : {close_, end_}) menu.removeAction(each);

@@ -1,10 +1,13 @@
-// Menus for gloves: each has an entry that closes it, and a tap next to it does nothing else.
+// Menus for gloves: each has an entry that closes it, a swipe scrolls it, and a tap next to it does nothing else.
 #pragma once
 
 #include <QObject>
+#include <QPoint>
+#include <QPointer>
 
 class QAction;
 class QMenu;
+class QMouseEvent;
 
 namespace edgescan::ui {
 
@@ -21,10 +24,14 @@ public:
 
 private:
     void take(QMenu& menu);
+    bool readMouse(QMenu& opened, const QMouseEvent& event);
+    void swipe(int y);
 
     QAction *close_, *end_;
     bool on_ = false;
-    bool scrolling_ = false; // by the tap that is pressed
+    QPointer<QMenu> pressed_; // the menu under the finger
+    QPoint from_;             // where the press was, and after that where the last entry was scrolled
+    bool scrolling_ = false;  // the press scrolls: its release chooses nothing
 };
 
 } // namespace edgescan::ui
