@@ -491,7 +491,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminó.</translation></message>
-<message><source>Held. Follow shows the next one.</source><translation>Retenido. Seguir muestra el siguiente.</translation></message>
+<message><source>Held. Follow goes on, sweep after sweep, until Hold.</source><translation>Retenido. Seguir continúa, barrido tras barrido, hasta Retener.</translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
 <message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Aún no hay una vista %1: Ctrl+%1 guarda la actual.</translation></message>
@@ -730,6 +730,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Ancho de la garganta: se busca el paso más estrecho …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
+<message><source> · the last click took target %1, at %2 m</source><translation> · el último clic tomó el objetivo %1, a %2 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ El barrido continúa. Se ocultan las celdas que están allí ahora. Las líneas nuevas se muestran a cualquier distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
@@ -795,6 +796,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>1 end was moved to the near side</source><translation>1 extremo se movió al lado cercano</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremos se movieron al lado cercano</translation></message>
 <message><source>rock %1</source><translation>roca %1</translation></message>
+<message><source>end %1 is target %2</source><translation>el extremo %1 es el objetivo %2</translation></message>
 <message><source>a cell of it has no range</source><translation>una de sus celdas no tiene distancia</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ hay una superficie más cercana a menos de %1 celdas de un clic</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
@@ -880,6 +882,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Shows B with what changed since A</source><translation>Muestra B con lo que cambió desde A</translation></message>
 <message><source>Shows B alone</source><translation>Muestra solo B</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
+<message><source>comparing …
+Gray counts are older.</source><translation>comparando …
+Las cifras grises son anteriores.</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>sin comparar con el escaneo en pantalla</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada con qué comparar todavía:
@@ -1261,7 +1266,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
-<message><source>Green points are edges.</source><translation>Los puntos verdes son bordes.</translation></message>
+<message><source>Edge points, green: %1.</source><translation>Puntos de borde, en verde: %1.</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 puntos quedan fuera: Encuadrar los muestra</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
@@ -1285,7 +1290,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ no encontrado: se movió, o falta su disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>aún no hay ninguna</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
-<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: una campana colgada antes y después de una tronadura.</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: it is a hung-up draw-bell.</source><translation>Abra un escaneo o conecte el escáner. La demostración no necesita ninguno: es una campana colgada.</translation></message>
 <message><source>Open the demo</source><translation>Abrir la demostración</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastrar gira la nube, la rueda amplía. Un clic marca una celda en la nube, la imagen de distancias y el mapa de bordes; su ficha da distancia y coordenadas.</translation></message>
 <message><source>View from the scanner</source><translation>Ver desde el escáner</translation></message>
@@ -1293,7 +1298,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Show the edges panel</source><translation>Mostrar el panel de bordes</translation></message>
 <message><source>EdgeScan finds rocks from the edges, with visible sizes and a confidence. The table lists them. A click selects a rock in all views.</source><translation>EdgeScan encuentra las rocas a partir de los bordes, con su tamaño visible y una confianza. La tabla las muestra. Un clic elige una roca en todas las vistas.</translation></message>
 <message><source>Show the rocks</source><translation>Mostrar las rocas</translation></message>
-<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Las herramientas de arriba miden. Archivo exporta bordes, nubes y un informe. Los comandos tienen teclas; Ayuda las muestra todas, y también este recorrido.</translation></message>
+<message><source>The tools above measure and compare scans. File exports edges, clouds and a report. Help shows all keys, and this tour again.</source><translation>Las herramientas de arriba miden y comparan escaneos. Archivo exporta bordes, nubes y un informe. Ayuda muestra todas las teclas, y también este recorrido.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar las teclas</translation></message>
 <message><source>End the tour</source><translation>Terminar el recorrido</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>

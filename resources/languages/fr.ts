@@ -491,7 +491,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 s'est terminé.</translation></message>
-<message><source>Held. Follow shows the next one.</source><translation>Figé. Suivre montre le suivant.</translation></message>
+<message><source>Held. Follow goes on, sweep after sweep, until Hold.</source><translation>Figé. Suivre continue, balayage après balayage, jusqu'à Figer.</translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
 <message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>
@@ -730,6 +730,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largeur de l'étranglement : le passage le plus étroit est recherché …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
+<message><source> · the last click took target %1, at %2 m</source><translation> · le dernier clic a pris la cible %1, à %2 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ Le balayage continue. Les cellules qui s'y trouvent maintenant sont masquées. Les nouvelles lignes sont montrées à toute distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
@@ -795,6 +796,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>1 end was moved to the near side</source><translation>1 extrémité a été déplacée du côté proche</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extrémités ont été déplacées du côté proche</translation></message>
 <message><source>rock %1</source><translation>bloc %1</translation></message>
+<message><source>end %1 is target %2</source><translation>l'extrémité %1 est la cible %2</translation></message>
 <message><source>a cell of it has no range</source><translation>une de ses cellules n'a pas de distance</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ une surface plus proche est à moins de %1 cellules d’un clic</translation></message>
 <message><source>locked</source><translation>verrouillée</translation></message>
@@ -880,6 +882,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Shows B with what changed since A</source><translation>Montre B avec ce qui a changé depuis A</translation></message>
 <message><source>Shows B alone</source><translation>Montre B seule</translation></message>
 <message><source>comparing …</source><translation>comparaison …</translation></message>
+<message><source>comparing …
+Gray counts are older.</source><translation>comparaison …
+Les nombres gris sont anciens.</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>pas comparé au scan affiché</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>rien encore à comparer :
@@ -1261,7 +1266,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
-<message><source>Green points are edges.</source><translation>Les points verts sont des arêtes.</translation></message>
+<message><source>Edge points, green: %1.</source><translation>Points d'arête, en vert : %1.</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 points sont en dehors : Ajuster les montre</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
@@ -1285,7 +1290,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ introuvable : déplacé, ou son disque manque. Localiser…</translation></message>
 <message><source>there is none yet</source><translation>il n'y en a pas encore</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
-<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : un soutirage bloqué avant et après un tir.</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: it is a hung-up draw-bell.</source><translation>Ouvrez un scan ou connectez le scanner. La démo n'a besoin ni de l'un ni de l'autre : c'est un soutirage bloqué.</translation></message>
 <message><source>Open the demo</source><translation>Ouvrir la démo</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Glisser tourne le nuage, la molette zoome. Un clic marque une cellule dans le nuage, l'image de distances et la carte des arêtes ; sa fiche donne distance et coordonnées.</translation></message>
 <message><source>View from the scanner</source><translation>Voir depuis le scanner</translation></message>
@@ -1293,7 +1298,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Show the edges panel</source><translation>Afficher le panneau des arêtes</translation></message>
 <message><source>EdgeScan finds rocks from the edges, with visible sizes and a confidence. The table lists them. A click selects a rock in all views.</source><translation>EdgeScan trouve les blocs à partir des arêtes, avec leur taille visible et une confiance. Le tableau les énumère. Un clic choisit un bloc dans toutes les vues.</translation></message>
 <message><source>Show the rocks</source><translation>Afficher les blocs</translation></message>
-<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>Les outils en haut mesurent. Fichier exporte arêtes, nuages et un rapport. Les commandes ont leurs touches ; Aide les montre toutes, et cette visite aussi.</translation></message>
+<message><source>The tools above measure and compare scans. File exports edges, clouds and a report. Help shows all keys, and this tour again.</source><translation>Les outils en haut mesurent et comparent des scans. Fichier exporte arêtes, nuages et un rapport. Aide montre toutes les touches, et cette visite aussi.</translation></message>
 <message><source>Show the keys</source><translation>Afficher les touches</translation></message>
 <message><source>End the tour</source><translation>Terminer la visite</translation></message>
 <message><source>was %1</source><translation>avant : %1</translation></message>

@@ -491,7 +491,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminou.</translation></message>
-<message><source>Held. Follow shows the next one.</source><translation>Retida. Seguir mostra a seguinte.</translation></message>
+<message><source>Held. Follow goes on, sweep after sweep, until Hold.</source><translation>Retida. Seguir continua, varredura após varredura, até Reter.</translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
 <message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Ainda não há vista %1: Ctrl+%1 salva a atual.</translation></message>
@@ -730,6 +730,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largura da garganta: procurando a passagem mais estreita …</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
+<message><source> · the last click took target %1, at %2 m</source><translation> · o último clique tomou o alvo %1, a %2 m</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ A varredura continua. Ocultam-se as células que estão ali agora. As linhas novas são mostradas a qualquer distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
@@ -795,6 +796,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>1 end was moved to the near side</source><translation>1 extremidade foi movida para o lado próximo</translation></message>
 <message><source>%1 ends were moved to the near side</source><translation>%1 extremidades foram movidas para o lado próximo</translation></message>
 <message><source>rock %1</source><translation>rocha %1</translation></message>
+<message><source>end %1 is target %2</source><translation>a ponta %1 é o alvo %2</translation></message>
 <message><source>a cell of it has no range</source><translation>uma das suas células não tem distância</translation></message>
 <message><source>▲ a nearer surface is within %1 cells of a click</source><translation>▲ há uma superfície mais próxima a menos de %1 células de um clique</translation></message>
 <message><source>locked</source><translation>bloqueado</translation></message>
@@ -880,6 +882,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Shows B with what changed since A</source><translation>Mostra B com o que mudou desde A</translation></message>
 <message><source>Shows B alone</source><translation>Mostra só B</translation></message>
 <message><source>comparing …</source><translation>comparando …</translation></message>
+<message><source>comparing …
+Gray counts are older.</source><translation>comparando …
+Os números cinza são anteriores.</translation></message>
 <message><source>not compared with the scan on the screen</source><translation>não comparado com a varredura na tela</translation></message>
 <message><source>nothing to compare with yet:
 change a setting, or open another scan</source><translation>nada ainda para comparar:
@@ -1261,7 +1266,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
-<message><source>Green points are edges.</source><translation>Os pontos verdes são bordas.</translation></message>
+<message><source>Edge points, green: %1.</source><translation>Pontos de borda, em verde: %1.</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 pontos estão fora: Enquadrar os mostra</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
@@ -1285,7 +1290,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>✕ not found: it was moved, or its disk is missing. Locate…</source><translation>✕ não encontrado: foi movido, ou falta o disco. Localizar…</translation></message>
 <message><source>there is none yet</source><translation>ainda não há nenhuma</translation></message>
 <message><source>%1, %2, %3 UTC</source><translation>%1, %2, %3 UTC</translation></message>
-<message><source>Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: um sino bloqueado antes e depois de um desmonte.</translation></message>
+<message><source>Open a scan or connect the scanner. The demo needs neither: it is a hung-up draw-bell.</source><translation>Abra uma varredura ou conecte o scanner. A demonstração não precisa de nenhum: é um sino bloqueado.</translation></message>
 <message><source>Open the demo</source><translation>Abrir a demonstração</translation></message>
 <message><source>Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has distance and coordinates.</source><translation>Arrastar gira a nuvem, a roda amplia. Um clique marca uma célula na nuvem, na imagem de distâncias e no mapa de bordas; sua ficha dá distância e coordenadas.</translation></message>
 <message><source>View from the scanner</source><translation>Ver a partir do scanner</translation></message>
@@ -1293,7 +1298,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Show the edges panel</source><translation>Mostrar o painel de bordas</translation></message>
 <message><source>EdgeScan finds rocks from the edges, with visible sizes and a confidence. The table lists them. A click selects a rock in all views.</source><translation>O EdgeScan encontra as rochas a partir das bordas, com o tamanho visível e uma confiança. A tabela as lista. Um clique escolhe uma rocha em todas as vistas.</translation></message>
 <message><source>Show the rocks</source><translation>Mostrar as rochas</translation></message>
-<message><source>The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, and this tour again.</source><translation>As ferramentas acima medem. Arquivo exporta bordas, nuvens e um relatório. Os comandos têm teclas; Ajuda mostra todas, e também este passeio.</translation></message>
+<message><source>The tools above measure and compare scans. File exports edges, clouds and a report. Help shows all keys, and this tour again.</source><translation>As ferramentas acima medem e comparam varreduras. Arquivo exporta bordas, nuvens e um relatório. Ajuda mostra todas as teclas, e também este passeio.</translation></message>
 <message><source>Show the keys</source><translation>Mostrar as teclas</translation></message>
 <message><source>End the tour</source><translation>Encerrar o passeio</translation></message>
 <message><source>was %1</source><translation>antes: %1</translation></message>

@@ -250,6 +250,13 @@ private slots:
         QVERIFY(comparison.change.ranges.nearer > 100 && comparison.change.ranges.farther > 100);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Nearer)), comparison.change.ranges.nearer);
         QCOMPARE(numberIn(legend.counted(ChangeRow::Farther)), comparison.change.ranges.farther);
+        // While another comparison is made, the counts of this one are gray.
+        const auto* count = legend.findChild<QLabel*>("change-count-0");
+        QVERIFY(count != nullptr && count->isEnabled());
+        on.viewer.changeLegend.showKept("A", "B", &comparison, true, false);
+        QVERIFY(!count->isEnabled() && legend.howText().contains("Gray counts are older"));
+        on.viewer.changeLegend.showKept("A", "B", &comparison, false, false);
+        QVERIFY(count->isEnabled());
         // Neither scan has a pose: reported here and above the views.
         QVERIFY2(legend.howText().contains("OUT OF SPEC"), qPrintable(legend.howText()));
         QVERIFY2(on.viewer.notice.text().contains("without a pose"), qPrintable(on.viewer.notice.text()));

@@ -516,7 +516,7 @@ private slots:
         QCOMPARE(plot.outside(), std::size_t{0});
     }
 
-    // Next to Fit, so that it covers no line; and the colour of edges is named only while some are in the plot.
+    // Next to Fit, so that it covers no line; and the edges in the plot are counted only while there are some.
     void theWordsOfASectionFollowItsView() {
         auto section = std::make_shared<inspect::Section>();
         inspect::SectionLine near, far;
@@ -537,7 +537,7 @@ private slots:
         QCOMPARE(card.words(), QString("Vertical plane."));
         QTest::mouseClick(card.findChild<QPushButton*>("section-fit"), Qt::LeftButton);
         QTRY_COMPARE(outside->text(), QString());
-        QCOMPARE(card.words(), QString("Green points are edges. Vertical plane."));
+        QCOMPARE(card.words(), QString("Edge points, green: 1. Vertical plane."));
     }
 
     // Neither the label of a length nor the number of a rock is on a line, and they are not on each other.

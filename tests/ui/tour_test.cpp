@@ -120,6 +120,17 @@ private slots:
         QCOMPARE(on.tour.step(), 1);
     }
 
+    // The second step is about turning the cloud: no comparison opens over it.
+    void theFirstStepOpensOneScan() {
+        FirstStart on(ini_);
+        QVERIFY(on.begin());
+        on.click("tour-try");
+        QVERIFY(eventually([&] { return on.tour.step() == 1 && on.viewer.engine.picture() != nullptr; }));
+        QVERIFY(on.settled());
+        QVERIFY(eventually([&] { return on.viewer.comparing.settled(); }));
+        QVERIFY(on.viewer.comparing.pictureA() == nullptr);
+    }
+
     // The strip is as wide as the views: next to it the head of a dock, whose content the page covers, would be left.
     void nothingOfADockIsLeftBesideIt() {
         FirstStart on(ini_);

@@ -130,7 +130,7 @@ void NoticeBar::withdraw(const QStringList& texts) {
     countEarlier();
     if (isHidden() || !texts.contains(text())) return;
     text_->clear(); // not stored for "earlier"
-    earlier_.empty() ? hide() : showEarlier();
+    earlier_.empty() ? hide() : bringBack();
 }
 
 /// What passes is not stored for "earlier", nor confirmations without a button.

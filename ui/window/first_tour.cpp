@@ -23,7 +23,7 @@ void tryStep(MainWindow& window, int step) {
     Viewer& viewer = window.viewer();
     switch (step) {
     case 0:
-        return viewer.comparing.openDemoPair();
+        return viewer.files.openDemo();
     case 1:
         return viewer.cloud.viewFromScanner();
     case 2:

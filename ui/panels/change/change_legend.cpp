@@ -114,6 +114,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
         Row& made = rows_[static_cast<std::size_t>(n)];
         made = {new QCheckBox, new QLabel};
         made.box->setObjectName(QString("change-%1").arg(n));
+        made.count->setObjectName(QString("change-count-%1").arg(n));
         made.box->setFocusPolicy(Qt::TabFocus); // a click leaves the keyboard focus in the view
         made.box->setChecked(true);
         QPixmap swatch(16, row == ChangeRow::Nearer || row == ChangeRow::Farther ? 11 : 5);
@@ -207,9 +208,11 @@ void ChangeLegend::showKept(const QString& before, const QString& now, const Com
         const bool some = comparison != nullptr && (row.box->objectName() != "change-3" || comparison->count(ChangeRow::Unseen) > 0);
         const bool shown = some && (!ofSurfaces || comparison->isOfTwoScans());
         row.count->setText(shown ? countText(comparison->count(static_cast<ChangeRow>(n))) : QString());
+        row.count->setEnabled(!working); // what is not of this picture is gray
     }
-    QString how = working   ? tr("comparing …")
-                  : refused ? tr("not compared with the scan on the screen")
+    for (QLabel* each : {sum_, distances_, region_, summary_}) each->setEnabled(!working);
+    QString how = working   ? comparison == nullptr ? tr("comparing …") : tr("comparing …\nGray counts are older.")
+                    : refused ? tr("not compared with the scan on the screen")
                             : tr("nothing to compare with yet:\nchange a setting, or open another scan");
     if (comparison != nullptr && !working) {
         how = coreWords(inspect::registrationText(*comparison->asked.now->detection->scan, comparison->change.earlier.how))

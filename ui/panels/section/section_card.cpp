@@ -69,7 +69,8 @@ void SectionCard::setWords(const QString& words) {
 
 /// What the plot shows now. The words become no lower: the plot would move.
 void SectionCard::showView() {
-    words_->setText(plot_->showsEdges() ? tr("Green points are edges.") + ' ' + about_ : about_);
+    const std::size_t edges = plot_->edgesShown();
+    words_->setText(edges > 0 ? tr("Edge points, green: %1.").arg(countText(edges)) + ' ' + about_ : about_);
     words_->setMinimumHeight(std::max(words_->minimumHeight(), words_->heightForWidth(words_->width())));
     const std::size_t count = plot_->outside();
     outside_->setText(count > 0 ? tr("%1 points are outside: Fit shows them").arg(countText(count)) : QString());

@@ -297,10 +297,13 @@ std::size_t SectionPlot::outside() const {
 
 bool SectionPlot::isInside(const inspect::SectionVertex& vertex) const { return QRectF(rect()).contains(placeOf(vertex.atM)); }
 
-bool SectionPlot::showsEdges() const {
-    return section_ && std::ranges::any_of(section_->lines, [this](const inspect::SectionLine& line) {
-               return std::ranges::any_of(line, [this](const inspect::SectionVertex& each) { return each.edge && isInside(each); });
-           });
+std::size_t SectionPlot::edgesShown() const {
+    std::size_t count = 0;
+    if (!section_) return count;
+    for (const inspect::SectionLine& line : section_->lines)
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(line, [this](const inspect::SectionVertex& each) { return each.edge && isInside(each); }));
+    return count;
 }
 
 /// As in the views: the label of the length covers neither its line nor the texts.

@@ -42,8 +42,8 @@ public:
     [[nodiscard]] const SectionHeights& heights() const { return heights_; }
     /// Vertices that the plot is too narrow to show at this zoom.
     [[nodiscard]] std::size_t outside() const;
-    /// Some edge is in the plot at this zoom.
-    [[nodiscard]] bool showsEdges() const;
+    /// Vertices that are edges and in the plot at this zoom.
+    [[nodiscard]] std::size_t edgesShown() const;
     [[nodiscard]] const std::shared_ptr<const inspect::Section>& section() const { return section_; }
     /// A ring at the vertex nearest to this point, if it is near the plane; empty: none.
     void mark(const std::optional<Eigen::Vector3d>& pointM);

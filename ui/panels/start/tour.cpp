@@ -22,7 +22,7 @@ struct TourStep {
 TourStep tourStep(int step) {
     switch (step) {
     case 0:
-        return {Tour::tr("Open a scan or connect the scanner. The demo needs neither: a hung-up draw-bell before and after a blast."),
+        return {Tour::tr("Open a scan or connect the scanner. The demo needs neither: it is a hung-up draw-bell."),
                 Tour::tr("Open the demo")};
     case 1:
         return {Tour::tr("Drag turns the cloud, the wheel zooms. A click marks a cell in cloud, range image and edge map; its card has "
@@ -37,8 +37,8 @@ TourStep tourStep(int step) {
                          "a rock in all views."),
                 Tour::tr("Show the rocks")};
     default:
-        return {Tour::tr("The tools above measure. File exports edges, clouds and a report. Every command has a key; Help shows them all, "
-                         "and this tour again."),
+        return {Tour::tr("The tools above measure and compare scans. File exports edges, clouds and a report. Help shows all keys, and "
+                         "this tour again."),
                 Tour::tr("Show the keys")};
     }
 }

@@ -23,6 +23,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -152,6 +153,12 @@ public:
 
     /// Finishes pending drawing and returns the picture with marker and texts, in device pixels.
     [[nodiscard]] QImage grabFrame(Points points = Points::AsShown);
+    struct Sample {
+        Eigen::Vector3f point;
+        std::optional<QPointF> pixel; ///< empty: not in front of the camera
+    };
+    /// About 2,000 points of the cloud, of all lines and beams.
+    [[nodiscard]] std::vector<Sample> samples() const;
 
 public slots:
     void viewFromScanner();
@@ -260,6 +267,8 @@ private:
         double aspect = 1.0;
     };
     [[nodiscard]] FreeBox intoFreeArea(const Box3f& box) const;
+    [[nodiscard]] std::optional<QPointF> pixelIn(const ScreenView& view, const Eigen::Vector3f& point) const;
+    void fitPlates(const std::function<CameraPose(const FreeBox&)>& pose);
     /// The focus is in the middle of the free area.
     [[nodiscard]] CameraPose besidePlates(const CameraPose& pose) const;
     void drag(QPointF at);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace edgescan::ui {
 
@@ -23,9 +25,12 @@ ScreenView CloudView::screenView() const {
 
 std::optional<QPointF> CloudView::pixelOf(std::uint32_t cell) const {
     if (!cloud_ || !cloud_->drawable(cell)) return std::nullopt;
-    const ScreenPoint p = toScreen(screenView(), cloud_->point(cell));
-    if (!p.inside) return std::nullopt;
-    return QPointF(p.x, p.y) / devicePixelRatioF();
+    return pixelIn(screenView(), cloud_->point(cell));
+}
+
+std::optional<QPointF> CloudView::pixelIn(const ScreenView& view, const Eigen::Vector3f& point) const {
+    const ScreenPoint p = toScreen(view, point);
+    return p.inside ? std::optional(QPointF(p.x, p.y) / devicePixelRatioF()) : std::nullopt;
 }
 
 /// Only the boxes: of the cloud and its layers.
@@ -43,8 +48,26 @@ CloudGeometry CloudView::extent() const {
 void CloudView::look(const Vector3d& forward, const Vector3d& up) {
     const Box3f all = extent().mainBounds;
     if (!cloud_ || all.isEmpty()) return;
-    pose_ = lookingAt(all, forward, up, pose_, aspect());
+    const CameraPose before = pose_;
+    fitPlates([&](const FreeBox& into) { return lookingAt(into.box, forward, up, before, into.aspect); });
     asked_ = forward;
+}
+
+/// Into the whole view; if plates cover too much of the cloud then, into the part of the view between them.
+void CloudView::fitPlates(const std::function<CameraPose(const FreeBox&)>& pose) {
+    constexpr double kMostCovered = 0.07; // share of the cloud's area in the picture
+    constexpr int kPatch = 16;            // px
+    const Box3f all = extent().mainBounds;
+    pose_ = pose({all, aspect()});
+    std::set<std::pair<int, int>> seen, covered;
+    for (const Sample& each : samples()) {
+        if (!each.pixel || !QRectF(rect()).contains(*each.pixel)) continue;
+        const QPoint patch = each.pixel->toPoint() / kPatch;
+        seen.emplace(patch.x(), patch.y());
+        if (!isFree(*each.pixel)) covered.emplace(patch.x(), patch.y());
+    }
+    if (static_cast<double>(covered.size()) > kMostCovered * static_cast<double>(seen.size()))
+        pose_ = besidePlates(pose(intoFreeArea(all)));
     centre_ = pose_.focus;
     applyCamera();
 }
@@ -61,17 +84,22 @@ void CloudView::frameFromScanner(const CloudGeometry& cloud) {
     applyCamera();
 }
 
-double CloudView::shareInPicture() const {
+std::vector<CloudView::Sample> CloudView::samples() const {
     constexpr std::size_t kLooks = 2000;
-    const std::size_t cells = scan_ ? scan_->cells() : 0;
-    std::size_t all = 0, seen = 0;
-    for (std::size_t k = 0; k < cells; k += std::max<std::size_t>(1, cells / kLooks)) {
-        if (!cloud_->drawable(k)) continue;
-        ++all;
-        const auto at = pixelOf(static_cast<std::uint32_t>(k));
-        seen += at && QRectF(rect()).contains(*at) ? 1 : 0;
+    std::vector<Sample> samples;
+    const ScreenView view = screenView();
+    const std::size_t cells = cloud_ ? cloud_->cells() : 0, looks = std::min(cells, kLooks);
+    for (std::size_t n = 0; n < looks; ++n) {
+        const std::size_t k = n * cells / looks + (n * 7919) % std::max<std::size_t>(1, cells / looks); // of all columns
+        if (cloud_->drawable(k)) samples.push_back({cloud_->point(k), pixelIn(view, cloud_->point(k))});
     }
-    return all > 0 ? static_cast<double>(seen) / static_cast<double>(all) : 0.0;
+    return samples;
+}
+
+double CloudView::shareInPicture() const {
+    const std::vector<Sample> all = samples();
+    const auto seen = std::ranges::count_if(all, [&](const Sample& each) { return each.pixel && QRectF(rect()).contains(*each.pixel); });
+    return all.empty() ? 0.0 : static_cast<double>(seen) / static_cast<double>(all.size());
 }
 
 void CloudView::resetView() {
@@ -112,9 +140,8 @@ void CloudView::zoomToFit() {
     if (!cloud_ || all.isEmpty()) return;
     if (pose_.forward().isApprox(asked_, 1e-6)) return look(pose_.forward(), pose_.up);
     if (pose_.forward().isApprox(cloud_->scannerView.forward, 1e-6)) return viewFromScanner();
-    pose_ = fitted(*cloud_, all, pose_, aspect());
-    centre_ = pose_.focus;
-    applyCamera();
+    const CameraPose before = pose_;
+    fitPlates([&](const FreeBox& into) { return fitted(*cloud_, into.box, before, into.aspect); });
 }
 
 void CloudView::zoomToCells(const CellIndices& cells) {

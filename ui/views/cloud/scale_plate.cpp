@@ -156,20 +156,13 @@ void ScalePlate::follow() {
 
 /// Of some of the points in view: the middle of the view may look through a gap. Without a point in view: of the cloud's centre.
 double ScalePlate::medianDepth() const {
-    constexpr std::size_t kLooks = 2000;
     const CameraPose pose = cloud_->camera();
-    const ScreenView view = cloud_->screenView();
-    const CloudGeometry& cloud = *cloud_->geometryOfCloud();
     const auto depthOf = [&pose](const Eigen::Vector3f& at) { return pose.forward().dot(at.cast<double>() - pose.position); };
     std::vector<double> depths;
-    const std::size_t cells = cloud.cells(), looks = std::min(cells, kLooks);
-    for (std::size_t n = 0; n < looks; ++n) {
-        const std::size_t k = n * cells / looks + (n * 7919) % std::max<std::size_t>(1, cells / looks); // of all columns
-        if (!cloud.drawable(k)) continue;
-        const ScreenPoint at = toScreen(view, cloud.point(k));
-        if (at.inside && at.x >= 0.0 && at.x < view.width && at.y >= 0.0 && at.y < view.height) depths.push_back(depthOf(cloud.point(k)));
+    for (const CloudView::Sample& each : cloud_->samples()) {
+        if (each.pixel && QRectF(cloud_->rect()).contains(*each.pixel)) depths.push_back(depthOf(each.point));
     }
-    const double depth = median(std::move(depths), depthOf(cloud.mainBounds.center()));
+    const double depth = median(std::move(depths), depthOf(cloud_->geometryOfCloud()->mainBounds.center()));
     return depth > 1e-3 ? depth : pose.distance();
 }
 
