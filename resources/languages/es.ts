@@ -720,17 +720,17 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
 <message><source>click the near rock at one side</source><translation>haga clic en la roca cercana de un lado</translation></message>
 <message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
-<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clic pasó por una abertura: su superficie está %1 m detrás de la roca que la rodea.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
-<message><source>Click Again</source><translation>Hacer clic otra vez</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>No hay abertura entre estos dos clics: haga clic en la roca a ambos lados de una. Distancia mide sobre una roca.</translation></message>
+<message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic pasó por la abertura, así que se tomó el borde de delante: compruebe los dos extremos de la línea.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Más allá, esta garganta se estrecha hasta %1 m.</translation></message>
 <message><source>Measure There</source><translation>Medir allí</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
-<message><source>Throat width: the narrowest way is being searched …</source><translation>Ancho de la garganta: se busca el paso más estrecho …</translation></message>
+<message><source> · the last click went through the opening, to %1 m: the rim in front of it counts</source><translation> · el último clic pasó por la abertura, a %1 m: cuenta el borde de delante</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · el último clic tomó el objetivo %1, a %2 m</translation></message>
+<message><source>Throat width: the narrowest way is being searched …</source><translation>Ancho de la garganta: se busca el paso más estrecho …</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ El barrido continúa. Se ocultan las celdas que están allí ahora. Las líneas nuevas se muestran a cualquier distancia.</translation></message>
 <message><source>Range Gate</source><translation>Ventana de distancia</translation></message>
@@ -2058,7 +2058,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>, class %1</source><translation>, clase %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 m de ellos</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>sus extremos están como máximo a %1 m de los clics</translation></message>
-<message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ un clic está %1 m detrás de esta garganta: haga clic en la roca de cada lado</translation></message>
+<message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic pasó por esta garganta, %1 m detrás de ella: se tomó el borde de delante</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ un extremo está %1 m más lejos que el otro</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ más allá, la garganta se estrecha hasta %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>

@@ -720,17 +720,17 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
 <message><source>click the near rock at one side</source><translation>cliquez la roche proche d'un côté</translation></message>
 <message><source>click the rock at the other side</source><translation>cliquez la roche de l'autre côté</translation></message>
-<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Ce clic est passé par une ouverture : sa surface est à %1 m derrière les blocs qui l'entourent.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
-<message><source>Click Again</source><translation>Cliquer à nouveau</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Pas d'ouverture entre ces deux clics : cliquez la roche des deux côtés d'une ouverture. Distance mesure sur une roche.</translation></message>
+<message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic est passé par l'ouverture, donc le bord devant a été pris : vérifiez les deux extrémités de la ligne.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Plus loin, ce goulot se resserre à %1 m.</translation></message>
 <message><source>Measure There</source><translation>Mesurer là-bas</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
-<message><source>Throat width: the narrowest way is being searched …</source><translation>Largeur de l'étranglement : le passage le plus étroit est recherché …</translation></message>
+<message><source> · the last click went through the opening, to %1 m: the rim in front of it counts</source><translation> · le dernier clic est passé par l'ouverture, à %1 m : le bord devant compte</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · le dernier clic a pris la cible %1, à %2 m</translation></message>
+<message><source>Throat width: the narrowest way is being searched …</source><translation>Largeur de l'étranglement : le passage le plus étroit est recherché …</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ Le balayage continue. Les cellules qui s'y trouvent maintenant sont masquées. Les nouvelles lignes sont montrées à toute distance.</translation></message>
 <message><source>Range Gate</source><translation>Fenêtre de distance</translation></message>
@@ -2058,7 +2058,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>, class %1</source><translation>, type %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 m</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>ses extrémités sont à %1 m des clics au plus</translation></message>
-<message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ un clic est %1 m derrière ce goulot : cliquez la roche de chaque côté</translation></message>
+<message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic est passé par cette gorge, %1 m derrière elle : le bord devant a été pris</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ une extrémité est %1 m plus loin que l'autre</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ plus loin, le goulot se resserre à %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>

@@ -720,17 +720,17 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
 <message><source>click the near rock at one side</source><translation>clique na rocha próxima de um lado</translation></message>
 <message><source>click the rock at the other side</source><translation>clique na rocha do outro lado</translation></message>
-<message><source>This click went through an opening: its surface is %1 m behind the rock around it.</source><translation>Este clique passou por uma abertura: a superfície está %1 m atrás da rocha em volta dela.</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
-<message><source>Click Again</source><translation>Clicar de novo</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Não há abertura entre estes dois cliques: clique na rocha dos dois lados de uma. Distância mede sobre uma rocha.</translation></message>
+<message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Um clique passou pela abertura, por isso foi tomada a borda da frente: verifique as duas pontas da linha.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Mais adiante, esta garganta estreita-se até %1 m.</translation></message>
 <message><source>Measure There</source><translation>Medir ali</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
-<message><source>Throat width: the narrowest way is being searched …</source><translation>Largura da garganta: procurando a passagem mais estreita …</translation></message>
+<message><source> · the last click went through the opening, to %1 m: the rim in front of it counts</source><translation> · o último clique passou pela abertura, a %1 m: conta a borda da frente</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · o último clique tomou o alvo %1, a %2 m</translation></message>
+<message><source>Throat width: the narrowest way is being searched …</source><translation>Largura da garganta: procurando a passagem mais estreita …</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ A varredura continua. Ocultam-se as células que estão ali agora. As linhas novas são mostradas a qualquer distância.</translation></message>
 <message><source>Range Gate</source><translation>Janela de distância</translation></message>
@@ -2058,7 +2058,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>, class %1</source><translation>, classe %1</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 m deles</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>suas pontas estão a até %1 m dos cliques</translation></message>
-<message><source>▲ a click is %1 m behind this throat: click the rock at each side</source><translation>▲ um clique está %1 m atrás desta garganta: clique na rocha de cada lado</translation></message>
+<message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ um clique passou por esta garganta, %1 m atrás dela: foi tomada a borda da frente</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ uma extremidade está %1 m mais longe que a outra</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ mais adiante, a garganta estreita-se até %1 m</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>

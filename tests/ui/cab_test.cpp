@@ -325,9 +325,9 @@ private slots:
         auto* side = on.window.findChild<NumbersSide*>();
         TargetNumbers few{"Measured", "1 of 2", "1.454 m", "± 0.142", {}, {}, "ranges 6.02 / 5.53 m"}, many = few;
         many.distanceName = "Throat Width";
-        many.warned =
-            QString::fromUtf8("▲ a tap is 13.18 m behind this throat: tap the rock at each side\n▲ one end is 0.49 m farther away "
-                              "than the other\n▲ farther along, the throat narrows to 1.104 m");
+        many.warned = QString::fromUtf8(
+            "▲ a tap went through this throat, 13.18 m behind it: the rim in front was taken\n▲ one end is 0.49 m farther away "
+            "than the other\n▲ farther along, the throat narrows to 1.104 m");
         many.sizeRemark =
             "narrowest way near the two taps\ntaps 25 mm away find 1.312 to 1.481 m\nat 6.02, 5.53 m\nits ends are up to 0.35 "
             "m from the taps";

@@ -365,8 +365,8 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
     std::vector<std::string> parts;
     if (measured.kind == MeasureKind::Throat) {
         if (measured.clickBehindM > 0.0)
-            parts.push_back(
-                say("▲ a click is %1 m behind this throat: click the rock at each side", {fixedText(measured.clickBehindM, 2)}));
+            parts.push_back(say("▲ a click went through this throat, %1 m behind it: the rim in front was taken",
+                                {fixedText(measured.clickBehindM, 2)}));
         if (const double apartM = measured.endsApartM(); apartM > 0.0)
             parts.push_back(say("▲ one end is %1 m farther away than the other", {fixedText(apartM, 2)}));
         if (measured.narrowsOn()) parts.push_back(say("▲ farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)}));

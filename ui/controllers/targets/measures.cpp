@@ -29,10 +29,6 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
     return Measures::tr(inspect::traitsOf(kind).label) + ": " + all.value(static_cast<int>(picked));
 }
 
-QString throughWords(double behindM) {
-    return Measures::tr("This click went through an opening: its surface is %1 m behind the rock around it.").arg(behindM, 0, 'f', 2);
-}
-
 } // namespace
 
 Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
@@ -100,21 +96,8 @@ void Measures::pick(const inspect::MeantCell& click) {
         return;
     }
     picked_.push_back(click);
-    if (kind_ == inspect::MeasureKind::Throat) warnAboutThrough(click.cell);
     if (picked_.size() == inspect::traitsOf(*kind_).cells) keepPicked();
     show();
-}
-
-/// A throat is between rocks, and a click often goes through it.
-void Measures::warnAboutThrough(std::uint32_t cell) {
-    const double behindM = inspect::seenThroughM(*views_.shown()->detection->scan, cell);
-    if (behindM <= 0.0) return;
-    notice_.showHint(throughWords(behindM));
-    if (picked_.size() < inspect::traitsOf(*kind_).cells)
-        notice_.offer(tr("Click Again"), [this] {
-            notice_.endPassing();
-            removeLastPick();
-        });
 }
 
 void Measures::keepPicked() {
@@ -149,7 +132,8 @@ void Measures::offerNarrower() {
     if (found == known.measures.end()) return;
     newThroat_.reset();
     if (!found->second || !isOnScreen(*known.picture)) return;
-    if (found->second->clickBehindM > 0.0) return notice_.showHint(throughWords(found->second->clickBehindM)); // the ends may be others
+    if (found->second->clickBehindM > 0.0) // the ends may be others
+        return notice_.showHint(tr("A click went through the opening, so the rim in front of it was taken: check both ends of the line."));
     if (!found->second->narrowsOn()) return;
     notice_.showHint(tr("Farther along, this throat narrows to %1 m.").arg(found->second->narrowerM, 0, 'f', 3));
     notice_.offer(tr("Measure There"), [this, of = known.picture, ends = found->second->narrowerEnds] {
@@ -169,6 +153,17 @@ void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells,
                              .arg(measured->behindM, 0, 'f', 2));
 }
 
+/// A side that is far behind the throat that was meant shows by its range.
+QString Measures::lastClickWords() const {
+    const std::uint32_t cell = picked_.back().cell;
+    const Scan& scan = *views_.shown()->detection->scan;
+    const QString away = QString::number(scan.rangeMm[cell] / 1000.0, 'f', 2), target = targets_.nameAt(cell);
+    if (kind_ == inspect::MeasureKind::Throat && inspect::seenThroughM(scan, cell) > 0.0)
+        return tr(" · the last click went through the opening, to %1 m: the rim in front of it counts").arg(away);
+    return target.isEmpty() ? tr(" · the last click is at %1 m").arg(away)
+                            : tr(" · the last click took target %1, at %2 m").arg(target, away);
+}
+
 void Measures::show() {
     if (!kind_) return;
     MeasureMark draft;
@@ -183,13 +178,9 @@ void Measures::show() {
     targets_.showDraft(draft);
     QString words = throats_.behind() ? tr("Throat width: the narrowest way is being searched …") : wordsFor(*kind_, picked_.size());
     if (views_.flipped())
-        words = LinkedViews::onlyOfB();            // no number of B over A
-    else if (!picked_.empty() && views_.shown()) { // a side that is far behind the throat that was meant shows by its range
-        const QString target = targets_.nameAt(picked_.back().cell);
-        const QString away = QString::number(views_.shown()->detection->scan->rangeMm[picked_.back().cell] / 1000.0, 'f', 2);
-        words += target.isEmpty() ? tr(" · the last click is at %1 m").arg(away)
-                                  : tr(" · the last click took target %1, at %2 m").arg(target, away);
-    }
+        words = LinkedViews::onlyOfB(); // no number of B over A
+    else if (!picked_.empty() && views_.shown())
+        words += lastClickWords();
     emit asked(words);
 }
 

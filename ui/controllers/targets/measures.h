@@ -51,7 +51,7 @@ private:
         std::vector<std::uint32_t> clicked;
     };
     void pick(const inspect::MeantCell& click);
-    void warnAboutThrough(std::uint32_t cell);
+    [[nodiscard]] QString lastClickWords() const;
     void keepPicked();
     void takeThroat(const ThroatAsked& asked, const Throat& found);
     [[nodiscard]] bool isOnScreen(const Picture& of) const;

@@ -296,7 +296,7 @@ TEST(Throat, WarnsOfAClickBehindItAndOfEndsOfDifferentDepth) {
     EXPECT_FALSE(onRock.isWarned()) << measureBasis(onRock);
     EXPECT_NEAR(through.clickBehindM, 4.0, 0.2);
     EXPECT_TRUE(through.isWarned());
-    EXPECT_NE(measureBasis(through).find("m behind this throat: click the rock at each side"), std::string::npos) << measureBasis(through);
+    EXPECT_NE(measureBasis(through).find("m behind it: the rim in front was taken"), std::string::npos) << measureBasis(through);
     EXPECT_NEAR(oblique.endsApartM(), 0.6, 0.1);
     EXPECT_TRUE(oblique.isWarned());
     EXPECT_NE(measureBasis(oblique).find("farther away than the other"), std::string::npos) << measureBasis(oblique);
