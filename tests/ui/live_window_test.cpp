@@ -140,6 +140,20 @@ private slots:
         QCOMPARE(port->text(), QString("2112"));
     }
 
+    // Also when the scan on the screen is read again, as without its pose.
+    void theRowOfTheAddressStaysWhileAScanOpens() {
+        WindowFixture on;
+        QVERIFY(on.show());
+        LivePanel& panel = on.viewer.live.panel();
+        panel.askAddress();
+        QVERIFY(on.open(bell_));
+        QVERIFY(panel.isVisible() && panel.findChild<QLineEdit*>("live-host")->isVisible());
+        panel.toggleAddress();
+        QVERIFY(!panel.isVisible());
+        QVERIFY(on.open(bell_));
+        QVERIFY(!panel.isVisible());
+    }
+
     // A robot's bridge: the port is that of the field or of the address, the topics are listed with what they give, and one is chosen.
     void theTopicsOfARobotAreListedAndChosen() {
         auto lines = scanner::bridgeSweepOf(scan_);

@@ -116,9 +116,10 @@ std::string notesPicture(const edges::Detection& detection, const RangeNoise& no
     }
     std::size_t leftOut = 0;
     const std::string numbers = pictureNumbers(width, height, texts, leftOut, lines);
-    const std::string caption =
-        "The targets by their numbers, and what was measured. Black is near, or nothing came back." +
-        (leftOut == 0 ? "" : " " + std::to_string(leftOut) + " values have no room in the picture; the table has all.");
+    const std::string caption = "The targets by their numbers, and what was measured. Black is near, or nothing came back." +
+                                (leftOut == 0 ? ""
+                                              : " " + std::to_string(leftOut) + (leftOut == 1 ? " value has" : " values have") +
+                                                    " no room in the picture; the table has all.");
     return numberedFigure(grayPicture(detection, mostPixels), "Targets and measures on gray levels", numbers, caption);
 }
 

@@ -115,14 +115,11 @@ void Rocks::judgeEdit() {
     const QString apart = merges ? apartWords(edits_.back().cells, *before, *picture_) : QString(); // names the merged rock too
     const QString result = apart.isEmpty() ? editWords(judgedKind_, *before, *picture_) : apart;
     const QString words = QStringList{result, changeWords(changes, *picture_)}.join(' ').trimmed();
-    if (!apart.isEmpty()) {
-        notice_.showNotice(NoticeBar::Kind::Warning, words);
-        if (isNewestStep()) notice_.offerUndo(undo_);
-        return;
-    }
-    if (!changes.lost.empty()) return notice_.showHint(words); // until the next step, which may be its undo
     if (words.isEmpty()) return;
-    notice_.showNotice(NoticeBar::Kind::Done, words);
+    if (apart.isEmpty() && !changes.lost.empty())
+        notice_.showHint(words); // until the next step, which may be its undo
+    else
+        notice_.showNotice(apart.isEmpty() ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, words);
     if (isNewestStep()) notice_.offerUndo(undo_);
 }
 

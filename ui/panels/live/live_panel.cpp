@@ -250,7 +250,7 @@ void LivePanel::forgetScanner() {
     strip_->hide();
     scanner_->setText(QString());
     scanner_->setToolTip(QString());
-    hide();
+    if (!asking_) hide(); // else the operator opened it for another address
 }
 
 void LivePanel::setBrief(bool on) {
