@@ -633,7 +633,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Edits of rocks are not stored: %1</source><translation>Las ediciones de las rocas no se guardan: %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: haga clic en la parte que es otra roca (rueda: menor o mayor)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace una línea sobre las rocas, o haga clic en la que pertenece a la roca seleccionada</translation></message>
-<message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace una línea donde termina la roca</translation></message>
+<message><source>Cut: drag a line through the rock, or click both its ends</source><translation>Cortar: trace una línea a través de la roca, o haga clic en sus dos extremos</translation></message>
 <message><source>Region: drag a line around it</source><translation>Región: trace una línea alrededor</translation></message>
 <message><source>the whole piece as it is</source><translation>el trozo entero tal como está</translation></message>
 <message><source>a click splits it off</source><translation>un clic lo separa</translation></message>
@@ -647,8 +647,9 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Las rocas aún se están calculando: divida de nuevo cuando estén aquí.</translation></message>
 <message><source>split of a rock</source><translation>división de una roca</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>No se dividió nada: esta roca es de un solo trozo y nada distingue sus partes. Cortar a lo largo de una línea la divide donde usted dibuje.</translation></message>
+<message><source>Click the other end of the line, past the other side of the rock.</source><translation>Haga clic en el otro extremo de la línea, más allá del otro lado de la roca.</translation></message>
 <message><source>cut of a rock</source><translation>corte de una roca</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro.</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro. Cada parte necesita %1 celdas.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
@@ -1186,8 +1187,9 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Una parte de la roca %1 (%2 celdas) no se muestra como roca: </translation></message>
 <message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>es menor que «Roca más pequeña» (%1 celdas). Baje ese número para verla.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fuera de la región de interés. Borre la región para verla.</translation></message>
-<message><source>its confidence is %1, and a rock needs %2. Click it and press N to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y pulse N para mostrarla.</translation></message>
-<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press N to show it.</source><translation>parece una pared, o está más allá de «Roca más lejana» (%1 m). Haga clic en ella y pulse N para mostrarla.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>su confianza es %1, y una roca necesita %2. Haga clic en ella y elija «No es roca, o sí lo es» para mostrarla.</translation></message>
+<message><source>it is behind “Farthest rock” (%1 m). Raise that number to see it.</source><translation>está más allá de «Roca más lejana» (%1 m). Suba ese número para verla.</translation></message>
+<message><source>it looks like a wall. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>parece una pared. Haga clic en ella y elija «No es roca, o sí lo es» para mostrarla.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionadas: las rocas %1 son ahora la roca %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: la roca %1 es ahora las rocas %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 es ahora %2</translation></message>

@@ -633,7 +633,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Edits of rocks are not stored: %1</source><translation>Les modifications des blocs ne sont pas enregistrées : %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Scinder : cliquez sur la partie qui est un autre bloc (molette : plus petite ou plus grande)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Joindre : tracez une ligne à travers les blocs, ou cliquez celui qui va avec le bloc sélectionné</translation></message>
-<message><source>Cut: drag a line where the rock ends</source><translation>Couper : tracez une ligne là où le bloc finit</translation></message>
+<message><source>Cut: drag a line through the rock, or click both its ends</source><translation>Couper : tracez une ligne à travers le bloc, ou cliquez ses deux bouts</translation></message>
 <message><source>Region: drag a line around it</source><translation>Région : tracez une ligne autour</translation></message>
 <message><source>the whole piece as it is</source><translation>le morceau entier tel quel</translation></message>
 <message><source>a click splits it off</source><translation>un clic le sépare</translation></message>
@@ -647,8 +647,9 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>Les blocs sont encore en cours de calcul : scindez à nouveau quand ils seront là.</translation></message>
 <message><source>split of a rock</source><translation>scission d'un bloc</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>Rien n'a été scindé : ce bloc est d'un seul morceau, rien n'y distingue des parties. Couper le long d'une ligne le scinde là où vous dessinez.</translation></message>
+<message><source>Click the other end of the line, past the other side of the rock.</source><translation>Cliquez l'autre bout de la ligne, au-delà de l'autre côté du bloc.</translation></message>
 <message><source>cut of a rock</source><translation>coupe d'un bloc</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre.</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre. Chaque partie doit avoir %1 cellules.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
@@ -1186,8 +1187,9 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Une partie du bloc %1 (%2 cellules) n'est pas montrée comme bloc : </translation></message>
 <message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>elle est plus petite que « Plus petit bloc » (%1 cellules). Baissez ce nombre pour la voir.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>elle est hors de la zone d'intérêt. Effacez la zone pour la voir.</translation></message>
-<message><source>its confidence is %1, and a rock needs %2. Click it and press N to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et appuyez sur N pour la montrer.</translation></message>
-<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press N to show it.</source><translation>elle ressemble à une paroi, ou elle est au-delà de « Bloc le plus éloigné » (%1 m). Cliquez-la et appuyez sur N pour la montrer.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>sa confiance est %1, et il faut %2 pour un bloc. Cliquez-la et choisissez « Pas un bloc, ou un bloc tout de même » pour la montrer.</translation></message>
+<message><source>it is behind “Farthest rock” (%1 m). Raise that number to see it.</source><translation>elle est au-delà de « Bloc le plus éloigné » (%1 m). Augmentez ce nombre pour la voir.</translation></message>
+<message><source>it looks like a wall. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>elle ressemble à une paroi. Cliquez-la et choisissez « Pas un bloc, ou un bloc tout de même » pour la montrer.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Fusionnés : les blocs %1 sont maintenant le bloc %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Divisé : le bloc %1 est maintenant les blocs %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 est maintenant %2</translation></message>

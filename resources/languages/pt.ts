@@ -633,7 +633,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Edits of rocks are not stored: %1</source><translation>As edições das rochas não são guardadas: %1</translation></message>
 <message><source>Split: click the part that is a rock of its own (wheel: smaller or larger)</source><translation>Dividir: clique na parte que é outra rocha (roda: menor ou maior)</translation></message>
 <message><source>Join: drag a line across the rocks, or click the one that belongs to the selected rock</source><translation>Unir: trace uma linha sobre as rochas, ou clique na que pertence à rocha selecionada</translation></message>
-<message><source>Cut: drag a line where the rock ends</source><translation>Cortar: trace uma linha onde a rocha termina</translation></message>
+<message><source>Cut: drag a line through the rock, or click both its ends</source><translation>Cortar: trace uma linha através da rocha, ou clique nas suas duas pontas</translation></message>
 <message><source>Region: drag a line around it</source><translation>Região: trace uma linha em volta</translation></message>
 <message><source>the whole piece as it is</source><translation>o pedaço inteiro como está</translation></message>
 <message><source>a click splits it off</source><translation>um clique o separa</translation></message>
@@ -647,8 +647,9 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The rocks are still being computed: split again when they are here.</source><translation>As rochas ainda estão sendo calculadas: divida de novo quando estiverem aqui.</translation></message>
 <message><source>split of a rock</source><translation>divisão de uma rocha</translation></message>
 <message><source>Nothing was split: this rock is one piece without a line that separates parts. Cut along a Line splits it where you draw.</source><translation>Nada foi dividido: esta rocha é um só pedaço e nada distingue as suas partes. Cortar ao longo de uma linha divide-a onde você desenhar.</translation></message>
+<message><source>Click the other end of the line, past the other side of the rock.</source><translation>Clique na outra ponta da linha, além do outro lado da rocha.</translation></message>
 <message><source>cut of a rock</source><translation>corte de uma rocha</translation></message>
-<message><source>Nothing was cut: draw the line through a rock, from one side to the other.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro.</translation></message>
+<message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro. Cada parte precisa de %1 células.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
@@ -1186,8 +1187,9 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>A part of rock %1 (%2 cells) is not shown as a rock: </source><translation>Uma parte da rocha %1 (%2 células) não é mostrada como rocha: </translation></message>
 <message><source>it is smaller than “Smallest rock” (%1 cells). Lower that number to see it.</source><translation>é menor que “Menor rocha” (%1 células). Diminua esse número para vê-la.</translation></message>
 <message><source>it is outside the region of interest. Clear the region to see it.</source><translation>está fora da região de interesse. Apague a região para vê-la.</translation></message>
-<message><source>its confidence is %1, and a rock needs %2. Click it and press N to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e pressione N para mostrá-la.</translation></message>
-<message><source>it looks like a wall, or it is behind “Farthest rock” (%1 m). Click it and press N to show it.</source><translation>parece uma parede, ou está além de “Rocha mais distante” (%1 m). Clique nela e pressione N para mostrá-la.</translation></message>
+<message><source>its confidence is %1, and a rock needs %2. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>a sua confiança é %1, e uma rocha precisa de %2. Clique nela e escolha “Não é rocha, ou é sim” para mostrá-la.</translation></message>
+<message><source>it is behind “Farthest rock” (%1 m). Raise that number to see it.</source><translation>está além de “Rocha mais distante” (%1 m). Aumente esse número para vê-la.</translation></message>
+<message><source>it looks like a wall. Click it and choose “Not a Rock, or a Rock Again” to show it.</source><translation>parece uma parede. Clique nela e escolha “Não é rocha, ou é sim” para mostrá-la.</translation></message>
 <message><source>Merged: rocks %1 are rock %2 now.</source><translation>Mescladas: as rochas %1 são agora a rocha %2.</translation></message>
 <message><source>Split: rock %1 is now rocks %2.</source><translation>Dividida: a rocha %1 agora é as rochas %2.</translation></message>
 <message><source>%1 is now %2</source><translation>%1 agora é %2</translation></message>

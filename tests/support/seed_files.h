@@ -201,11 +201,8 @@ inline std::string smallRockFile() {
     rocks::Preset preset;
     preset.settings.emplace();
     preset.settings->region = {{0, 0}, {5, 9}};
-    preset.edits = {{EditKind::Join, {3, 17, 30}},
-                    {EditKind::Part, {1, 40}},
-                    {EditKind::Cut, {2, 13, 24}},
-                    {EditKind::Rock, {7}},
-                    {EditKind::NotRock, {65}}};
+    preset.edits = {{EditKind::Join, {3, 17, 30}}, {EditKind::Part, {1, 40}}, {EditKind::Cut, {2, 13, 24}},
+                    {EditKind::Rock, {7}},         {EditKind::NotRock, {65}}, {EditKind::Whole, {5, 19}}};
     preset.sha256 = std::string(64, 'a');
     return rocks::rockPresetText(preset, 6, 11);
 }

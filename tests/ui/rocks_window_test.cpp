@@ -858,7 +858,9 @@ private slots:
             on.viewer.views.click(inspect::exactly(wall));
             QVERIFY(settled(on));
             const QString text = on.viewer.notice.text();
-            QVERIFY2(text.contains("is not shown as a rock: ") && text.contains("Click it and press N to show it."), qPrintable(text));
+            QVERIFY2(text.contains("is not shown as a rock: ") &&
+                         text.contains("Click it and choose “Not a Rock, or a Rock Again” to show it."),
+                     qPrintable(text));
             return;
         }
     }
@@ -1223,6 +1225,24 @@ private slots:
         on.viewer.undo.undo();
         QVERIFY(settled(on));
         QVERIFY(picture(on).labels == before);
+
+        // Two clicks are the ends of the same line; the first one is no step, and no click pins.
+        QTest::keyClick(&on.window, Qt::Key_X);
+        const QPoint oneEnd = pixelOf(view, {std::max(0, left - 3), middle.y()}),
+                     otherEnd = pixelOf(view, {std::min(before.beams - 1, right + 3), middle.y()});
+        const int steps = on.viewer.undo.index();
+        const std::size_t targets = on.viewer.targets.notebook().targets.size();
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, oneEnd);
+        QVERIFY(on.viewer.rocks.tool() == RockTool::Cut && on.viewer.undo.index() == steps);
+        QVERIFY2(on.viewer.notice.text().startsWith("Click the other end"), qPrintable(on.viewer.notice.text()));
+        QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, otherEnd);
+        QVERIFY(settled(on));
+        QVERIFY(on.viewer.rocks.tool() == RockTool::None && on.viewer.undo.index() == steps + 1);
+        QCOMPARE(on.viewer.targets.notebook().targets.size(), targets);
+        QVERIFY(picture(on).regionAt(over) != picture(on).regionAt(under) && picture(on).labels[over] != 0 &&
+                picture(on).labels[under] != 0);
+        on.viewer.undo.undo();
+        QVERIFY(settled(on));
 
         // Esc leaves the tool, and a drag pans again.
         QTest::keyClick(&on.window, Qt::Key_X);

@@ -120,11 +120,11 @@ private:
 double Rock::apartM() const { return apart.empty() ? 0.0 : std::ranges::max(apart, {}, &PartDistance::distanceM).distanceM; }
 
 void addPartDistances(const Segmentation& segments, const RegionMap& map, std::span<const Edit> edits, std::vector<Rock>& rocks) {
-    const std::vector<std::uint8_t> joined = joinedRocks(segments, map, edits);
+    std::vector<Edit> joins, others;
+    for (const Edit& edit : edits) (edit.kind == EditKind::Join ? joins : others).push_back(edit);
+    const std::vector<std::uint8_t> joined = joinedRocks(segments, map, joins);
     if (std::ranges::find(joined, 1) == joined.end()) return;
-    std::vector<SegmentPair> pairs = pairsOf(segments, edits);
-    std::erase_if(pairs, [](const SegmentPair& pair) { return pair.joined; });
-    const MergeTree apart = mergeTree(segments.count(), segments.borders, pairs);
+    const MergeTree apart = mergeTree(segments.count(), segments.borders, pairsOf(segments, others));
     const PartDistances finder(segments, groupsAt(apart, segments.count(), map.settings.level));
     const CellsByRock cells = cellsByRock(segments, map, [&](std::uint32_t label) { return joined[label] == 0; });
     for (Rock& rock : rocks) {

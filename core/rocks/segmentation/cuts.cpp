@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 namespace edgescan::rocks {
 namespace {
@@ -69,6 +70,24 @@ void giveBack(const CellLinks& links, const std::vector<std::size_t>& taken, con
     }
 }
 
+// Cuts the basins like the segments that were made of them; a cell that went to another segment follows its neighbours.
+void cutBasins(const CellLinks& links, const std::vector<std::uint8_t>& isCut, const Grid<std::uint32_t>& before,
+               const Grid<std::uint32_t>& after, Grid<std::uint32_t>& basins) {
+    Grid<std::uint32_t> piece(basins.lines, basins.beams);
+    std::vector<std::size_t> moved;
+    for (std::size_t k = 0; k < basins.size(); ++k) {
+        if (isCut[basins[k]] == 0) continue;
+        if (before[k] == basins[k])
+            piece[k] = after[k];
+        else
+            moved.push_back(k);
+    }
+    giveBack(links, moved, basins, piece);
+    for (std::size_t k = 0; k < basins.size(); ++k) {
+        if (piece[k] != kNoSegment) basins[k] = piece[k];
+    }
+}
+
 } // namespace
 
 std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams) {
@@ -81,45 +100,44 @@ std::vector<std::uint32_t> strokeCells(const CutLine& line, int lines, int beams
     return cells;
 }
 
-void cutSegments(const CellLinks& links, std::span<const CutLine> cuts, Grid<std::uint32_t>& segment) {
+std::uint32_t cutSegments(const CellLinks& links, const CutLine& cut, std::uint32_t count, Grid<std::uint32_t>& segment,
+                          Grid<std::uint32_t>* basins) {
     std::vector<std::size_t> taken;
     Grid<std::uint8_t> isTaken(segment.lines, segment.beams);
-    for (const CutLine& cut : cuts) {
-        for (const LineCell& cell : cellsOf(cut, segment.lines, segment.beams)) {
-            const std::size_t k = segment.index(cell.line, cell.beam);
-            if (segment[k] == kNoSegment || isTaken[k] != 0) continue;
-            isTaken[k] = 1;
-            taken.push_back(k);
-        }
+    std::vector<std::uint8_t> isCut(static_cast<std::size_t>(count) + 1);
+    for (const std::uint32_t k : strokeCells(cut, segment.lines, segment.beams)) {
+        if (segment[k] == kNoSegment || std::exchange(isTaken[k], std::uint8_t{1}) != 0) continue;
+        taken.push_back(k);
+        isCut[segment[k]] = 1;
     }
-    if (taken.empty()) return;
-    std::vector<std::uint8_t> isCut(segment.size() + 1);
-    for (const std::size_t k : taken) isCut[segment[k]] = 1;
-    // Pieces of the crossed segments; all other segments are unchanged.
+    if (taken.empty()) return count;
     const auto beams = static_cast<std::size_t>(segment.beams);
     JoinedGroups groups(segment.size());
     const auto join = [&](std::size_t k, std::size_t next, bool linked) {
         if (linked && segment[k] == segment[next] && isTaken[k] == 0 && isTaken[next] == 0)
             groups.join(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(next));
     };
+    std::vector<std::size_t> crossed; // the cells of the segments that are cut
     for (std::size_t k = 0; k < segment.size(); ++k) {
-        if (segment[k] == kNoSegment || isCut[segment[k]] == 0) continue;
+        if (isCut[segment[k]] == 0) continue;
+        crossed.push_back(k);
         if (k % beams + 1 < beams) join(k, k + 1, links.toNextBeam(k));
         if (k + beams < segment.size()) join(k, k + beams, links.toNextLine(k));
     }
     Grid<std::uint32_t> piece(segment.lines, segment.beams);
-    std::vector<std::uint32_t> someCell(segment.size() + 1, UINT32_MAX); // one cell of each unchanged segment
-    for (std::uint32_t k = 0; k < segment.size(); ++k) {
-        if (segment[k] == kNoSegment || isTaken[k] != 0) continue;
-        if (isCut[segment[k]] == 0 && someCell[segment[k]] == UINT32_MAX) someCell[segment[k]] = k;
-        piece[k] = (isCut[segment[k]] == 0 ? someCell[segment[k]] : groups.of(k)) + 1;
-    }
+    for (const std::size_t k : crossed) piece[k] = isTaken[k] != 0 ? kNoSegment : groups.of(static_cast<std::uint32_t>(k)) + 1;
     giveBack(links, taken, segment, piece);
-    for (const std::size_t k : taken) {
-        if (piece[k] == kNoSegment) piece[k] = static_cast<std::uint32_t>(k) + 1; // a segment that consists only of stroke cells
+    std::vector<std::uint32_t> name(segment.size() + 1, kNoSegment), kept(isCut.size(), kNoSegment);
+    Grid<std::uint32_t> after = segment;
+    for (const std::size_t k : crossed) {
+        if (piece[k] == kNoSegment) piece[k] = static_cast<std::uint32_t>(k) + 1; // a part that consists only of stroke cells
+        std::uint32_t& of = name[piece[k]];
+        if (of == kNoSegment) of = std::exchange(kept[segment[k]], 1) == kNoSegment ? segment[k] : ++count;
+        after[k] = of;
     }
-    segment = std::move(piece);
-    numberByFirstCell(segment);
+    if (basins != nullptr) cutBasins(links, isCut, segment, after, *basins);
+    segment = std::move(after);
+    return count;
 }
 
 std::vector<SegmentPair> segmentsAcross(const Grid<std::uint32_t>& segment, std::span<const SegmentBorder> borders,

@@ -121,6 +121,7 @@ private:
             const auto keepsThemApart = [&](const SegmentPair& other) {
                 const std::uint32_t c = joined.of(other.a);
                 const std::uint32_t d = joined.of(other.b);
+                if (!other.joined && other.b == kNoSegment) return a == c || b == c;
                 return !other.joined && ((a == c && b == d) || (a == d && b == c));
             };
             if (a == b || (pair->joined && std::any_of(taken.begin(), taken.end(), keepsThemApart))) continue;
@@ -128,11 +129,15 @@ private:
             taken.push_back(*pair);
         }
         for (const SegmentPair& pair : taken) {
-            if (!pair.joined) keepApart(pair.a, pair.b);
+            if (!pair.joined && pair.b != kNoSegment) keepApart(pair.a, pair.b);
         }
         std::reverse(taken.begin(), taken.end());
         for (const SegmentPair& pair : taken) {
             if (pair.joined && groups_.of(pair.a) != groups_.of(pair.b)) join(pair.a, pair.b, -std::numeric_limits<double>::infinity());
+        }
+        for (const SegmentPair& pair : taken) {
+            if (pair.joined || pair.b != kNoSegment) continue;
+            for (const auto& [neighbour, n] : of_[groups_.of(pair.a)]) borders_[n].apart = true;
         }
     }
 

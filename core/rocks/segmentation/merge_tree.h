@@ -25,8 +25,8 @@ struct MergeTree {
 
 /// A person's decision about two segments. Of two contradicting decisions the later one is valid.
 struct SegmentPair {
-    std::uint32_t a = 0, b = 0;
-    bool joined = false; ///< true: one rock; false: separate at every level
+    std::uint32_t a = 0, b = 0; ///< b = 0, not joined: `a`, with what other pairs join to it, is separate from all other segments
+    bool joined = false;        ///< true: one rock; false: separate at every level
 };
 
 /// Repeatedly merges at the border with the lowest mean log odds; ties are broken by smaller segment numbers. Joined pairs come first, at

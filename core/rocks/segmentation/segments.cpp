@@ -118,12 +118,12 @@ std::vector<SegmentRun> runsAlongLines(const Grid<std::uint32_t>& segment) {
 
 } // namespace
 
-FittedSegments fittedSegments(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
+FittedSegments fittedSegments(const Inputs& inputs) {
     FittedSegments fitted;
     const InverseRange& inverse = inputs.surface->inverse;
     const CellLinks links{inverse.support, *inputs.cracks};
-    fitted.segment = segmentBasins(barrierDistance(inputs), links);
-    cutSegments(links, cuts, fitted.segment);
+    fitted.basins = segmentBasins(barrierDistance(inputs), links);
+    fitted.segment = fitted.basins;
     fitted.borders = segmentBorders(inputs, fitted.segment);
     fitted.count = lastSegment(fitted.segment);
     refineSegments(inverse, *inputs.cracks, inputs.responses->noise, mostDeviations(inputs.surface->steps), fitted.segment, fitted.count);
@@ -131,8 +131,11 @@ FittedSegments fittedSegments(const Inputs& inputs, std::span<const std::vector<
 }
 
 Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts) {
-    FittedSegments fitted = fittedSegments(inputs, cuts);
+    FittedSegments fitted = fittedSegments(inputs);
     chooseBorders(inputs, settledGroups(fitted.borders, fitted.count), learnedBorders(), kBorderPasses, fitted.segment);
+    const CellLinks links{inputs.surface->inverse.support, *inputs.cracks};
+    for (const CutLine& cut : cuts) fitted.count = cutSegments(links, cut, fitted.count, fitted.segment, &fitted.basins);
+    if (!cuts.empty()) fitted.borders = segmentBorders(inputs, fitted.basins);
     Segmentation segments;
     segments.inputs = inputs;
     segments.segment = std::move(fitted.segment);

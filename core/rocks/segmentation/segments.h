@@ -75,7 +75,7 @@ struct SegmentRun {
 /// The segments and everything else that does not depend on the level. Immutable after construction.
 struct Segmentation {
     Inputs inputs;
-    Grid<std::uint32_t> segment;        ///< lines x beams: kOpen, or the segment from 1 on; numbered by first cells
+    Grid<std::uint32_t> segment; ///< lines x beams: kOpen, or the segment from 1 on; numbered by first cells, parts of cut ones behind
     std::vector<SegmentBorder> borders; ///< ascending by (a, b)
     std::vector<SegmentSums> sums;      ///< by segment; that of kOpen is empty
     std::vector<SegmentRun> beamRuns;   ///< by line, then beam
@@ -89,13 +89,15 @@ struct Segmentation {
 
 /// The segments before the network of borders decides (core/rocks/segmentation/border_choice.h).
 struct FittedSegments {
+    Grid<std::uint32_t> basins; ///< before their borders were refined: `borders` belong to them
     Grid<std::uint32_t> segment;
     std::vector<SegmentBorder> borders;
     std::uint32_t count = 0;
 };
-[[nodiscard]] FittedSegments fittedSegments(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts = {});
+[[nodiscard]] FittedSegments fittedSegments(const Inputs& inputs);
 
-/// Steps 2 to 4 and 6. `cuts`: strokes along which segments are cut, each a list of cells (core/rocks/segmentation/cuts.h).
+/// Steps 2 to 4 and 6. `cuts`: strokes along which the finished segments are cut, one after the other, each a list of cells
+/// (core/rocks/segmentation/cuts.h). What they do not cross is the same as without them.
 [[nodiscard]] Segmentation segmentRocks(const Inputs& inputs, std::span<const std::vector<std::uint32_t>> cuts = {});
 
 } // namespace edgescan::rocks

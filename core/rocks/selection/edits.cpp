@@ -38,14 +38,27 @@ std::vector<CutLine> cutsOf(std::span<const Edit> edits) {
 
 std::vector<SegmentPair> pairsOf(const Segmentation& segments, std::span<const Edit> edits) {
     std::vector<SegmentPair> pairs;
+    std::vector<std::uint8_t> whole(segments.sums.size(), 0);
     for (const Edit& edit : edits) {
-        if (edit.kind == EditKind::Cut) {
+        for (const std::uint32_t k : edit.cells) whole[segmentAt(segments, k)] |= edit.kind == EditKind::Whole ? 1 : 0;
+    }
+    whole[kNoSegment] = 0;
+    // The sides of such a cut are separate, and next to its ends nothing is.
+    const auto isInWhole = [&](const CutLine& cut) {
+        const std::vector<std::uint32_t> cells = strokeCells(cut, segments.segment.lines, segments.segment.beams);
+        return std::ranges::any_of(cells, [&](std::uint32_t k) { return whole[segments.segment[k]] != 0; });
+    };
+    for (const Edit& edit : edits) {
+        if (edit.kind == EditKind::Cut && !isInWhole(edit.cells)) {
             const std::vector<SegmentPair> across = segmentsAcross(segments.segment, segments.borders, std::span(&edit.cells, 1));
             pairs.insert(pairs.end(), across.begin(), across.end());
         }
-        if (edit.kind != EditKind::Join && edit.kind != EditKind::Part) continue;
+        // Older joins are refused only after the pieces of the rock are joined: the last pair comes first.
+        if (edit.kind == EditKind::Whole && segmentAt(segments, edit.cells[0]) != kNoSegment)
+            pairs.push_back({segmentAt(segments, edit.cells[0]), kNoSegment, false});
+        if (edit.kind != EditKind::Join && edit.kind != EditKind::Part && edit.kind != EditKind::Whole) continue;
         for (std::size_t n = 1; n < edit.cells.size(); ++n) {
-            const SegmentPair pair{segmentAt(segments, edit.cells[0]), segmentAt(segments, edit.cells[n]), edit.kind == EditKind::Join};
+            const SegmentPair pair{segmentAt(segments, edit.cells[0]), segmentAt(segments, edit.cells[n]), edit.kind != EditKind::Part};
             if (pair.a != kNoSegment && pair.b != kNoSegment && pair.a != pair.b) pairs.push_back(pair);
         }
     }
@@ -59,10 +72,9 @@ std::vector<RockCall> rockCallsOf(const Segmentation& segments, std::span<const 
             const std::uint32_t first = segmentAt(segments, edit.cells.front()), last = segmentAt(segments, edit.cells.back());
             if (first != kNoSegment && last != kNoSegment && first != last) called.push_back({first, true, last});
         }
-        if (edit.kind != EditKind::Rock && edit.kind != EditKind::NotRock) continue;
-        for (const std::uint32_t k : edit.cells) {
-            if (segmentAt(segments, k) != kNoSegment) called.push_back({segmentAt(segments, k), edit.kind == EditKind::Rock});
-        }
+        if (edit.kind != EditKind::Rock && edit.kind != EditKind::NotRock && edit.kind != EditKind::Whole) continue;
+        const std::uint32_t segment = segmentAt(segments, edit.cells.front());
+        if (segment != kNoSegment) called.push_back({segment, edit.kind != EditKind::NotRock});
     }
     return called;
 }
@@ -87,6 +99,16 @@ std::optional<Edit> joinOf(const Segmentation& segments, const RegionMap& map, s
     addFirstCells(others, firstCells(segments), join);
     join.cells.push_back(last);
     return join;
+}
+
+std::vector<std::uint32_t> middleCells(const Grid<std::uint32_t>& segment, std::size_t segments) {
+    std::vector<std::uint32_t> cells(segments, 0), middle(segments, UINT32_MAX);
+    for (const std::uint32_t n : segment.cells) ++cells[n];
+    for (std::uint32_t& left : cells) left = left / 2 + 1;
+    for (std::uint32_t k = 0; k < segment.size(); ++k) {
+        if (segment[k] != kNoSegment && --cells[segment[k]] == 0) middle[segment[k]] = k;
+    }
+    return middle;
 }
 
 std::optional<Edit> joinOfSegments(const Segmentation& segments, std::span<const std::uint32_t> group) {

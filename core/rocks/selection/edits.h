@@ -22,17 +22,18 @@ enum class EditKind : std::uint8_t {
     Cut,     ///< a stroke through these cells: pieces are cut along it, and its two sides are never one rock
     Rock,    ///< the region at this cell is a rock
     NotRock, ///< it is not a rock
+    Whole,   ///< the pieces at these cells are one rock, at every level: nothing else belongs to it
 };
 
 /// Cells are given by index k = line * beams + beam, never by the number of a region.
 struct Edit {
     EditKind kind = EditKind::Join;
-    std::vector<std::uint32_t> cells = {}; ///< number of cells: Join 2 or more; Part 2; Cut 2 or more; Rock, NotRock 1
+    std::vector<std::uint32_t> cells = {}; ///< number of cells: Join 2 or more; Part 2; Cut 2 or more; Rock, NotRock 1; Whole 1 or more
 
     bool operator==(const Edit&) const = default;
 };
 
-/// "join", "part", "cut", "rock", "not_rock".
+/// "join", "part", "cut", "rock", "not_rock", "whole".
 [[nodiscard]] const char* rockEditName(EditKind kind);
 
 /// The strokes among the edits.
@@ -48,6 +49,9 @@ struct Edit {
 
 /// These segments are one rock; it names the first cell of each. Empty for fewer than two segments with a cell.
 [[nodiscard]] std::optional<Edit> joinOfSegments(const Segmentation& segments, std::span<const std::uint32_t> group);
+
+/// A cell in the middle of each segment, by segment; UINT32_MAX: it has no cell.
+[[nodiscard]] std::vector<std::uint32_t> middleCells(const Grid<std::uint32_t>& segment, std::size_t segments);
 
 /// Smaller pieces are not useful as rocks.
 inline constexpr std::uint32_t kFewestSplit = 50;

@@ -21,7 +21,7 @@ struct EditRow {
 constexpr std::array kEdits{
     EditRow{EditKind::Join, "join", 2, kMostCells}, EditRow{EditKind::Part, "part", 2, 2},
     EditRow{EditKind::Cut, "cut", 2, kMostCells},   EditRow{EditKind::Rock, "rock", 1, 1},
-    EditRow{EditKind::NotRock, "not_rock", 1, 1},
+    EditRow{EditKind::NotRock, "not_rock", 1, 1},   EditRow{EditKind::Whole, "whole", 1, kMostCells},
 };
 
 using Json = nlohmann::json;
@@ -38,7 +38,7 @@ std::string read(const Json& object, int lines, int beams, Edit& edit) {
     if (!object.is_object() || object.size() != 2 || !object.contains("kind") || !object.contains("cells"))
         return "is not {\"kind\": ..., \"cells\": ...}";
     const auto row = std::find_if(kEdits.begin(), kEdits.end(), [&](const EditRow& r) { return object["kind"] == r.name; });
-    if (row == kEdits.end()) return "has a kind that is not join, part, cut, rock or not_rock";
+    if (row == kEdits.end()) return "has a kind that is not join, part, cut, rock, not_rock or whole";
     edit.kind = row->kind;
     const Json& cells = object["cells"];
     if (!cells.is_array() || cells.size() < row->fewest || cells.size() > row->most) return "has too few or too many cells for its kind";

@@ -1,10 +1,13 @@
 // Converts strokes and wheel turns to edits.
 #include "core/rocks/selection/strokes.h"
 
+#include "core/rocks/segmentation/basins.h"
 #include "core/rocks/segmentation/equal_runs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <map>
 
 namespace edgescan::rocks {
 namespace {
@@ -39,11 +42,170 @@ std::optional<Edit> joinAlong(const Segmentation& segments, const RegionMap& map
     return joinOf(segments, map, middles);
 }
 
-std::optional<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke) {
-    const std::vector<std::uint32_t> regions =
-        regionsAlong(segments, map, strokeCells(stroke, segments.segment.lines, segments.segment.beams));
-    if (std::ranges::all_of(regions, [](std::uint32_t region) { return region == 0; })) return std::nullopt;
-    return Edit{EditKind::Cut, stroke};
+namespace {
+
+/// The cells of the line in the region, each run of them with up to `reach` cells of the line before and behind it.
+std::vector<CutLine> runsIn(std::uint32_t region, std::span<const std::uint32_t> regions, std::span<const std::uint32_t> cells,
+                            std::size_t reach) {
+    std::vector<CutLine> runs;
+    eachEqualRun(regions, [&](std::uint32_t of, std::size_t begin, std::size_t end) {
+        if (of != region) return;
+        const auto from = static_cast<std::ptrdiff_t>(begin - std::min(begin, reach));
+        CutLine run(cells.begin() + from, cells.begin() + static_cast<std::ptrdiff_t>(std::min(end + reach, cells.size())));
+        if (run.size() == 1) run.push_back(run.front());
+        runs.push_back(std::move(run));
+    });
+    return runs;
+}
+
+struct Middle {
+    double lines = 0.0, beams = 0.0, cells = 0.0; // sums
+    void add(std::size_t k, int width) {
+        lines += static_cast<double>(k / static_cast<std::size_t>(width));
+        beams += static_cast<double>(k % static_cast<std::size_t>(width));
+        cells += 1.0;
+    }
+    [[nodiscard]] double apart(const Middle& other) const {
+        return std::hypot(lines / cells - other.lines / other.cells, beams / cells - other.beams / other.cells);
+    }
+};
+
+/// A region on the sides of runs of a line.
+class DividedRegion {
+public:
+    /// `before`: the segments, cut already in the regions that were divided before, and their number.
+    DividedRegion(const Segmentation& segments, const RegionMap& map, std::uint32_t region, std::span<const CutLine> runs,
+                  const Grid<std::uint32_t>& before, std::uint32_t count)
+        : after_(before), inside_(before.lines, before.beams), onLine_(inside_), parts_(before.size()), count_(count) {
+        const CellLinks links{segments.inputs.surface->inverse.support, *segments.inputs.cracks};
+        for (const CutLine& run : runs) {
+            count_ = cutSegments(links, run, count_, after_);
+            for (const std::uint32_t k : run) onLine_[k] = 1;
+        }
+        for (std::size_t k = 0; k < after_.size(); ++k) {
+            inside_[k] = map.regionOfSegment[segments.segment[k]] == region ? 1 : 0;
+            cutsOthers_ = cutsOthers_ || (inside_[k] == 0 && after_[k] != before[k]);
+        }
+    }
+
+    [[nodiscard]] const Grid<std::uint32_t>& segment() const { return after_; }
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+    [[nodiscard]] bool cutsOthers() const { return cutsOthers_; }
+
+    /// A cell of each segment of each part; fewer than two parts: it is not divided.
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> parts() {
+        findSides();
+        if (sides_.size() < 2) return {};
+        // A segment belongs to the side with most of its cells.
+        std::vector<std::vector<std::uint32_t>> votes(sides_.size(), std::vector<std::uint32_t>(static_cast<std::size_t>(count_) + 1));
+        std::vector<Middle> middleOf(votes.front().size());
+        Grid<std::uint32_t> offLine(after_.lines, after_.beams);
+        for (std::size_t k = 0; k < after_.size(); ++k) {
+            if (inside_[k] == 0 || after_[k] == kNoSegment) continue;
+            middleOf[after_[k]].add(k, after_.beams);
+            if (onLine_[k] != 0) continue;
+            offLine[k] = after_[k];
+            ++votes[sideOf(k)][after_[k]];
+        }
+        const std::vector<std::uint32_t> clear = middleCells(offLine, middleOf.size()), any = middleCells(after_, middleOf.size());
+        std::vector<std::vector<std::uint32_t>> cells(sides_.size());
+        for (std::uint32_t n = 1; n < middleOf.size(); ++n) {
+            if (middleOf[n].cells == 0.0) continue;
+            const auto most = std::ranges::max_element(votes, {}, [&](const auto& of) { return of[n]; });
+            const std::size_t side = (*most)[n] > 0 ? static_cast<std::size_t>(most - votes.begin()) : nearestSide(middleOf[n]);
+            cells[side].push_back(clear[n] != UINT32_MAX ? clear[n] : any[n]);
+        }
+        std::erase_if(cells, [](const auto& side) { return side.empty(); });
+        return cells;
+    }
+
+private:
+    /// Connected cells next to the line, 50 or more of them.
+    void findSides() {
+        const auto beams = static_cast<std::size_t>(after_.beams);
+        const auto counts = [&](std::size_t k) { return inside_[k] != 0 && onLine_[k] == 0; };
+        for (std::size_t k = 0; k < after_.size(); ++k) {
+            if (!counts(k)) continue;
+            if (k % beams + 1 < beams && counts(k + 1)) parts_.join(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k + 1));
+            if (k + beams < after_.size() && counts(k + beams))
+                parts_.join(static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k + beams));
+        }
+        std::map<std::uint32_t, bool> atLine;
+        for (std::size_t k = 0; k < after_.size(); ++k) {
+            if (!counts(k)) continue;
+            const std::uint32_t of = parts_.of(static_cast<std::uint32_t>(k));
+            middles_[of].add(k, after_.beams);
+            atLine[of] = atLine[of] || isAtLine(k);
+        }
+        for (const auto& [of, middle] : middles_) {
+            if (!atLine[of] || middle.cells < kFewestSplit) continue;
+            sides_.push_back(middle);
+            names_.push_back(of);
+        }
+    }
+
+    [[nodiscard]] bool isAtLine(std::size_t k) const {
+        const int line = static_cast<int>(k) / after_.beams, beam = static_cast<int>(k) % after_.beams;
+        for (int i = line - 1; i <= line + 1; ++i) {
+            for (int j = beam - 1; j <= beam + 1; ++j) {
+                if (after_.contains(i, j) && onLine_.at(i, j) != 0 && inside_.at(i, j) != 0) return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] std::size_t nearestSide(const Middle& middle) const {
+        return static_cast<std::size_t>(std::ranges::min_element(sides_, {}, [&](const Middle& side) { return side.apart(middle); }) -
+                                        sides_.begin());
+    }
+
+    [[nodiscard]] std::size_t sideOf(std::size_t k) {
+        const std::uint32_t of = parts_.of(static_cast<std::uint32_t>(k));
+        const auto name = std::ranges::find(names_, of);
+        return name != names_.end() ? static_cast<std::size_t>(name - names_.begin()) : nearestSide(middles_[of]);
+    }
+
+    Grid<std::uint32_t> after_;
+    Grid<std::uint8_t> inside_, onLine_;
+    JoinedGroups parts_;
+    std::map<std::uint32_t, Middle> middles_; // of connected cells
+    std::vector<Middle> sides_;
+    std::vector<std::uint32_t> names_;
+    std::uint32_t count_;
+    bool cutsOthers_ = false;
+};
+
+} // namespace
+
+std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke) {
+    constexpr std::size_t kReach = 4; // past the outline, which other settings move by a cell or two
+    const std::vector<std::uint32_t> cells = strokeCells(stroke, segments.segment.lines, segments.segment.beams);
+    const std::vector<std::uint32_t> regions = regionsAlong(segments, map, cells);
+    std::vector<std::uint32_t> crossed = regions;
+    std::ranges::sort(crossed);
+    crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+    std::erase(crossed, 0U);
+    if (crossed.empty()) return {};
+    if (crossed.front() > map.rocks) return {Edit{EditKind::Cut, stroke}};
+    std::vector<Edit> edits;
+    Grid<std::uint32_t> segment = segments.segment;
+    std::uint32_t count = segments.count();
+    for (const std::uint32_t region : crossed) {
+        if (region > map.rocks) break;
+        for (const std::size_t reach : {kReach, std::size_t{0}}) {
+            const std::vector<CutLine> runs = runsIn(region, regions, cells, reach);
+            DividedRegion divided(segments, map, region, runs, segment, count);
+            if (divided.cutsOthers()) continue;
+            std::vector<std::vector<std::uint32_t>> sides = divided.parts();
+            if (sides.size() < 2) break;
+            for (const CutLine& run : runs) edits.push_back({EditKind::Cut, run});
+            for (std::vector<std::uint32_t>& side : sides) edits.push_back({EditKind::Whole, std::move(side)});
+            segment = divided.segment();
+            count = divided.count();
+            break;
+        }
+    }
+    return edits;
 }
 
 namespace {

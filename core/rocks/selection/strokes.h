@@ -14,8 +14,10 @@ namespace edgescan::rocks {
 /// Empty if the line crosses fewer than two regions.
 [[nodiscard]] std::optional<Edit> joinAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke);
 
-/// A line along which pieces are cut. Empty if the line is outside of all regions.
-[[nodiscard]] std::optional<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke);
+/// A line that divides each rock which it crosses from side to side: the edits make its parts rocks of their own, and no cell of another
+/// region changes. A part has kFewestSplit cells or more. A line that is in no rock cuts the other regions that it crosses. Empty if it
+/// divides nothing.
+[[nodiscard]] std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke);
 
 /// The pieces that the wheel steps through at a cell: those around it with 50 or more cells, and its region at the current level. Where
 /// edits joined the region, the part at the cell as it was before is one of them, and smaller pieces are those of that part.

@@ -30,7 +30,7 @@ QString promptOf(RockTool tool) {
     case RockTool::Join:
         return Rocks::tr("Join: drag a line across the rocks, or click the one that belongs to the selected rock");
     case RockTool::Cut:
-        return Rocks::tr("Cut: drag a line where the rock ends");
+        return Rocks::tr("Cut: drag a line through the rock, or click both its ends");
     case RockTool::Region:
         return Rocks::tr("Region: drag a line around it");
     }
@@ -42,6 +42,7 @@ void Rocks::useTool(RockTool tool) {
     if (tool != RockTool::None && views_.tool() != Tool::Pin) views_.setTool(Tool::Pin); // one tool at a time
     const RockTool before = std::exchange(tool_, tool);
     if (before != tool) {
+        cutFrom_.reset();
         drag_.want(wantedBy(tool));
         views_.setPinsOnClick(tool == RockTool::None); // a click of a tool changes rocks and no target
         views_.setTrail({});
@@ -124,7 +125,21 @@ void Rocks::splitAt(std::size_t cell) {
     pushEdits(stepName("split of a rock"), std::move(edits), rocks::EditKind::Part);
 }
 
-void Rocks::takeStroke(const std::vector<QPoint>& cells) {
+/// Two clicks are the ends of a straight line, as of a measurement. False: this click was the first one.
+bool Rocks::completesCut(std::vector<QPoint>& cells) {
+    constexpr std::size_t kMostOfClick = 2; // cells that a hand may touch
+    if (tool_ != RockTool::Cut || cells.empty() || cells.size() > kMostOfClick) return true;
+    if (!cutFrom_) {
+        cutFrom_ = cells.front();
+        notice_.showHint(tr("Click the other end of the line, past the other side of the rock."));
+        return false;
+    }
+    cells = {*cutFrom_, cells.back()};
+    return true;
+}
+
+void Rocks::takeStroke(std::vector<QPoint> cells) {
+    if (!completesCut(cells)) return;
     const RockTool tool = tool_;
     useTool(RockTool::None);
     if (!picture_) return;
@@ -135,9 +150,12 @@ void Rocks::takeStroke(const std::vector<QPoint>& cells) {
     const rocks::Study& study = picture_->study;
     if (tool == RockTool::Join) takeJoin(stroke);
     if (tool == RockTool::Cut) {
-        auto cut = stroke.size() < 2 ? std::nullopt : rocks::cutAlong(*study.segmentation, study.map, stroke);
-        if (cut) return push(stepName("cut of a rock"), std::move(*cut));
-        notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other."));
+        const auto cut = stroke.size() < 2 ? std::vector<rocks::Edit>() : rocks::cutAlong(*study.segmentation, study.map, stroke);
+        std::vector<rocks::Edit> edits = edits_;
+        edits.insert(edits.end(), cut.begin(), cut.end());
+        if (!cut.empty()) return pushEdits(stepName("cut of a rock"), std::move(edits), rocks::EditKind::Cut);
+        notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.")
+                             .arg(rocks::kFewestSplit));
     }
 }
 

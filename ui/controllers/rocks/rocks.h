@@ -147,7 +147,8 @@ private:
     void judgeEdit();
     [[nodiscard]] bool isNewestStep() const;
     void takePreset(const rocks::Preset& preset);
-    void takeStroke(const std::vector<QPoint>& cells);
+    [[nodiscard]] bool completesCut(std::vector<QPoint>& cells);
+    void takeStroke(std::vector<QPoint> cells);
     void takeJoin(const rocks::CutLine& stroke);
     void takeRegion(const std::vector<QPoint>& cells);
     void choosePieceAt(std::size_t cell);
@@ -180,6 +181,7 @@ private:
     bool largestWanted_ = false; // as soon as the rocks are known
     std::optional<std::size_t> pinned_;
     // For the split tool: the cell under the mouse, and the outlined segment around it.
+    std::optional<QPoint> cutFrom_; // the first click of a line of two
     std::shared_ptr<const RockPicture> familyPicture_;
     std::size_t familyCell_ = 0;
     rocks::WheelPieces family_;
