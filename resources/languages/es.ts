@@ -652,6 +652,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>No se cortó nada: trace la línea a través de una roca, de un lado al otro. Cada parte necesita %1 celdas.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>No se unió nada: trace la línea de una roca a la siguiente, por encima de la grieta.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Todavía no hay región: trace la línea alrededor de lo que cuenta, en una de las imágenes.</translation></message>
+<message><source>the rock could not be cut (%1); close other programs.</source><translation>no se pudo cortar la roca (%1); cierre otros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>no se pudieron calcular las rocas (%1); cierre otros programas o abra un escaneo más pequeño.</translation></message>
 <message><source>▲ up to line %1 of %2</source><translation>▲ hasta la línea %1 de %2</translation></message>
 <message><source>▲ up to line %1</source><translation>▲ hasta la línea %1</translation></message>

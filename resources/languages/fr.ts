@@ -652,6 +652,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Rien n'a été coupé : tracez la ligne à travers un bloc, d'un côté à l'autre. Chaque partie doit avoir %1 cellules.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Rien n'a été joint : tracez la ligne d'un bloc au suivant, par-dessus la fissure.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Il n'y a pas encore de région : tracez la ligne autour de ce qui compte, dans l'une des images.</translation></message>
+<message><source>the rock could not be cut (%1); close other programs.</source><translation>le bloc n'a pas pu être coupé (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>les blocs n'ont pas pu être calculés (%1) ; fermez d'autres programmes ou ouvrez un scan plus petit.</translation></message>
 <message><source>▲ up to line %1 of %2</source><translation>▲ jusqu'à la ligne %1 sur %2</translation></message>
 <message><source>▲ up to line %1</source><translation>▲ jusqu'à la ligne %1</translation></message>

@@ -652,6 +652,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.</source><translation>Nada foi cortado: trace a linha através de uma rocha, de um lado ao outro. Cada parte precisa de %1 células.</translation></message>
 <message><source>Nothing was joined: draw the line from one rock over the crack into the next.</source><translation>Nada foi unido: trace a linha de uma rocha até a seguinte, por cima da fenda.</translation></message>
 <message><source>There is no region yet: draw the line round what counts, in one of the images.</source><translation>Ainda não há região: trace a linha em volta do que conta, em uma das imagens.</translation></message>
+<message><source>the rock could not be cut (%1); close other programs.</source><translation>não foi possível cortar a rocha (%1); feche outros programas.</translation></message>
 <message><source>the rocks could not be computed (%1); close other programs or open a smaller scan.</source><translation>não foi possível calcular as rochas (%1); feche outros programas ou abra uma varredura menor.</translation></message>
 <message><source>▲ up to line %1 of %2</source><translation>▲ até a linha %1 de %2</translation></message>
 <message><source>▲ up to line %1</source><translation>▲ até a linha %1</translation></message>

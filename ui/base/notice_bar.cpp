@@ -272,6 +272,11 @@ void NoticeBar::leave() {
     emit left(QRect(mapToGlobal(QPoint()), size())); // another note may be there now
     if (kind_ == Kind::Done || passes_) return endPassing();
     bringBack(); // the warning is among the earlier ones then
+    // A press that is on its way is for the note of before.
+    for (QToolButton* each : findChildren<QToolButton*>()) each->setEnabled(false);
+    QTimer::singleShot(kTouchedMs, this, [this] {
+        for (QToolButton* each : findChildren<QToolButton*>()) each->setEnabled(true);
+    });
 }
 
 void NoticeBar::unfold(bool on) {

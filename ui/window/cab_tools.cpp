@@ -307,7 +307,8 @@ TargetNumbers CabMode::numbers() const {
     addPlace(values, cell.probe);
     if (const QString clicked = targets.clickOf(*target); clicked.contains("▲")) values.warned = clicked.mid(clicked.indexOf("▲"));
     for (const TargetRow& row : targetRows(cell, around)) {
-        if (row.name == QObject::tr("Surface") || row.name == QObject::tr("Resolves")) values.rows.emplace_back(row.name, row.value);
+        if (QStringList{QObject::tr("Surface"), QObject::tr("Resolves"), QObject::tr("Edge")}.contains(row.name))
+            values.rows.emplace_back(row.name, row.value);
     }
     return values;
 }

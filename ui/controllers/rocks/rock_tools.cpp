@@ -147,16 +147,17 @@ void Rocks::takeStroke(std::vector<QPoint> cells) {
     rocks::CutLine stroke;
     for (const QPoint& cell : cells) stroke.push_back(static_cast<std::uint32_t>(picture_->labels.index(cell.y(), cell.x())));
     if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that grew meanwhile
-    const rocks::Study& study = picture_->study;
     if (tool == RockTool::Join) takeJoin(stroke);
-    if (tool == RockTool::Cut) {
-        const auto cut = stroke.size() < 2 ? std::vector<rocks::Edit>() : rocks::cutAlong(*study.segmentation, study.map, stroke);
-        std::vector<rocks::Edit> edits = edits_;
-        edits.insert(edits.end(), cut.begin(), cut.end());
-        if (!cut.empty()) return pushEdits(stepName("cut of a rock"), std::move(edits), rocks::EditKind::Cut);
-        notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.")
-                             .arg(rocks::kFewestSplit));
-    }
+    if (tool == RockTool::Cut) cutter_.ask({picture_, std::move(stroke), stream_});
+}
+
+void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) {
+    if (asked.stream != stream_) return; // the cells are of another scan
+    std::vector<rocks::Edit> edits = edits_;
+    edits.insert(edits.end(), cut.begin(), cut.end());
+    if (!cut.empty()) return pushEdits(stepName("cut of a rock"), std::move(edits), rocks::EditKind::Cut);
+    notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.")
+                         .arg(rocks::kFewestSplit));
 }
 
 void Rocks::takeJoin(const rocks::CutLine& stroke) {

@@ -31,7 +31,14 @@ bool severalWanted() { return QGuiApplication::keyboardModifiers().testFlag(Qt::
 Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& table, NoticeBar& notice, Preferences& preferences,
              QUndoStack& undo)
     : engine_(engine), views_(views), panel_(panel), table_(table), notice_(notice), preferences_(preferences), undo_(undo),
-      drag_(views, this), tip_(views), sidecar_(this) {
+      drag_(views, this), tip_(views), sidecar_(this),
+      cutter_(
+          Urgency::Now,
+          [](const CutAsked& asked) { return rocks::cutAlong(*asked.of->study.segmentation, asked.of->study.map, asked.line); },
+          [this](const CutAsked& asked, const auto& cut) { takeCut(asked, *cut); },
+          [this](const QString& what) {
+              notice_.showNotice(NoticeBar::Kind::Error, tr("the rock could not be cut (%1); close other programs.").arg(what));
+          }) {
     nextOfSweep_.setSingleShot(true);
     nextOfSweep_.setInterval(kBetweenSweepsMs);
     connect(&nextOfSweep_, &QTimer::timeout, this, &Rocks::followPicture);
@@ -116,7 +123,9 @@ void Rocks::forget() {
 
 bool Rocks::ofAnotherPicture() const { return !picture_ || !engine_.picture() || picture_->detection != engine_.picture()->detection; }
 
-bool Rocks::behind() const { return on_ && engine_.picture() != nullptr && (sidecar_.reading() || finder_.behind() || ofAnotherPicture()); }
+bool Rocks::behind() const {
+    return on_ && engine_.picture() != nullptr && (sidecar_.reading() || finder_.behind() || cutter_.behind() || ofAnotherPicture());
+}
 
 void Rocks::followPicture() {
     const std::shared_ptr<const Picture>& shown = engine_.picture();

@@ -6,6 +6,7 @@
 #include "ui/controllers/rocks/rock_sidecar.h"
 #include "ui/engine/linked_views/cell_drag.h"
 #include "ui/engine/linked_views/pointer_tip.h"
+#include "ui/engine/worker_bridge/derived.h"
 #include "ui/engine/worker_bridge/engine.h"
 #include "ui/panels/rocks/rock_finder.h"
 
@@ -147,8 +148,14 @@ private:
     void judgeEdit();
     [[nodiscard]] bool isNewestStep() const;
     void takePreset(const rocks::Preset& preset);
+    struct CutAsked {
+        std::shared_ptr<const RockPicture> of;
+        rocks::CutLine line;
+        std::uint64_t stream = 0;
+    };
     [[nodiscard]] bool completesCut(std::vector<QPoint>& cells);
     void takeStroke(std::vector<QPoint> cells);
+    void takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut);
     void takeJoin(const rocks::CutLine& stroke);
     void takeRegion(const std::vector<QPoint>& cells);
     void choosePieceAt(std::size_t cell);
@@ -180,8 +187,8 @@ private:
     RockNames targets_;
     bool largestWanted_ = false; // as soon as the rocks are known
     std::optional<std::size_t> pinned_;
-    // For the split tool: the cell under the mouse, and the outlined segment around it.
     std::optional<QPoint> cutFrom_; // the first click of a line of two
+    // For the split tool: the cell under the mouse, and the outlined segment around it.
     std::shared_ptr<const RockPicture> familyPicture_;
     std::size_t familyCell_ = 0;
     rocks::WheelPieces family_;
@@ -195,6 +202,7 @@ private:
     QElapsedTimer sinceTurn_;
     QTimer nextOfSweep_; // a growing sweep is processed once a second
     RockFinder finder_;
+    Derived<CutAsked, std::vector<rocks::Edit>> cutter_; // last
 };
 
 } // namespace edgescan::ui

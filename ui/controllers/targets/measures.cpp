@@ -137,7 +137,7 @@ void Measures::offerNarrower() {
     if (!found->second->narrowsOn()) return;
     notice_.showHint(tr("Farther along, this throat narrows to %1 m.").arg(found->second->narrowerM, 0, 'f', 3));
     notice_.offer(tr("Measure There"), [this, of = known.picture, ends = found->second->narrowerEnds] {
-        if (isOnScreen(*of)) keep(inspect::MeasureKind::Throat, {ends.begin(), ends.end()}, {});
+        if (isOnScreen(*of)) throats_.ask({of, {ends.begin(), ends.end()}}); // as two clicks there: it may be narrower still
     });
 }
 

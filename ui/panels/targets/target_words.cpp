@@ -5,6 +5,7 @@
 #include "core/base/tolerance_text.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
 #include "core/edges/edgescan_plus/edgescan_plus.h"
+#include "core/edges/explain/why.h"
 #include "core/edges/pipeline/detection.h"
 #include "ui/base/core_words.h"
 #include "ui/base/shown_text.h"
@@ -94,7 +95,7 @@ TargetRow cellRow(const inspect::CellTarget& target) {
 
 TargetRow edgeRow(const inspect::CellTarget& target) {
     QString value = edgeText(target);
-    if (target.strength) value += QObject::tr(", strength %1").arg(fixed(*target.strength, 2));
+    if (target.strength) value += QObject::tr(", strength %1").arg(shownText(edges::strengthNumber(*target.strength)));
     return {QObject::tr("Edge"), value, QObject::tr("Strength 1 is at the threshold; Why says more")};
 }
 
