@@ -787,7 +787,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Target %1</source><translation>Objetivo %1</translation></message>
 <message><source>removal of all targets</source><translation>supresión de todos los objetivos</translation></message>
 <message><source>Targets %1</source><translation>Objetivos %1</translation></message>
-<message><source>Locked targets stay: %1.</source><translation>Quedan objetivos bloqueados: %1.</translation></message>
+<message><source>1 locked target stays.</source><translation>Queda 1 objetivo bloqueado.</translation></message>
+<message><source>%1 locked targets stay.</source><translation>Quedan %1 objetivos bloqueados.</translation></message>
 <message><source>lock of target %1</source><translation>bloqueo del objetivo %1</translation></message>
 <message><source>unlocking of target %1</source><translation>desbloqueo del objetivo %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Esto no se guardó: hay %1 mediciones, primero quite algunas.</translation></message>
@@ -1270,6 +1271,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Puntos de borde, en verde: %1.</translation></message>
+<message><source>▲ %1 outside</source><translation>▲ %1 fuera</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 puntos quedan fuera: Encuadrar los muestra</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>

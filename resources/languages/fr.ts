@@ -787,7 +787,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Target %1</source><translation>Cible %1</translation></message>
 <message><source>removal of all targets</source><translation>suppression de toutes les cibles</translation></message>
 <message><source>Targets %1</source><translation>Cibles %1</translation></message>
-<message><source>Locked targets stay: %1.</source><translation>Des cibles verrouillées restent : %1.</translation></message>
+<message><source>1 locked target stays.</source><translation>1 cible verrouillée reste.</translation></message>
+<message><source>%1 locked targets stay.</source><translation>%1 cibles verrouillées restent.</translation></message>
 <message><source>lock of target %1</source><translation>verrouillage de la cible %1</translation></message>
 <message><source>unlocking of target %1</source><translation>déverrouillage de la cible %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Ceci n'a pas été enregistré : il y a %1 mesures, supprimez-en d'abord quelques-unes.</translation></message>
@@ -1270,6 +1271,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Points d'arête, en vert : %1.</translation></message>
+<message><source>▲ %1 outside</source><translation>▲ %1 dehors</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 points sont en dehors : Ajuster les montre</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>

@@ -787,7 +787,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Target %1</source><translation>Alvo %1</translation></message>
 <message><source>removal of all targets</source><translation>remoção de todos os alvos</translation></message>
 <message><source>Targets %1</source><translation>Alvos %1</translation></message>
-<message><source>Locked targets stay: %1.</source><translation>Ficam alvos bloqueados: %1.</translation></message>
+<message><source>1 locked target stays.</source><translation>Fica 1 alvo bloqueado.</translation></message>
+<message><source>%1 locked targets stay.</source><translation>Ficam %1 alvos bloqueados.</translation></message>
 <message><source>lock of target %1</source><translation>bloqueio do alvo %1</translation></message>
 <message><source>unlocking of target %1</source><translation>desbloqueio do alvo %1</translation></message>
 <message><source>This was not stored: there are %1 measurements, remove some first.</source><translation>Isto não foi guardado: há %1 medições, primeiro remova algumas.</translation></message>
@@ -1270,6 +1271,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Pontos de borda, em verde: %1.</translation></message>
+<message><source>▲ %1 outside</source><translation>▲ %1 fora</translation></message>
 <message><source>%1 points are outside: Fit shows them</source><translation>%1 pontos estão fora: Enquadrar os mostra</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>

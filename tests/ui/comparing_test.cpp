@@ -29,6 +29,7 @@
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QTimer>
 #include <QToolButton>
 #include <QToolTip>
@@ -668,6 +669,14 @@ private slots:
         QTest::mouseClick(on.viewer.notice.findChild<QAbstractButton*>("notice-action"), Qt::LeftButton); // Undo
         QVERIFY(on.viewer.comparing.pictureA() != nullptr && legend.isVisible());
         on.viewer.undo.redo();
+        // The next comparison shows what changed, whatever the one before showed at its end.
+        QVERIFY(keepByKey(on));
+        on.viewer.comparing.setDifferenceShown(false);
+        QTest::mouseClick(legend.findChild<QToolButton*>("change-end"), Qt::LeftButton);
+        QSignalSpy difference(&on.viewer.comparing, &Comparing::differenceShownChanged);
+        QVERIFY(keepByKey(on));
+        QCOMPARE(difference.count(), 1);
+        QVERIFY(difference.front().front().toBool());
         // The button of the menu has no frame as under the pointer after its menu.
         auto* button = tool(on.window, "tool-compare");
         QCursor::setPos(on.window.mapToGlobal(QPoint(5, 5)));

@@ -203,7 +203,7 @@ private slots:
         on.viewer.live.scanner().disconnectScanner();
         on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "another note");
         on.viewer.notice.findChild<QTimer*>("notice-leaves")->setInterval(1);
-        QTRY_VERIFY2(open->isVisible() && open->text() == "Open", qPrintable(on.viewer.notice.text()));
+        QTRY_VERIFY2(open->isVisible() && open->isEnabled() && open->text() == "Open", qPrintable(on.viewer.notice.text()));
         QTest::mouseClick(open, Qt::LeftButton);
         QTRY_VERIFY(on.viewer.live.timeline().active());
         QVERIFY(on.settled());

@@ -432,8 +432,11 @@ private slots:
         const std::vector<double> largestFirst = column(2);
         QVERIFY(std::is_sorted(largestFirst.rbegin(), largestFirst.rend()));
         for (int n = 0; n < table->model()->columnCount(); ++n) {
+            table->scrollToBottom();
+            QVERIFY(table->verticalScrollBar()->value() > 0);
             QTest::mouseClick(table->horizontalHeader()->viewport(), Qt::LeftButton, Qt::NoModifier,
                               QPoint(table->horizontalHeader()->sectionViewportPosition(n) + 5, 5));
+            QTRY_COMPARE(table->verticalScrollBar()->value(), 0); // the first row of the new order
             const bool up = table->horizontalHeader()->sortIndicatorOrder() == Qt::AscendingOrder;
             const QString head = table->model()->headerData(n, Qt::Horizontal).toString();
             if (n != 2) QCOMPARE(up, head.startsWith("Rock") || head.startsWith("distance")); // of sizes the largest first

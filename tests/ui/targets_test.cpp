@@ -531,7 +531,8 @@ private slots:
         card.QDialog::show();
         QVERIFY(QTest::qWaitForWindowExposed(&card));
         const auto* outside = card.findChild<QLabel*>("section-outside");
-        QTRY_COMPARE(outside->text(), QString("101 points are outside: Fit shows them"));
+        QTRY_COMPARE(outside->text(), QString::fromUtf8("▲ 101 outside"));
+        QCOMPARE(outside->toolTip(), QString("101 points are outside: Fit shows them"));
         QVERIFY(!card.plot().geometry().intersects(outside->geometry()));
         QCOMPARE(card.words(), QString("Vertical plane."));
         QTest::mouseClick(card.findChild<QPushButton*>("section-fit"), Qt::LeftButton);

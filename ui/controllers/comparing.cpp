@@ -149,7 +149,10 @@ void Comparing::push(const QString& what, const std::shared_ptr<const Picture>& 
         bool some;
         std::optional<inspect::EarlierScan> from;
     };
-    if (after) emit begun();
+    if (after) {
+        setDifferenceShown(true); // a comparison begins with it
+        emit begun();
+    }
     undo_.push(
         new UndoStep<State>(what, {pictureA_, pictureA_ != nullptr, earlier_}, {after, after != nullptr, from}, [this](const State& state) {
             const auto picture = state.picture.lock();

@@ -221,7 +221,10 @@ void Targets::removeAll() {
     std::erase_if(after.targets, [](const inspect::PinnedTarget& target) { return !target.locked; });
     const std::size_t locked = after.targets.size();
     change(stepName("removal of all targets"), std::move(after));
-    notice_.showRemoved(undo_, tr("Targets %1").arg(names.join(", ")), locked > 0 ? tr("Locked targets stay: %1.").arg(locked) : QString());
+    notice_.showRemoved(undo_, tr("Targets %1").arg(names.join(", ")),
+                        locked == 0   ? QString()
+                        : locked == 1 ? tr("1 locked target stays.")
+                                      : tr("%1 locked targets stay.").arg(locked));
 }
 
 void Targets::lock(int number, bool on) {

@@ -51,6 +51,7 @@ RockTable::RockTable(QWidget* parent)
     }
     connectNumbers();
     table_->sortByColumn(kSizeColumn, Qt::DescendingOrder);
+    connect(table_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, table_, &QTableView::scrollToTop, Qt::QueuedConnection);
     table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     table_->viewport()->installEventFilter(this);
 

@@ -73,8 +73,8 @@ void SectionCard::showView() {
     words_->setText(edges > 0 ? tr("Edge points, green: %1.").arg(countText(edges)) + ' ' + about_ : about_);
     words_->setMinimumHeight(std::max(words_->minimumHeight(), words_->heightForWidth(words_->width())));
     const std::size_t count = plot_->outside();
-    outside_->setText(count > 0 ? tr("%1 points are outside: Fit shows them").arg(countText(count)) : QString());
-    outside_->setToolTip(outside_->text());
+    outside_->setText(count > 0 ? tr("▲ %1 outside").arg(countText(count)) : QString());
+    outside_->setToolTip(count > 0 ? tr("%1 points are outside: Fit shows them").arg(countText(count)) : QString());
 }
 
 QString SectionCard::words() const { return words_->text(); }

@@ -23,10 +23,10 @@ constexpr const char* kDistanceRow = "Distance";
 
 QString distanceWords(const inspect::CellTarget& target) { return (distanceText(target) + " " + toleranceText(target)).trimmed(); }
 
-// The value of the row when the target was set, if it differs now; both as stored.
+// The value of the row when the target was set, if there was one ("▲ no pose" is not one) and it differs now; both as stored.
 QString wasOf(const inspect::PinnedTarget& pinned, const std::pair<std::string, std::string>& now) {
     const auto row = std::ranges::find(pinned.asPinned, now.first, &std::pair<std::string, std::string>::first);
-    if (row == pinned.asPinned.end() || row->second == now.second) return {};
+    if (row == pinned.asPinned.end() || row->second == now.second || exactText(row->second).startsWith("▲")) return {};
     return TargetCard::tr("was %1").arg(shownName(exactText(row->second)));
 }
 
