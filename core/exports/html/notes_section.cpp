@@ -5,6 +5,7 @@
 #include "core/base/tolerance_text.h"
 #include "core/containers/png/png.h"
 #include "core/edges/edgescan_plus/edge_class_names.h"
+#include "core/edges/explain/why.h"
 #include "core/exports/html/html.h"
 #include "core/exports/html/numbered_picture.h"
 #include "core/exports/html/scan_pictures.h"
@@ -42,7 +43,7 @@ std::string dipText(const inspect::CellTarget& target) {
 /// In the words of the card.
 std::string edgeText(const inspect::CellTarget& target) {
     return edges::edgeLabel(target.probe.edge, target.probe.kind) +
-           (target.strength ? ", strength " + fixedText(*target.strength, 2) : std::string());
+           (target.strength ? ", strength " + edges::strengthNumber(*target.strength) : std::string());
 }
 
 /// Where the cell is by the pose that the scan has now.

@@ -177,7 +177,7 @@ private:
 
 } // namespace
 
-std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke) {
+std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke, std::optional<std::uint32_t> chosen) {
     constexpr std::size_t kReach = 4; // past the outline, which other settings move by a cell or two
     const std::vector<std::uint32_t> cells = strokeCells(stroke, segments.segment.lines, segments.segment.beams);
     const std::vector<std::uint32_t> regions = regionsAlong(segments, map, cells);
@@ -187,11 +187,13 @@ std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, c
     std::erase(crossed, 0U);
     if (crossed.empty()) return {};
     if (crossed.front() > map.rocks) return {Edit{EditKind::Cut, stroke}};
+    const std::uint32_t first = chosen ? map.regionOfSegment[segments.segment[*chosen]] : 0;
+    std::ranges::stable_partition(crossed, [&](std::uint32_t region) { return region == first; });
     std::vector<Edit> edits;
     Grid<std::uint32_t> segment = segments.segment;
     std::uint32_t count = segments.count();
     for (const std::uint32_t region : crossed) {
-        if (region > map.rocks) break;
+        if (region > map.rocks) continue;
         for (const std::size_t reach : {kReach, std::size_t{0}}) {
             const std::vector<CutLine> runs = runsIn(region, regions, cells, reach);
             DividedRegion divided(segments, map, region, runs, segment, count);
@@ -204,6 +206,7 @@ std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, c
             count = divided.count();
             break;
         }
+        if (region == first && !edits.empty()) break;
     }
     return edits;
 }

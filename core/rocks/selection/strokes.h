@@ -16,8 +16,9 @@ namespace edgescan::rocks {
 
 /// A line that divides each rock which it crosses from side to side: the edits make its parts rocks of their own, and no cell of another
 /// region changes. A part has kFewestSplit cells or more. A line that is in no rock cuts the other regions that it crosses. Empty if it
-/// divides nothing.
-[[nodiscard]] std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke);
+/// divides nothing. `chosen`: a cell of a rock that is cut alone if the line divides it.
+[[nodiscard]] std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, const CutLine& stroke,
+                                         std::optional<std::uint32_t> chosen = {});
 
 /// The pieces that the wheel steps through at a cell: those around it with 50 or more cells, and its region at the current level. Where
 /// edits joined the region, the part at the cell as it was before is one of them, and smaller pieces are those of that part.

@@ -148,7 +148,8 @@ void Rocks::takeStroke(std::vector<QPoint> cells) {
     for (const QPoint& cell : cells) stroke.push_back(static_cast<std::uint32_t>(picture_->labels.index(cell.y(), cell.x())));
     if (!cells.empty() && !picture_->labels.contains(cells.back().y(), cells.back().x())) stroke.clear(); // of a sweep that grew meanwhile
     if (tool == RockTool::Join) takeJoin(stroke);
-    if (tool == RockTool::Cut) cutter_.ask({picture_, std::move(stroke), stream_});
+    if (tool == RockTool::Cut)
+        cutter_.ask({picture_, std::move(stroke), stream_, chosen() ? std::optional(static_cast<std::uint32_t>(*chosen())) : std::nullopt});
 }
 
 void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) {

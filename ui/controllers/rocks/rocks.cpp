@@ -34,7 +34,9 @@ Rocks::Rocks(Engine& engine, LinkedViews& views, RocksPanel& panel, RockTable& t
       drag_(views, this), tip_(views), sidecar_(this),
       cutter_(
           Urgency::Now,
-          [](const CutAsked& asked) { return rocks::cutAlong(*asked.of->study.segmentation, asked.of->study.map, asked.line); },
+          [](const CutAsked& asked) {
+              return rocks::cutAlong(*asked.of->study.segmentation, asked.of->study.map, asked.line, asked.chosen);
+          },
           [this](const CutAsked& asked, const auto& cut) { takeCut(asked, *cut); },
           [this](const QString& what) {
               notice_.showNotice(NoticeBar::Kind::Error, tr("the rock could not be cut (%1); close other programs.").arg(what));

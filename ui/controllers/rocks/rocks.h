@@ -152,6 +152,7 @@ private:
         std::shared_ptr<const RockPicture> of;
         rocks::CutLine line;
         std::uint64_t stream = 0;
+        std::optional<std::uint32_t> chosen; ///< a cell of the rock on the card
     };
     [[nodiscard]] bool completesCut(std::vector<QPoint>& cells);
     void takeStroke(std::vector<QPoint> cells);

@@ -119,6 +119,31 @@ TEST(RockCuts, PartsAreCutAgainAndStoredEditsGiveTheSameLabels) {
     EXPECT_EQ(rockLabels(*again.segmentation, again.map), rockLabels(*study.segmentation, study.map));
 }
 
+// A line over two rocks divides both, or the chosen one alone.
+TEST(RockCuts, TheChosenRockIsCutAlone) {
+    const Grid<std::uint32_t> labels = rockLabels(*whole().segmentation, whole().map);
+    int lines = 0;
+    for (std::uint32_t label = 1; label <= whole().map.rocks && lines < 3; ++label) {
+        CutLine line = lineThrough(labels, label, 0.4 * label);
+        for (std::uint32_t other = 1; other <= whole().map.rocks && lines < 3; ++other) {
+            if (other == label) continue;
+            CutLine both = line;
+            const CutLine second = lineThrough(labels, other, 1.1 * other);
+            both.insert(both.end(), second.begin(), second.end());
+            const Study after = studyRocks(cutInputs(), {}, cutAlong(*whole().segmentation, whole().map, both), &whole());
+            const auto divided = dividedRocks(labels, rockLabels(*after.segmentation, after.map));
+            if (!divided.contains(label) || divided.size() < 2) continue;
+            const auto alone = cutAlong(*whole().segmentation, whole().map, both, whole().rocks[label - 1].cell);
+            const Study one = studyRocks(cutInputs(), {}, alone, &whole());
+            const auto cut = dividedRocks(labels, rockLabels(*one.segmentation, one.map));
+            EXPECT_EQ(cut.size(), 1U);
+            EXPECT_TRUE(cut.contains(label));
+            ++lines;
+        }
+    }
+    EXPECT_EQ(lines, 3);
+}
+
 TEST(RockCuts, ALineThatEndsInTheRockOrIsOutsideDividesNothing) {
     const Rock& rock = whole().rocks.front();
     EXPECT_TRUE(cutAlong(*whole().segmentation, whole().map, {rock.cell, rock.cell + 3}).empty());
