@@ -491,7 +491,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 ha terminado: %2 líneas. No se sabe cuántas líneas tiene un barrido.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 líneas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminó.</translation></message>
-<message><source>Held. Follow goes on, sweep after sweep, until Hold.</source><translation>Retenido. Seguir continúa, barrido tras barrido, hasta Retener.</translation></message>
+<message><source>Held. Follow shows the next ones, until Hold.</source><translation>Retenido. Seguir muestra los siguientes, hasta Retener.</translation></message>
 <message><source>Folder for recordings</source><translation>Carpeta de grabaciones</translation></message>
 <message><source>View %1 is stored.</source><translation>La vista %1 está guardada.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Aún no hay una vista %1: Ctrl+%1 guarda la actual.</translation></message>

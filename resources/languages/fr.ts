@@ -491,7 +491,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 est terminé : %2 lignes. Le nombre de lignes d'un balayage n'est pas connu.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 est complet : %2 lignes.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 s'est terminé.</translation></message>
-<message><source>Held. Follow goes on, sweep after sweep, until Hold.</source><translation>Figé. Suivre continue, balayage après balayage, jusqu'à Figer.</translation></message>
+<message><source>Held. Follow shows the next ones, until Hold.</source><translation>Figé. Suivre montre les suivants, jusqu'à Figer.</translation></message>
 <message><source>Folder for recordings</source><translation>Dossier des enregistrements</translation></message>
 <message><source>View %1 is stored.</source><translation>La vue %1 est enregistrée.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Il n'y a pas encore de vue %1 : Ctrl+%1 enregistre l'actuelle.</translation></message>

@@ -491,7 +491,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>%1 has ended: %2 lines. How many lines a sweep has is not known.</source><translation>%1 terminou: %2 linhas. Não se sabe quantas linhas tem uma varredura.</translation></message>
 <message><source>%1 is complete: %2 lines.</source><translation>%1 está completo: %2 linhas.</translation></message>
 <message><source>%1 has ended.</source><translation>%1 terminou.</translation></message>
-<message><source>Held. Follow goes on, sweep after sweep, until Hold.</source><translation>Retida. Seguir continua, varredura após varredura, até Reter.</translation></message>
+<message><source>Held. Follow shows the next ones, until Hold.</source><translation>Retida. Seguir mostra as seguintes, até Reter.</translation></message>
 <message><source>Folder for recordings</source><translation>Pasta das gravações</translation></message>
 <message><source>View %1 is stored.</source><translation>A vista %1 está salva.</translation></message>
 <message><source>There is no view %1 yet: Ctrl+%1 stores the present one.</source><translation>Ainda não há vista %1: Ctrl+%1 salva a atual.</translation></message>

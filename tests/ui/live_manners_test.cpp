@@ -555,7 +555,7 @@ private slots:
         on.viewer.live.connectTo("127.0.0.1", emulated->port(), sweep());
         QTRY_VERIFY(link.connected() && !link.following() && on.viewer.notice.isVisible());
         const auto* line = static_cast<const ElidedLabel*>(on.viewer.notice.findChild<QLabel*>("notice-line"));
-        QTRY_VERIFY2(line->shown().startsWith("Held. Follow goes on, sweep after sweep, until Hold."), qPrintable(line->shown()));
+        QTRY_VERIFY2(line->shown().startsWith("Held. Follow shows the next ones, until Hold."), qPrintable(line->shown()));
         const std::size_t earlier = on.viewer.notice.earlier();
         press(on.window, "live-follow");
         std::set<int> sweeps;

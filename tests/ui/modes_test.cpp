@@ -458,8 +458,7 @@ private slots:
         const NoticeBar& notice = on.viewer.notice;
         if (state.enter == held) { // what the operator can do is read without a tap
             const auto* line = static_cast<const ElidedLabel*>(notice.findChild<QLabel*>("notice-line"));
-            QTRY_VERIFY2(line->shown().startsWith(Live::tr("Held. Follow goes on, sweep after sweep, until Hold.")),
-                         qPrintable(line->shown()));
+            QTRY_VERIFY2(line->shown().startsWith(Live::tr("Held. Follow shows the next ones, until Hold.")), qPrintable(line->shown()));
         }
         const auto placeOf = [&](const QWidget& each) { return QRect(each.mapTo(&on.window, QPoint()), each.size()); };
         for (const bool action : {false, true}) {

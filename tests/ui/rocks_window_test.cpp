@@ -1229,7 +1229,7 @@ private slots:
         QVERIFY(settled(on));
         QVERIFY(picture(on).labels == before);
 
-        // Two clicks are the ends of the same line; the first one is no step, and no click pins.
+        // Two clicks are the ends of the same line; the first one makes no step, and no click pins.
         QTest::keyClick(&on.window, Qt::Key_X);
         const QPoint oneEnd = pixelOf(view, {std::max(0, left - 3), middle.y()}),
                      otherEnd = pixelOf(view, {std::min(before.beams - 1, right + 3), middle.y()});

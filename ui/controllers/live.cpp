@@ -329,7 +329,7 @@ void Live::reportSweepEnd() {
         warnings.isEmpty() || (scan.lines() == expected && countCells(scan)[static_cast<std::size_t>(CellState::Lost)] == 0);
     warnings.prepend(isWhole ? tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) : tr("%1 has ended.").arg(name));
     // First what the operator can do: a small screen cuts the end.
-    if (scanner_.connected() && !scanner_.following()) warnings.prepend(tr("Held. Follow goes on, sweep after sweep, until Hold."));
+    if (scanner_.connected() && !scanner_.following()) warnings.prepend(tr("Held. Follow shows the next ones, until Hold."));
     notice_.showNotice(scan.warnings.empty() ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, warnings.join('\n'));
     endNote_ = notice_.text();
 }
