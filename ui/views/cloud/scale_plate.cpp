@@ -72,14 +72,11 @@ void ScalePlate::place() {
     const auto covers = [this](const std::vector<QRect>& places) {
         return std::ranges::any_of(places, [this](const QRect& each) { return each.intersects(geometry()); });
     };
-    const bool sized = size() == sizeHint();
-    resize(sizeHint());
-    const auto isLow = [this](const QPoint& at) { return at.y() >= cloud_->height() - kFromRim - height(); };
-    auto at = some ? freePlace(rings_) : std::nullopt;
-    const bool away = !isLow(pos()) && keptFree_.isEmpty() && (rings_.empty() || (at && isLow(*at))); // and its corner is free again
+    const bool away = geometry().bottom() < cloud_->height() - kFromRim - 1 && keptFree_.isEmpty() && rings_.empty(); // of no target
     const bool sameView = std::exchange(view_, cloud_->size()) == cloud_->size(); // each time, or a view that grows and shrinks is the same
-    const bool stays = some && sameView && !away && isVisible() && sized && !covers(taken());
-    if (stays) at = pos();
+    const bool stays = some && sameView && !away && isVisible() && size() == sizeHint() && !covers(taken());
+    resize(sizeHint());
+    auto at = !some ? std::nullopt : stays ? std::optional(pos()) : freePlace(rings_);
     if (some && !at) at = freePlace({});
     if (at) move(*at);
     if (std::exchange(seeThrough_, at && covers(rings_)) != seeThrough_) update();
