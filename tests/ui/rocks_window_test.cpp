@@ -1094,7 +1094,7 @@ private slots:
             int asked = 0, under = 0;
             for (const std::uint32_t k : *cloud.outline()) {
                 const auto pixel = cloud.geometryOfCloud()->drawable(k) ? cloud.pixelOf(k) : std::nullopt;
-                under += pixel && cloud.isFree(*pixel) ? 0 : 1;
+                under += pixel && cloud.freePixels()(*pixel) ? 0 : 1;
                 ++asked;
             }
             QVERIFY2(10 * under <= asked, qPrintable(QString("%1 of %2").arg(under).arg(asked)));

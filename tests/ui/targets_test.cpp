@@ -483,7 +483,10 @@ private slots:
         QTRY_COMPARE(on.viewer.targets.notebook().measures.size(), std::size_t{2});
         const inspect::StoredMeasure& second = on.viewer.targets.notebook().measures.back();
         const auto measured = inspect::measureCells(*on.picture().detection->scan, {}, second.kind, second.cells);
-        QVERIFY(measured && measured->lengths.front().valueM <= first->narrowerM + 1e-9); // what two clicks there find
+        QVERIFY(measured && measured->lengths.front().valueM <= first->narrowerM + 1e-9);
+        const Scan& wedge = *on.picture().detection->scan;
+        const auto clicked = inspect::throatAt(wedge, CartesianTables(wedge), first->narrowerEnds[0], first->narrowerEnds[1]);
+        QVERIFY(clicked && std::ranges::equal(second.cells, clicked->ends)); // what two clicks there find
         QVERIFY(on.viewer.targets.chosenMeasure() == std::size_t{1});
     }
 

@@ -111,6 +111,9 @@ private:
         borders_[place->second].apart = true;
     }
 
+    // Separate from all others, not from one.
+    static bool isAlone(const SegmentPair& pair) { return !pair.joined && pair.b == kNoSegment; }
+
     // Accepts pairs from the last to the first, unless they contradict those already accepted.
     void take(std::span<const SegmentPair> pairs) {
         JoinedGroups joined(name_.size());
@@ -121,7 +124,7 @@ private:
             const auto keepsThemApart = [&](const SegmentPair& other) {
                 const std::uint32_t c = joined.of(other.a);
                 const std::uint32_t d = joined.of(other.b);
-                if (!other.joined && other.b == kNoSegment) return a == c || b == c;
+                if (isAlone(other)) return a == c || b == c;
                 return !other.joined && ((a == c && b == d) || (a == d && b == c));
             };
             if (a == b || (pair->joined && std::any_of(taken.begin(), taken.end(), keepsThemApart))) continue;
@@ -129,14 +132,14 @@ private:
             taken.push_back(*pair);
         }
         for (const SegmentPair& pair : taken) {
-            if (!pair.joined && pair.b != kNoSegment) keepApart(pair.a, pair.b);
+            if (!pair.joined && !isAlone(pair)) keepApart(pair.a, pair.b);
         }
         std::reverse(taken.begin(), taken.end());
         for (const SegmentPair& pair : taken) {
             if (pair.joined && groups_.of(pair.a) != groups_.of(pair.b)) join(pair.a, pair.b, -std::numeric_limits<double>::infinity());
         }
         for (const SegmentPair& pair : taken) {
-            if (pair.joined || pair.b != kNoSegment) continue;
+            if (!isAlone(pair)) continue;
             for (const auto& [neighbour, n] : of_[groups_.of(pair.a)]) borders_[n].apart = true;
         }
     }

@@ -40,7 +40,8 @@ std::vector<SegmentPair> pairsOf(const Segmentation& segments, std::span<const E
     std::vector<SegmentPair> pairs;
     std::vector<std::uint8_t> whole(segments.sums.size(), 0);
     for (const Edit& edit : edits) {
-        for (const std::uint32_t k : edit.cells) whole[segmentAt(segments, k)] |= edit.kind == EditKind::Whole ? 1 : 0;
+        if (edit.kind != EditKind::Whole) continue;
+        for (const std::uint32_t k : edit.cells) whole[segmentAt(segments, k)] = 1;
     }
     whole[kNoSegment] = 0;
     // The sides of such a cut are separate, and next to its ends nothing is.

@@ -174,10 +174,14 @@ const char* regionKindName(RegionKind kind) {
     return "outside";
 }
 
+bool isTooFar(const Region& region, const RockSettings& settings) {
+    return !((region.sums.sumM / static_cast<double>(region.sums.cells)).norm() < settings.farthestM);
+}
+
 bool looksLikeRock(const Region& region, const RockSettings& settings) {
     // The outline of what reaches three sides of the sweep is that of the regions in front of it.
     const bool surrounds = region.sweepSides >= kSurroundingSides && region.nearShare < kLeastNear;
-    return region.score > 0 && !surrounds && (region.sums.sumM / static_cast<double>(region.sums.cells)).norm() < settings.farthestM;
+    return region.score > 0 && !surrounds && !isTooFar(region, settings);
 }
 
 RegionMap rocksAt(const Segmentation& segments, const MergeTree& tree, const RockSettings& settings, std::span<const RockCall> called) {

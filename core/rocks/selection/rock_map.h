@@ -69,6 +69,9 @@ struct RockCall {
 /// What rocksAt() asks of the confidence of a rock; docs/developer/lab-notebook.md has the trials.
 inline constexpr double kLeastConfidence = 0.25;
 
+/// Whether the centre of the region is behind RockSettings::farthestM.
+[[nodiscard]] bool isTooFar(const Region& region, const RockSettings& settings);
+
 /// Whether the region alone looks like a rock: R > 0, its centre is near enough, and it is not the surroundings of the other regions.
 [[nodiscard]] bool looksLikeRock(const Region& region, const RockSettings& settings);
 

@@ -73,10 +73,8 @@ struct Middle {
 /// A region on the sides of runs of a line.
 class DividedRegion {
 public:
-    /// `before`: the segments, cut already in the regions that were divided before, and their number.
-    DividedRegion(const Segmentation& segments, const RegionMap& map, std::uint32_t region, std::span<const CutLine> runs,
-                  const Grid<std::uint32_t>& before, std::uint32_t count)
-        : after_(before), inside_(before.lines, before.beams), onLine_(inside_), parts_(before.size()), count_(count) {
+    DividedRegion(const Segmentation& segments, const RegionMap& map, std::uint32_t region, std::span<const CutLine> runs)
+        : after_(segments.segment), inside_(after_.lines, after_.beams), onLine_(inside_), parts_(after_.size()), count_(segments.count()) {
         const CellLinks links{segments.inputs.surface->inverse.support, *segments.inputs.cracks};
         for (const CutLine& run : runs) {
             count_ = cutSegments(links, run, count_, after_);
@@ -84,12 +82,10 @@ public:
         }
         for (std::size_t k = 0; k < after_.size(); ++k) {
             inside_[k] = map.regionOfSegment[segments.segment[k]] == region ? 1 : 0;
-            cutsOthers_ = cutsOthers_ || (inside_[k] == 0 && after_[k] != before[k]);
+            cutsOthers_ = cutsOthers_ || (inside_[k] == 0 && after_[k] != segments.segment[k]);
         }
     }
 
-    [[nodiscard]] const Grid<std::uint32_t>& segment() const { return after_; }
-    [[nodiscard]] std::uint32_t count() const { return count_; }
     [[nodiscard]] bool cutsOthers() const { return cutsOthers_; }
 
     /// A cell of each segment of each part; fewer than two parts: it is not divided.
@@ -190,20 +186,16 @@ std::vector<Edit> cutAlong(const Segmentation& segments, const RegionMap& map, c
     const std::uint32_t first = chosen ? map.regionOfSegment[segments.segment[*chosen]] : 0;
     std::ranges::stable_partition(crossed, [&](std::uint32_t region) { return region == first; });
     std::vector<Edit> edits;
-    Grid<std::uint32_t> segment = segments.segment;
-    std::uint32_t count = segments.count();
     for (const std::uint32_t region : crossed) {
         if (region > map.rocks) continue;
         for (const std::size_t reach : {kReach, std::size_t{0}}) {
             const std::vector<CutLine> runs = runsIn(region, regions, cells, reach);
-            DividedRegion divided(segments, map, region, runs, segment, count);
+            DividedRegion divided(segments, map, region, runs);
             if (divided.cutsOthers()) continue;
             std::vector<std::vector<std::uint32_t>> sides = divided.parts();
             if (sides.size() < 2) break;
             for (const CutLine& run : runs) edits.push_back({EditKind::Cut, run});
             for (std::vector<std::uint32_t>& side : sides) edits.push_back({EditKind::Whole, std::move(side)});
-            segment = divided.segment();
-            count = divided.count();
             break;
         }
         if (region == first && !edits.empty()) break;

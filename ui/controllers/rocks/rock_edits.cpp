@@ -6,6 +6,7 @@
 #include "ui/panels/rocks/rocks_panel.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace edgescan::ui {
@@ -77,10 +78,10 @@ void Rocks::pushOperatorEdits(const QString& name, OperatorEdits after) {
     undo_.push(step);
 }
 
-void Rocks::push(const QString& name, rocks::Edit edit) {
-    const rocks::EditKind kind = edit.kind;
+void Rocks::push(const QString& name, std::vector<rocks::Edit> added) {
+    const rocks::EditKind kind = added.front().kind;
     std::vector<rocks::Edit> edits = edits_;
-    edits.push_back(std::move(edit));
+    std::ranges::move(added, std::back_inserter(edits));
     pushEdits(name, std::move(edits), kind);
 }
 
@@ -136,13 +137,13 @@ void Rocks::mergeSelected() {
     auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);
     if (!join) return notice_.showHint(tr("Nothing was merged: this is one rock already."));
     select({selected_.back()});
-    push(stepName("merge of rocks"), std::move(*join));
+    push(stepName("merge of rocks"), {std::move(*join)});
 }
 
 void Rocks::callChosen(bool rock) {
     if (!picture_ || !chosen() || picture_->regionAt(*chosen()) == nullptr) return;
     push(rock ? stepName("mark as a rock") : stepName("mark as not a rock"),
-         {rock ? rocks::EditKind::Rock : rocks::EditKind::NotRock, {static_cast<std::uint32_t>(*chosen())}});
+         {{rock ? rocks::EditKind::Rock : rocks::EditKind::NotRock, {static_cast<std::uint32_t>(*chosen())}}});
 }
 
 void Rocks::toggleChosen() {

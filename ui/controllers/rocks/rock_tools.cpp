@@ -116,13 +116,11 @@ void Rocks::splitAt(std::size_t cell) {
         return;
     }
     select({cell});
-    if (isLarger) return push(stepName("merge of rocks"), std::move(edit));
-    if (picture_->labelAt(cell) == 0) return push(stepName("split of a rock"), std::move(edit));
+    std::vector<rocks::Edit> added{std::move(edit)};
+    if (isLarger) return push(stepName("merge of rocks"), std::move(added));
     // The operator says that the part is a rock of its own: alone it may look like a wall.
-    std::vector<rocks::Edit> edits = edits_;
-    edits.push_back(std::move(edit));
-    edits.push_back({rocks::EditKind::Rock, {static_cast<std::uint32_t>(cell)}});
-    pushEdits(stepName("split of a rock"), std::move(edits), rocks::EditKind::Part);
+    if (picture_->labelAt(cell) != 0) added.push_back({rocks::EditKind::Rock, {static_cast<std::uint32_t>(cell)}});
+    push(stepName("split of a rock"), std::move(added));
 }
 
 /// Two clicks are the ends of a straight line, as of a measurement. False: this click was the first one.
@@ -154,9 +152,7 @@ void Rocks::takeStroke(std::vector<QPoint> cells) {
 
 void Rocks::takeCut(const CutAsked& asked, const std::vector<rocks::Edit>& cut) {
     if (asked.stream != stream_) return; // the cells are of another scan
-    std::vector<rocks::Edit> edits = edits_;
-    edits.insert(edits.end(), cut.begin(), cut.end());
-    if (!cut.empty()) return pushEdits(stepName("cut of a rock"), std::move(edits), rocks::EditKind::Cut);
+    if (!cut.empty()) return push(stepName("cut of a rock"), cut);
     notice_.showHint(tr("Nothing was cut: draw the line through a rock, from one side to the other. Each part needs %1 cells.")
                          .arg(rocks::kFewestSplit));
 }
@@ -168,7 +164,7 @@ void Rocks::takeJoin(const rocks::CutLine& stroke) {
         const std::array<std::uint32_t, 2> cells{static_cast<std::uint32_t>(*chosen()), stroke.back()};
         join = rocks::joinOf(*study.segmentation, study.map, cells);
     }
-    if (join) return push(stepName("merge of rocks"), std::move(*join));
+    if (join) return push(stepName("merge of rocks"), {std::move(*join)});
     notice_.showHint(tr("Nothing was joined: draw the line from one rock over the crack into the next."));
 }
 

@@ -142,7 +142,7 @@ private:
     [[nodiscard]] bool pinnedOnRock() const;
     void click(const inspect::MeantCell& click);
     void splitAt(std::size_t cell);
-    void push(const QString& name, rocks::Edit edit);
+    void push(const QString& name, std::vector<rocks::Edit> added);                            ///< the first is what the operator did
     void pushEdits(const QString& name, std::vector<rocks::Edit> edits, rocks::EditKind kind); ///< `kind`: what the operator did
     void pushOperatorEdits(const QString& name, OperatorEdits after);
     void judgeEdit();

@@ -36,7 +36,7 @@ QString lostWords(const rocks::RegionChanges::Lost& lost, const RockPicture& pic
                QObject::tr("its confidence is %1, and a rock needs %2. Click it and choose “Not a Rock, or a Rock Again” to show it.")
                    .arg(region.confidence, 0, 'f', 2)
                    .arg(rocks::kLeastConfidence, 0, 'f', 2);
-    if ((region.sums.sumM / static_cast<double>(region.sums.cells)).norm() >= settings.farthestM)
+    if (rocks::isTooFar(region, settings))
         return part + QObject::tr("it is behind “Farthest rock” (%1 m). Raise that number to see it.").arg(settings.farthestM, 0, 'f', 1);
     return part + QObject::tr("it looks like a wall. Click it and choose “Not a Rock, or a Rock Again” to show it.");
 }

@@ -181,8 +181,8 @@ public slots:
     void lookAtCells(const CellIndices& cells);
     /// The part of the view in which cells are shown when it goes to them: no plate, text or notice covers it.
     [[nodiscard]] QRect freeArea() const;
-    /// True if the pixel is in the view and nothing is over it.
-    [[nodiscard]] bool isFree(QPointF pixel) const;
+    /// True of pixels that are in the view and that nothing is over now.
+    [[nodiscard]] std::function<bool(QPointF)> freePixels() const;
     /// Keeps direction and distance; the point becomes the focus, in the middle of the free area.
     void centreOn(const Eigen::Vector3d& point);
     void zoomToCells(const edgescan::ui::CloudView::CellIndices& cells);
@@ -268,7 +268,7 @@ private:
     };
     [[nodiscard]] FreeBox intoFreeArea(const Box3f& box) const;
     [[nodiscard]] std::optional<QPointF> pixelIn(const ScreenView& view, const Eigen::Vector3f& point) const;
-    void fitPlates(const std::function<CameraPose(const FreeBox&)>& pose);
+    void fitPlates(const std::function<CameraPose(const FreeBox&, const CameraPose& lens)>& pose);
     /// The focus is in the middle of the free area.
     [[nodiscard]] CameraPose besidePlates(const CameraPose& pose) const;
     void drag(QPointF at);

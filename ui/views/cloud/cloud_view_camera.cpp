@@ -48,17 +48,18 @@ CloudGeometry CloudView::extent() const {
 void CloudView::look(const Vector3d& forward, const Vector3d& up) {
     const Box3f all = extent().mainBounds;
     if (!cloud_ || all.isEmpty()) return;
-    const CameraPose before = pose_;
-    fitPlates([&](const FreeBox& into) { return lookingAt(into.box, forward, up, before, into.aspect); });
+    fitPlates([&](const FreeBox& into, const CameraPose& lens) { return lookingAt(into.box, forward, up, lens, into.aspect); });
     asked_ = forward;
 }
 
 /// Into the whole view; if plates cover too much of the cloud then, into the part of the view between them.
-void CloudView::fitPlates(const std::function<CameraPose(const FreeBox&)>& pose) {
+void CloudView::fitPlates(const std::function<CameraPose(const FreeBox&, const CameraPose&)>& pose) {
     constexpr double kMostCovered = 0.07; // share of the cloud's area in the picture
     constexpr int kPatch = 16;            // px
     const Box3f all = extent().mainBounds;
-    pose_ = pose({all, aspect()});
+    const CameraPose before = pose_;
+    pose_ = pose({all, aspect()}, before);
+    const auto isFree = freePixels();
     std::set<std::pair<int, int>> seen, covered;
     for (const Sample& each : samples()) {
         if (!each.pixel || !QRectF(rect()).contains(*each.pixel)) continue;
@@ -67,7 +68,7 @@ void CloudView::fitPlates(const std::function<CameraPose(const FreeBox&)>& pose)
         if (!isFree(*each.pixel)) covered.emplace(patch.x(), patch.y());
     }
     if (static_cast<double>(covered.size()) > kMostCovered * static_cast<double>(seen.size()))
-        pose_ = besidePlates(pose(intoFreeArea(all)));
+        pose_ = besidePlates(pose(intoFreeArea(all), before));
     centre_ = pose_.focus;
     applyCamera();
 }
@@ -140,8 +141,7 @@ void CloudView::zoomToFit() {
     if (!cloud_ || all.isEmpty()) return;
     if (pose_.forward().isApprox(asked_, 1e-6)) return look(pose_.forward(), pose_.up);
     if (pose_.forward().isApprox(cloud_->scannerView.forward, 1e-6)) return viewFromScanner();
-    const CameraPose before = pose_;
-    fitPlates([&](const FreeBox& into) { return fitted(*cloud_, into.box, before, into.aspect); });
+    fitPlates([&](const FreeBox& into, const CameraPose& lens) { return fitted(*cloud_, into.box, lens, into.aspect); });
 }
 
 void CloudView::zoomToCells(const CellIndices& cells) {

@@ -65,9 +65,10 @@ void CloudView::centreOn(const Eigen::Vector3d& point) {
     applyCamera();
 }
 
-bool CloudView::isFree(QPointF pixel) const {
-    if (!QRectF(rect()).adjusted(0, topTaken_, 0, 0).contains(pixel)) return false;
-    return std::ranges::none_of(overlay_->platesOver(), [&](const QRectF& plate) { return plate.contains(pixel); });
+std::function<bool(QPointF)> CloudView::freePixels() const {
+    return [plates = overlay_->platesOver(), view = QRectF(rect()).adjusted(0, topTaken_, 0, 0)](QPointF pixel) {
+        return view.contains(pixel) && std::ranges::none_of(plates, [&](const QRectF& plate) { return plate.contains(pixel); });
+    };
 }
 
 /// The largest rectangle without plates and texts; all of the view if little is left.

@@ -13,11 +13,12 @@ constexpr double kMostOutside = 0.1; // of them
 
 bool isInSight(const CloudView& cloud, const CloudView::CellIndices& cells) {
     std::size_t asked = 0, outside = 0;
+    const auto isFree = cloud.freePixels();
     for (std::size_t n = 0; n < cells.size(); n += std::max<std::size_t>(1, cells.size() / kAsked)) {
         if (!cloud.geometryOfCloud()->drawable(cells[n])) continue;
         const auto at = cloud.pixelOf(cells[n]);
         ++asked;
-        outside += at && cloud.isFree(*at) ? 0 : 1;
+        outside += at && isFree(*at) ? 0 : 1;
     }
     return static_cast<double>(outside) <= kMostOutside * static_cast<double>(asked);
 }
