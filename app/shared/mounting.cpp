@@ -37,6 +37,7 @@ Result<scanner::SweepSettings> sweepOf(const Mounting& mounting) {
     sweep.firstLineDeg = mounting.firstLineDeg.value_or(sweep.firstLineDeg);
     sweep.ticksPerDeg = mounting.ticksPerDeg;
     sweep.expectedLines = mounting.expectedLines;
+    if (sweep.stepAssumed) sweep.degPerLine = scanner::assumedStepDeg(sweep.expectedLines);
     sweep.continuous = !mounting.stopAndGo;
     return sweep;
 }

@@ -21,6 +21,7 @@
 <message><source>no return %1 %</source><translation>sin retorno %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
+<message><source>MOUNTING FROM RANGES</source><translation>MONTAJE SEGÚN DISTANCIAS</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASO SUPUESTO %1°</translation></message>
 <message><source>START ASSUMED</source><translation>INICIO SUPUESTO</translation></message>
 <message><source>1 remark</source><translation>1 observación</translation></message>
@@ -63,6 +64,8 @@
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>
 <message><source>the axis (spin)</source><translation>el eje (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>el eje (sweep)</translation></message>
+<message><source>the axis (spin, seen in the ranges)</source><translation>el eje (spin, visto en las distancias)</translation></message>
+<message><source>the axis (sweep, seen in the ranges)</source><translation>el eje (sweep, visto en las distancias)</translation></message>
 <message><source>the step from line to line (%1 degrees</source><translation>el paso de línea a línea (%1 grados</translation></message>
 <message><source>the motor turning on while a line is measured)</source><translation>el motor sigue girando mientras se mide una línea)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indique %1 si no es así.</translation></message>
@@ -265,6 +268,7 @@
 <message><source>out of window</source><translation>fuera de la ventana</translation></message>
 <message><source>masked</source><translation>enmascaradas</translation></message>
 <message><source>lost</source><translation>perdidas</translation></message>
+<message><source>▲ mounting from the ranges</source><translation>▲ montaje según las distancias</translation></message>
 <message><source>▲ step assumed</source><translation>▲ paso supuesto</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montaje supuesto</translation></message>
 <message><source>1 target</source><translation>1 objetivo</translation></message>
@@ -461,16 +465,11 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>sweep %1: %2 lines</source><translation>barrido %1: %2 líneas</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>barrido %1: %2/%3 líneas, completo</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>barrido %1: %2/%3 líneas, parcial</translation></message>
-<message><source>Mounting and step are not known.</source><translation>No se conocen montaje ni paso.</translation></message>
-<message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>¿Cómo está montado el escáner y cuánto gira de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
-<message><source>The mounting is not known.</source><translation>No se conoce el montaje.</translation></message>
-<message><source>How is the scanner mounted? Until that is given, the shape is assumed.</source><translation>¿Cómo está montado el escáner? Mientras no se indique, la forma es supuesta.</translation></message>
-<message><source>The step from line to line is not known.</source><translation>No se conoce el paso de una línea a otra.</translation></message>
-<message><source>How far does the scanner turn from line to line? Until that is given, the shape is assumed.</source><translation>¿Cuánto gira el escáner de una línea a otra? Mientras no se indique, la forma es supuesta.</translation></message>
+<message><source>How the stepper turns the scanner is not known.</source><translation>No se sabe cómo gira el motor el escáner.</translation></message>
+<message><source>How the stepper turns the scanner is not known. Edges are found all the same, but the shape of the cloud is assumed until you give it.</source><translation>No se sabe cómo gira el motor el escáner. Los bordes se encuentran igual, pero la forma de la nube es supuesta hasta que usted lo indique.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>No hay host al que conectarse: escriba el nombre o la dirección del escáner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>No es posible conectarse a %1: escriba el nombre o la dirección del escáner, o ws://ROBOT para un robot con ROS.</translation></message>
 <message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Empieza con el barrido en curso: %1 líneas de él llegaron antes de Grabar.</translation></message>
-<message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>Give it…</source><translation>Indicarlo…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Las primeras %1 líneas de este barrido son demasiado antiguas para moverlas a su nuevo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>La grabación que se está escribiendo indica el montaje y los pasos antiguos: corríjala con Escaneo &gt; Cómo se lee el escaneo al abrirla, o comience otra.</translation></message>
@@ -479,7 +478,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>trying to connect again</source><translation>intentando conectar otra vez</translation></message>
 <message><source>Waiting for the first line</source><translation>Se espera la primera línea</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el paso en Escaneo &gt; Barrido…</translation></message>
-<message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el montaje en Escaneo &gt; Barrido…</translation></message>
+<message><source>▲ The ranges show the mounting: confirm it in Scan &gt; Sweep…</source><translation>▲ Las distancias muestran el montaje: confírmelo en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra el barrido %2, que crece ahora.</translation></message>
@@ -1160,15 +1159,22 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
 <message><source>not known</source><translation>desconocido</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
-<message><source>not known (0.18° assumed)</source><translation>desconocido (se supone 0.18°)</translation></message>
+<message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Donde empieza el motor. La nube gira con él, su forma es la misma.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sin encoder; las líneas se ubican según el paso del motor</translation></message>
-<message><source>not known (spin assumed)</source><translation>desconocido (se supone spin)</translation></message>
-<message><source>spin: about the viewing direction</source><translation>giro (spin): en torno a la dirección de visión</translation></message>
-<message><source>sweep: about the 0/180 degree line</source><translation>barrido (sweep): en torno a la línea 0/180 grados</translation></message>
+<message><source>like a wheel, about its viewing direction (spin)</source><translation>como una rueda, en torno a su dirección de visión (spin)</translation></message>
+<message><source>nodding, about the line from beam 0° to 180° (sweep)</source><translation>cabeceando, en torno a la línea del haz 0° al 180° (sweep)</translation></message>
+<message><source>The numbers are in the stepper's program or data sheet. Leave out what you do not know.</source><translation>Los números están en el programa o la ficha técnica del motor paso a paso. Deje lo que no sepa.</translation></message>
+<message><source>The scanner turns</source><translation>El escáner gira</translation></message>
 <message><source>Lines of a whole sweep</source><translation>Líneas de un barrido completo</translation></message>
+<message><source>Turn of a whole sweep</source><translation>Giro de un barrido entero</translation></message>
 <message><source>Step per line</source><translation>Paso por línea</translation></message>
 <message><source>Angle of the first line</source><translation>Ángulo de la primera línea</translation></message>
 <message><source>Encoder counts per degree</source><translation>Cuentas del encoder por grado</translation></message>
+<message><source>not known (spin assumed until the ranges show it)</source><translation>no se sabe (spin supuesto hasta que las distancias lo muestren)</translation></message>
+<message><source>not known (the ranges show spin)</source><translation>no se sabe (las distancias muestran spin)</translation></message>
+<message><source>not known (the ranges show sweep)</source><translation>no se sabe (las distancias muestran sweep)</translation></message>
+<message><source>not known (%1° assumed)</source><translation>no se sabe (%1° supuesto)</translation></message>
+<message><source>needs the number of lines</source><translation>requiere el número de líneas</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Mayús diez</translation></message>
 <message><source>RECORDED · line %2/%3 at %1</source><translation>GRABADO · línea %2/%3 a %1</translation></message>
@@ -1979,9 +1985,11 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes</source><translation>spin: el motor paso a paso gira en torno a la dirección de visión; %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>spin, about the viewing direction: %1 of %2 flat pieces lie on three planes</source><translation>spin, en torno a la dirección de visión: %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do.</source><translation>Las paredes se curvan con el montaje spin: %1 de %2 trozos planos están en tres planos, con sweep son %3.</translation></message>
+<message><source>The ranges do not fit mounting spin: from line to line they stay the same at beams 0 and 180 degrees, as with sweep.</source><translation>Las distancias no concuerdan con el montaje spin: de línea a línea son iguales en los haces de 0 y 180 grados, como con sweep.</translation></message>
 <message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep: el motor paso a paso gira en torno a la línea 0/180 grados; %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, en torno a la línea 0/180 grados: %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>Las paredes se curvan con el montaje sweep: %1 de %2 trozos planos están en tres planos, con spin son %3.</translation></message>
+<message><source>The ranges do not fit mounting sweep: from line to line they stay the same at beam 90 degrees, as with spin.</source><translation>Las distancias no concuerdan con el montaje sweep: de línea a línea son iguales en el haz de 90 grados, como con spin.</translation></message>
 <message><source>a step of %3 degrees, %4 in all: %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados, %4 en total: %1 de %2 trozos planos están en tres planos</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Las paredes se curvan con los ángulos de línea que se tomaron: %1 de %2 trozos planos están en tres planos, otros pasos dan más.</translation></message>
 <message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un paso de %3 grados, %4 en total; %1 de %2 trozos planos están en tres planos</translation></message>

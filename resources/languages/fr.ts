@@ -21,6 +21,7 @@
 <message><source>no return %1 %</source><translation>sans retour %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
+<message><source>MOUNTING FROM RANGES</source><translation>MONTAGE D'APRÈS DISTANCES</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PAS SUPPOSÉ %1°</translation></message>
 <message><source>START ASSUMED</source><translation>DÉBUT SUPPOSÉ</translation></message>
 <message><source>1 remark</source><translation>1 remarque</translation></message>
@@ -63,6 +64,8 @@
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>
 <message><source>the axis (spin)</source><translation>l'axe (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>l'axe (sweep)</translation></message>
+<message><source>the axis (spin, seen in the ranges)</source><translation>l'axe (spin, vu dans les distances)</translation></message>
+<message><source>the axis (sweep, seen in the ranges)</source><translation>l'axe (sweep, vu dans les distances)</translation></message>
 <message><source>the step from line to line (%1 degrees</source><translation>le pas de ligne à ligne (%1 degrés</translation></message>
 <message><source>the motor turning on while a line is measured)</source><translation>le moteur continuant à tourner pendant la mesure d'une ligne)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indiquez %1 si c'est faux.</translation></message>
@@ -265,6 +268,7 @@
 <message><source>out of window</source><translation>hors de la fenêtre</translation></message>
 <message><source>masked</source><translation>masquées</translation></message>
 <message><source>lost</source><translation>perdues</translation></message>
+<message><source>▲ mounting from the ranges</source><translation>▲ montage d'après les distances</translation></message>
 <message><source>▲ step assumed</source><translation>▲ pas supposé</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montage supposé</translation></message>
 <message><source>1 target</source><translation>1 cible</translation></message>
@@ -461,16 +465,11 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>sweep %1: %2 lines</source><translation>balayage %1 : %2 lignes</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>balayage %1 : %2/%3 lignes, complet</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>balayage %1 : %2/%3 lignes, partiel</translation></message>
-<message><source>Mounting and step are not known.</source><translation>Montage et pas sont inconnus.</translation></message>
-<message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Comment le scanner est-il monté, et de combien tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
-<message><source>The mounting is not known.</source><translation>Le montage est inconnu.</translation></message>
-<message><source>How is the scanner mounted? Until that is given, the shape is assumed.</source><translation>Comment le scanner est-il monté ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
-<message><source>The step from line to line is not known.</source><translation>Le pas d'une ligne à l'autre est inconnu.</translation></message>
-<message><source>How far does the scanner turn from line to line? Until that is given, the shape is assumed.</source><translation>De combien le scanner tourne-t-il d'une ligne à l'autre ? Tant que ce n'est pas indiqué, la forme est supposée.</translation></message>
+<message><source>How the stepper turns the scanner is not known.</source><translation>La rotation du scanner par le moteur n'est pas connue.</translation></message>
+<message><source>How the stepper turns the scanner is not known. Edges are found all the same, but the shape of the cloud is assumed until you give it.</source><translation>La rotation du scanner par le moteur n'est pas connue. Les arêtes sont trouvées quand même, mais la forme du nuage est supposée tant que vous ne l'indiquez pas.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Il n'y a pas d'hôte auquel se connecter : tapez le nom ou l'adresse du scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Impossible de se connecter à %1 : tapez le nom ou l'adresse du scanner, ou ws://ROBOT pour un robot avec ROS.</translation></message>
 <message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Il commence par le balayage en cours : %1 lignes de celui-ci sont arrivées avant Enregistrer.</translation></message>
-<message><source>Give them…</source><translation>Indiquer…</translation></message>
 <message><source>Give it…</source><translation>L'indiquer…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>Les %1 premières lignes de ce balayage sont trop anciennes pour être déplacées.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>L'enregistrement en cours indique l'ancien montage et les anciens pas : corrigez-le par Scan &gt; Comment le scan est lu à son ouverture, ou commencez-en un autre.</translation></message>
@@ -479,7 +478,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>trying to connect again</source><translation>nouvel essai de connexion</translation></message>
 <message><source>Waiting for the first line</source><translation>En attente de la première ligne</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le pas dans Scan &gt; Balayage…</translation></message>
-<message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le montage dans Scan &gt; Balayage…</translation></message>
+<message><source>▲ The ranges show the mounting: confirm it in Scan &gt; Sweep…</source><translation>▲ Les distances montrent le montage : confirmez-le dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre le balayage %2, qui croît maintenant.</translation></message>
@@ -1160,15 +1159,22 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>not known</source><translation>inconnu</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
-<message><source>not known (0.18° assumed)</source><translation>inconnu (0.18° supposé)</translation></message>
+<message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Où le moteur commence. Le nuage tourne avec lui, sa forme reste la même.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0 : pas de codeur ; les lignes sont placées selon le pas du moteur</translation></message>
-<message><source>not known (spin assumed)</source><translation>inconnu (spin supposé)</translation></message>
-<message><source>spin: about the viewing direction</source><translation>rotation (spin) : autour de la direction de visée</translation></message>
-<message><source>sweep: about the 0/180 degree line</source><translation>balayage (sweep) : autour de la ligne 0/180 degrés</translation></message>
+<message><source>like a wheel, about its viewing direction (spin)</source><translation>comme une roue, autour de sa direction de visée (spin)</translation></message>
+<message><source>nodding, about the line from beam 0° to 180° (sweep)</source><translation>en hochant, autour de la ligne du faisceau 0° au 180° (sweep)</translation></message>
+<message><source>The numbers are in the stepper's program or data sheet. Leave out what you do not know.</source><translation>Les nombres sont dans le programme ou la fiche technique du moteur pas à pas. Laissez ce que vous ne savez pas.</translation></message>
+<message><source>The scanner turns</source><translation>Le scanner tourne</translation></message>
 <message><source>Lines of a whole sweep</source><translation>Lignes d'un balayage entier</translation></message>
+<message><source>Turn of a whole sweep</source><translation>Rotation d'un balayage entier</translation></message>
 <message><source>Step per line</source><translation>Pas par ligne</translation></message>
 <message><source>Angle of the first line</source><translation>Angle de la première ligne</translation></message>
 <message><source>Encoder counts per degree</source><translation>Impulsions du codeur par degré</translation></message>
+<message><source>not known (spin assumed until the ranges show it)</source><translation>non connu (spin supposé jusqu'à ce que les distances le montrent)</translation></message>
+<message><source>not known (the ranges show spin)</source><translation>non connu (les distances montrent spin)</translation></message>
+<message><source>not known (the ranges show sweep)</source><translation>non connu (les distances montrent sweep)</translation></message>
+<message><source>not known (%1° assumed)</source><translation>non connu (%1° supposé)</translation></message>
+<message><source>needs the number of lines</source><translation>demande le nombre de lignes</translation></message>
 <message><source>Play</source><translation>Lire</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>
 <message><source>RECORDED · line %2/%3 at %1</source><translation>ENREGISTRÉ · ligne %2/%3 à %1</translation></message>
@@ -1979,9 +1985,11 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes</source><translation>spin : le moteur pas à pas tourne autour de la direction de visée ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>spin, about the viewing direction: %1 of %2 flat pieces lie on three planes</source><translation>spin, autour de la direction de visée : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do.</source><translation>Les parois se courbent avec le montage spin : %1 morceaux plats sur %2 sont sur trois plans, contre %3 avec sweep.</translation></message>
+<message><source>The ranges do not fit mounting spin: from line to line they stay the same at beams 0 and 180 degrees, as with sweep.</source><translation>Les distances ne vont pas avec le montage spin : d'une ligne à l'autre, elles restent les mêmes aux faisceaux 0 et 180 degrés, comme avec sweep.</translation></message>
 <message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep : le moteur pas à pas tourne autour de la ligne 0/180 degrés ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, autour de la ligne 0/180 degrés : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>Les parois se courbent avec le montage sweep : %1 morceaux plats sur %2 sont sur trois plans, contre %3 avec spin.</translation></message>
+<message><source>The ranges do not fit mounting sweep: from line to line they stay the same at beam 90 degrees, as with spin.</source><translation>Les distances ne vont pas avec le montage sweep : d'une ligne à l'autre, elles restent les mêmes au faisceau 90 degrés, comme avec spin.</translation></message>
 <message><source>a step of %3 degrees, %4 in all: %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés, %4 en tout : %1 morceaux plats sur %2 sont sur trois plans</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>Les parois se courbent avec les angles de ligne retenus : %1 morceaux plats sur %2 sont sur trois plans, d'autres pas en donnent plus.</translation></message>
 <message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>un pas de %3 degrés, %4 en tout ; %1 morceaux plats sur %2 sont sur trois plans</translation></message>

@@ -21,6 +21,7 @@
 <message><source>no return %1 %</source><translation>sem retorno %1 %</translation></message>
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
+<message><source>MOUNTING FROM RANGES</source><translation>MONTAGEM PELAS DISTÂNCIAS</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASSO SUPOSTO %1°</translation></message>
 <message><source>START ASSUMED</source><translation>INÍCIO SUPOSTO</translation></message>
 <message><source>1 remark</source><translation>1 observação</translation></message>
@@ -63,6 +64,8 @@
 <message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>
 <message><source>the axis (spin)</source><translation>o eixo (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>o eixo (sweep)</translation></message>
+<message><source>the axis (spin, seen in the ranges)</source><translation>o eixo (spin, visto nas distâncias)</translation></message>
+<message><source>the axis (sweep, seen in the ranges)</source><translation>o eixo (sweep, visto nas distâncias)</translation></message>
 <message><source>the step from line to line (%1 degrees</source><translation>o passo de linha a linha (%1 graus</translation></message>
 <message><source>the motor turning on while a line is measured)</source><translation>o motor continua a girar enquanto uma linha é medida)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indique %1 se não for assim.</translation></message>
@@ -265,6 +268,7 @@
 <message><source>out of window</source><translation>fora da janela</translation></message>
 <message><source>masked</source><translation>mascaradas</translation></message>
 <message><source>lost</source><translation>perdidas</translation></message>
+<message><source>▲ mounting from the ranges</source><translation>▲ montagem pelas distâncias</translation></message>
 <message><source>▲ step assumed</source><translation>▲ passo suposto</translation></message>
 <message><source>▲ mounting assumed</source><translation>▲ montagem suposta</translation></message>
 <message><source>1 target</source><translation>1 alvo</translation></message>
@@ -461,16 +465,11 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>sweep %1: %2 lines</source><translation>varredura %1: %2 linhas</translation></message>
 <message><source>sweep %1: %2/%3 lines, complete</source><translation>varredura %1: %2/%3 linhas, completa</translation></message>
 <message><source>sweep %1: %2/%3 lines, partial</source><translation>varredura %1: %2/%3 linhas, parcial</translation></message>
-<message><source>Mounting and step are not known.</source><translation>Montagem e passo são desconhecidos.</translation></message>
-<message><source>How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape is assumed.</source><translation>Como está montado o scanner e quanto gira de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
-<message><source>The mounting is not known.</source><translation>A montagem é desconhecida.</translation></message>
-<message><source>How is the scanner mounted? Until that is given, the shape is assumed.</source><translation>Como está montado o scanner? Enquanto isso não for indicado, a forma é suposta.</translation></message>
-<message><source>The step from line to line is not known.</source><translation>O passo de uma linha para outra é desconhecido.</translation></message>
-<message><source>How far does the scanner turn from line to line? Until that is given, the shape is assumed.</source><translation>Quanto gira o scanner de uma linha para outra? Enquanto isso não for indicado, a forma é suposta.</translation></message>
+<message><source>How the stepper turns the scanner is not known.</source><translation>Não se sabe como o motor gira o scanner.</translation></message>
+<message><source>How the stepper turns the scanner is not known. Edges are found all the same, but the shape of the cloud is assumed until you give it.</source><translation>Não se sabe como o motor gira o scanner. As bordas são encontradas mesmo assim, mas a forma da nuvem é suposta até que você indique isso.</translation></message>
 <message><source>There is no host to connect to: type the scanner's name or address.</source><translation>Não há host ao qual se conectar: digite o nome ou o endereço do scanner.</translation></message>
 <message><source>%1 cannot be connected to: type the scanner's name or address, or ws://ROBOT for a robot with ROS.</source><translation>Não é possível ligar a %1: escreva o nome ou o endereço do scanner, ou ws://ROBOT para um robô com ROS.</translation></message>
 <message><source>It begins with the sweep under way: %1 lines of it came before Record.</source><translation>Começa com a varredura em curso: %1 linhas dela chegaram antes de Gravar.</translation></message>
-<message><source>Give them…</source><translation>Indicar…</translation></message>
 <message><source>Give it…</source><translation>Indicá-lo…</translation></message>
 <message><source>The first %1 lines of this sweep are too old to be moved to their new places.</source><translation>As primeiras %1 linhas desta varredura são antigas demais para serem movidas ao seu novo lugar.</translation></message>
 <message><source>The recording in progress has the old mounting and steps. Correct them with Scan &gt; How the Scan Is Read after you open it, or start another recording.</source><translation>A gravação que está sendo escrita indica a montagem e os passos antigos: corrija-a com Varredura &gt; Como a varredura é lida ao abri-la, ou comece outra.</translation></message>
@@ -479,7 +478,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>trying to connect again</source><translation>tentando conectar de novo</translation></message>
 <message><source>Waiting for the first line</source><translation>À espera da primeira linha</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique o passo em Varredura &gt; Varredura…</translation></message>
-<message><source>▲ The shape is assumed: give the mounting in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique a montagem em Varredura &gt; Varredura…</translation></message>
+<message><source>▲ The ranges show the mounting: confirm it in Scan &gt; Sweep…</source><translation>▲ As distâncias mostram a montagem: confirme em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows sweep %2, which grows now.</source><translation>A varredura %1 está retida na tela. Seguir mostra a varredura %2, que cresce agora.</translation></message>
@@ -1160,15 +1159,22 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
 <message><source>not known</source><translation>desconhecido</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
-<message><source>not known (0.18° assumed)</source><translation>desconhecido (supõe-se 0.18°)</translation></message>
+<message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Onde o motor começa. A nuvem gira com ele, a forma é a mesma.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sem encoder; as linhas são posicionadas pelo passo do motor</translation></message>
-<message><source>not known (spin assumed)</source><translation>desconhecido (supõe-se spin)</translation></message>
-<message><source>spin: about the viewing direction</source><translation>giro (spin): em torno da direção de visada</translation></message>
-<message><source>sweep: about the 0/180 degree line</source><translation>varredura (sweep): em torno da linha 0/180 graus</translation></message>
+<message><source>like a wheel, about its viewing direction (spin)</source><translation>como uma roda, em torno da sua direção de visão (spin)</translation></message>
+<message><source>nodding, about the line from beam 0° to 180° (sweep)</source><translation>balançando, em torno da linha do feixe 0° ao 180° (sweep)</translation></message>
+<message><source>The numbers are in the stepper's program or data sheet. Leave out what you do not know.</source><translation>Os números estão no programa ou na ficha técnica do motor de passo. Deixe o que não souber.</translation></message>
+<message><source>The scanner turns</source><translation>O scanner gira</translation></message>
 <message><source>Lines of a whole sweep</source><translation>Linhas de uma varredura inteira</translation></message>
+<message><source>Turn of a whole sweep</source><translation>Giro de uma varredura inteira</translation></message>
 <message><source>Step per line</source><translation>Passo por linha</translation></message>
 <message><source>Angle of the first line</source><translation>Ângulo da primeira linha</translation></message>
 <message><source>Encoder counts per degree</source><translation>Contagens do encoder por grau</translation></message>
+<message><source>not known (spin assumed until the ranges show it)</source><translation>não se sabe (spin suposto até que as distâncias o mostrem)</translation></message>
+<message><source>not known (the ranges show spin)</source><translation>não se sabe (as distâncias mostram spin)</translation></message>
+<message><source>not known (the ranges show sweep)</source><translation>não se sabe (as distâncias mostram sweep)</translation></message>
+<message><source>not known (%1° assumed)</source><translation>não se sabe (%1° suposto)</translation></message>
+<message><source>needs the number of lines</source><translation>requer o número de linhas</translation></message>
 <message><source>Play</source><translation>Reproduzir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>
 <message><source>RECORDED · line %2/%3 at %1</source><translation>GRAVADO · linha %2/%3 em %1</translation></message>
@@ -1979,9 +1985,11 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes</source><translation>spin: o motor de passo gira em torno da direção de visada; %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>spin, about the viewing direction: %1 of %2 flat pieces lie on three planes</source><translation>spin, em torno da direção de visada: %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do.</source><translation>As paredes curvam-se com a montagem spin: %1 de %2 pedaços planos estão em três planos, com sweep são %3.</translation></message>
+<message><source>The ranges do not fit mounting spin: from line to line they stay the same at beams 0 and 180 degrees, as with sweep.</source><translation>As distâncias não combinam com a montagem spin: de linha a linha são iguais nos feixes de 0 e 180 graus, como com sweep.</translation></message>
 <message><source>sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes</source><translation>sweep: o motor de passo gira em torno da linha 0/180 graus; %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes</source><translation>sweep, em torno da linha 0/180 graus: %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.</source><translation>As paredes curvam-se com a montagem sweep: %1 de %2 pedaços planos estão em três planos, com spin são %3.</translation></message>
+<message><source>The ranges do not fit mounting sweep: from line to line they stay the same at beam 90 degrees, as with spin.</source><translation>As distâncias não combinam com a montagem sweep: de linha a linha são iguais no feixe de 90 graus, como com spin.</translation></message>
 <message><source>a step of %3 degrees, %4 in all: %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus, %4 no total: %1 de %2 pedaços planos estão em três planos</translation></message>
 <message><source>Walls bend at the line angles that were taken: %1 of %2 flat pieces lie on three planes, other steps give more.</source><translation>As paredes curvam-se com os ângulos de linha adotados: %1 de %2 pedaços planos estão em três planos, outros passos dão mais.</translation></message>
 <message><source>a step of %3 degrees, %4 in all; %1 of %2 flat pieces lie on three planes</source><translation>um passo de %3 graus, %4 no total; %1 de %2 pedaços planos estão em três planos</translation></message>

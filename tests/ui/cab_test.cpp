@@ -119,7 +119,7 @@ private slots:
                     for (const bool unfolded : {false, true}) {
                         NoticeBar& notice = on.viewer.notice;
                         notice.showNotice(NoticeBar::Kind::Warning, QString("a note of several words ").repeated(8));
-                        notice.offer(QObject::tr("Give them…"), [] {});
+                        notice.offer(QObject::tr("Give it…"), [] {});
                         notice.unfold(unfolded);
                         const auto on_ = [&](const QWidget& each) { return QRect(each.mapTo(&on.window, QPoint()), each.size()); };
                         QTRY_VERIFY2(!on_(notice).intersects(on_(*corner)),

@@ -636,12 +636,17 @@ private slots:
         scanner::SweepSettings assumed = scanner::assumedSweep();
         assumed.expectedLines = kLines;
         v.live.connectTo("127.0.0.1", emulated->port(), assumed);
-        QVERIFY2(v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
+        QVERIFY2(v.notice.text().startsWith("How the stepper turns"), qPrintable(v.notice.text()));
         // The cloud says it as long as it is so; images have no shape.
         QTRY_VERIFY(lines(on.window) > 2);
         const auto* overlay = v.cloud.findChild<CloudOverlay*>();
         QTRY_VERIFY2(overlay->marks().note.contains("Scan > Sweep…"), qPrintable(overlay->marks().note));
         QVERIFY(!v.gray.note().contains("Sweep…"));
+        // As soon as the ranges show the axis, the cloud has its shape and a view that shows it.
+        const auto axis = [&] { return std::get<PolarGeometry>(on.picture().detection->scan->geometry).axis; };
+        QVERIFY(axis() == Axis::Spin);
+        QTRY_VERIFY(axis() == Axis::Sweep);
+        QVERIFY2(v.cloud.shareInPicture() > 0.2, qPrintable(QString::number(v.cloud.shareInPicture())));
         // A double click, and a click while the fields are open, leave them open.
         auto* fields = v.live.panel().findChild<QDialog*>("sweep-dialog");
         auto* give = v.notice.findChild<QToolButton*>("notice-action");
@@ -655,17 +660,17 @@ private slots:
         v.targets.keepMeasure({inspect::MeasureKind::Distance, {60 * 381 + 150, 60 * 381 + 230}, {}});
         auto* list = v.targetsPanel.findChild<QListWidget*>("measure-list");
         QVERIFY(list != nullptr);
-        QTRY_VERIFY(list->count() == 1 && list->item(0)->toolTip().contains("mounting assumed"));
+        QTRY_VERIFY(list->count() == 1 && list->item(0)->toolTip().contains("step assumed")); // the ranges showed the axis
         v.live.panel().setSweep(sweep());
         v.live.panel().askSweep(); // typed values are taken when it closes
         fields->close();
-        QVERIFY2(!v.notice.isVisible() || !v.notice.text().startsWith("How is the scanner mounted"), qPrintable(v.notice.text()));
+        QVERIFY2(!v.notice.isVisible() || !v.notice.text().startsWith("How the stepper turns"), qPrintable(v.notice.text()));
         QTRY_VERIFY2(!overlay->marks().note.contains("Sweep…"), qPrintable(overlay->marks().note));
         // With the mounting, only the step is asked for.
         scanner::SweepSettings half = sweep();
         half.stepAssumed = true;
         v.live.connectTo("127.0.0.1", emulated->port(), half);
-        QVERIFY2(v.notice.text().startsWith("How far does the scanner turn"), qPrintable(v.notice.text()));
+        QVERIFY2(v.notice.text().startsWith("How the stepper turns"), qPrintable(v.notice.text()));
     }
 
     void nothingOfALostScannerIsGreen() {
@@ -890,7 +895,7 @@ private slots:
         auto* menu = panel.findChild<QDialog*>("sweep-dialog");
         QTRY_VERIFY(menu->isVisible() && QApplication::focusWidget() != nullptr && menu->isAncestorOf(QApplication::focusWidget()));
         const auto fields = menu->findChildren<QAbstractSpinBox*>();
-        QVERIFY(fields.size() == 4 && fields[0]->hasFocus());
+        QVERIFY(fields.size() == 5 && fields[0]->hasFocus());
         const auto type = [&](QAbstractSpinBox& field, const QString& text) {
             field.setFocus();
             field.selectAll();
@@ -898,11 +903,21 @@ private slots:
             fields[0]->setFocus();
             fields[0]->selectAll();
         };
-        QCOMPARE(fields[3]->text(), QString("not known")); // counts of an encoder
-        type(*fields[3], "12.5");
+        // The turn of all lines and the step are one value.
+        QVERIFY(!fields[1]->isEnabled());
+        type(*fields[0], "600");
+        QVERIFY(fields[1]->isEnabled() && panel.sweep().stepAssumed);
+        QCOMPARE(panel.sweep().degPerLine.value_or(0.0), 0.3); // half a turn
+        type(*fields[1], "120");
+        QVERIFY(!panel.sweep().stepAssumed);
+        QCOMPARE(panel.sweep().degPerLine.value_or(0.0), 0.2);
+        type(*fields[2], "0.25");
+        QCOMPARE(static_cast<QDoubleSpinBox*>(fields[1])->value(), 150.0);
+        QCOMPARE(fields[4]->text(), QString("not known")); // counts of an encoder
+        type(*fields[4], "12.5");
         QCOMPARE(panel.sweep().ticksPerDeg.value_or(0.0), 12.5);
-        type(*fields[3], "0");
-        QVERIFY(fields[3]->text() == "not known" && !panel.sweep().ticksPerDeg);
+        type(*fields[4], "0");
+        QVERIFY(fields[4]->text() == "not known" && !panel.sweep().ticksPerDeg);
         QTest::keyClicks(fields[0], "240");
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         QVERIFY2(fields[1]->hasFocus() && menu->isVisible(), "Tab goes to the next field");

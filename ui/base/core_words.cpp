@@ -36,6 +36,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "no return %1 %"),
     QT_TRANSLATE_NOOP("QObject", "COUNTERS IN DOUBT"),
     QT_TRANSLATE_NOOP("QObject", "MOUNTING ASSUMED"),
+    QT_TRANSLATE_NOOP("QObject", "MOUNTING FROM RANGES"),
     QT_TRANSLATE_NOOP("QObject", "STEP ASSUMED %1°"),
     QT_TRANSLATE_NOOP("QObject", "START ASSUMED"),
     QT_TRANSLATE_NOOP("QObject", "1 remark"),
@@ -90,6 +91,8 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "How a motor turned the scanner was not said. ASSUMED: "),
     QT_TRANSLATE_NOOP("QObject", "the axis (spin)"),
     QT_TRANSLATE_NOOP("QObject", "the axis (sweep)"),
+    QT_TRANSLATE_NOOP("QObject", "the axis (spin, seen in the ranges)"),
+    QT_TRANSLATE_NOOP("QObject", "the axis (sweep, seen in the ranges)"),
     QT_TRANSLATE_NOOP("QObject", "the step from line to line (%1 degrees"),
     QT_TRANSLATE_NOOP("QObject", "the motor turning on while a line is measured)"),
     QT_TRANSLATE_NOOP("QObject", "Give %1 where that is wrong."),
@@ -414,6 +417,8 @@ QString assumedText(const Scan& scan) {
     switch (assumedIn(scan)) {
     case Assumed::Nothing:
         break;
+    case Assumed::SeenAxis:
+        return QObject::tr("▲ mounting from the ranges");
     case Assumed::Step:
         return QObject::tr("▲ step assumed");
     case Assumed::Mounting:

@@ -4,6 +4,7 @@
 #include "core/base/bounded_json.h"
 #include "core/base/json_text.h"
 #include "core/scan/grid/acquisition.h"
+#include "core/scan/grid/assumed_mounting.h"
 #include "core/scanner/cola/host_port.h"
 #include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
@@ -51,27 +52,14 @@ QString sweepName(const scanner::SweepProgress& sweep) {
         .arg(sweep.expected);
 }
 
-/// About what is assumed. `brief`: for a cab.
-QString mountingQuestion(bool axis, bool step, bool brief) {
-    if (axis && step)
-        return brief ? Live::tr("Mounting and step are not known.")
-                     : Live::tr("How is the scanner mounted, and how far does it turn from line to line? Until both are given, the shape "
-                                "is assumed.");
-    if (axis)
-        return brief ? Live::tr("The mounting is not known.")
-                     : Live::tr("How is the scanner mounted? Until that is given, the shape is assumed.");
-    return brief ? Live::tr("The step from line to line is not known.")
-                 : Live::tr("How far does the scanner turn from line to line? Until that is given, the shape is assumed.");
+/// `brief`: for a cab.
+QString mountingQuestion(bool brief) {
+    return brief ? Live::tr("How the stepper turns the scanner is not known.")
+                 : Live::tr("How the stepper turns the scanner is not known. Edges are found all the same, but the shape of the cloud is "
+                            "assumed until you give it.");
 }
 
-QStringList mountingQuestions() {
-    QStringList all;
-    for (const bool brief : {false, true}) {
-        for (const auto& [axis, step] : {std::pair(true, true), std::pair(true, false), std::pair(false, true)})
-            all << mountingQuestion(axis, step, brief);
-    }
-    return all;
-}
+QStringList mountingQuestions() { return {mountingQuestion(true), mountingQuestion(false)}; }
 
 } // namespace
 
@@ -101,6 +89,7 @@ Live::Live(Engine& engine, LivePanel& panel, Timeline& timeline, LinkedViews& vi
 
 void Live::followPicture() {
     scanner_.followPicture();
+    panel_.showAxisSeen(axisSeen());
     views_.setShapeNote(shapeNote());
     reportSweepEnd();
 }
@@ -188,12 +177,12 @@ void Live::connectTo(const QString& host, int port, const scanner::SweepSettings
     scanner.joint = joint;
     scanner_.connectTo(scanner, sweep);
     if (scanner.bridge || (!sweep.axisAssumed && !sweep.stepAssumed)) return;
-    askMounting(sweep);
+    askMounting();
 }
 
-void Live::askMounting(const scanner::SweepSettings& sweep) {
-    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion(sweep.axisAssumed, sweep.stepAssumed, panel_.brief()));
-    notice_.offer(sweep.axisAssumed && sweep.stepAssumed ? tr("Give them…") : tr("Give it…"), [this] { panel_.askSweep(); });
+void Live::askMounting() {
+    notice_.showNotice(NoticeBar::Kind::Warning, mountingQuestion(panel_.brief()));
+    notice_.offer(tr("Give it…"), [this] { panel_.askSweep(); });
 }
 
 void Live::useSweep() {
@@ -203,7 +192,7 @@ void Live::useSweep() {
     preferences_.keep("live/sweep", exactText(jsonText(nlohmann::json(scanner::metadataOf(sweep)))));
     const bool asks = !notice_.isHidden() && mountingQuestions().contains(notice_.text());
     notice_.withdraw(mountingQuestions());
-    if (asks && (sweep.axisAssumed || sweep.stepAssumed)) askMounting(sweep); // about the rest
+    if (asks && (sweep.axisAssumed || sweep.stepAssumed)) askMounting(); // about the rest
     QStringList remarks;
     if (*gone > 0) remarks << tr("The first %1 lines of this sweep are too old to be moved to their new places.").arg(*gone);
     if (scanner_.recording())
@@ -265,17 +254,25 @@ QString Live::waitsFor() const {
     return wrong.empty() ? tr("Waiting for the first line") : coreSentence(wrong);
 }
 
+/// That the ranges of the connected scanner show.
+std::optional<Axis> Live::axisSeen() const {
+    if (!scanner_.connected() || !showsScanner()) return std::nullopt;
+    const Scan& scan = *engine_.picture()->detection->scan;
+    const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
+    return polar != nullptr && isAxisSeen(scan) ? std::optional(polar->axis) : std::nullopt;
+}
+
 /// Also after Stop and of a recording, while lengths and rocks have the sign too.
 QString Live::shapeNote() const {
     const auto& shown = engine_.picture();
     if (!shown) return {};
-    const scanner::SweepSettings sweep = panel_.sweep();
-    if (scanner_.connected() && showsScanner() && !panel_.bridge() && (sweep.axisAssumed || sweep.stepAssumed))
-        return panel_.brief()       ? QString() // its strip has the badge
-               : !sweep.axisAssumed ? tr("▲ The shape is assumed: give the step in Scan > Sweep…")
-               : !sweep.stepAssumed ? tr("▲ The shape is assumed: give the mounting in Scan > Sweep…")
-                                    : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
-    return assumedText(*shown->detection->scan);
+    const Scan& scan = *shown->detection->scan;
+    const Assumed assumed = assumedIn(scan);
+    if (assumed == Assumed::Nothing || !scanner_.connected() || !showsScanner() || panel_.bridge()) return assumedText(scan);
+    return panel_.brief()                 ? QString() // its strip has the badge
+           : assumed == Assumed::Step     ? tr("▲ The shape is assumed: give the step in Scan > Sweep…")
+           : assumed == Assumed::SeenAxis ? tr("▲ The ranges show the mounting: confirm it in Scan > Sweep…")
+                                          : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
 }
 
 /// What is on the screen, and what the button does.

@@ -59,13 +59,14 @@ signals:
 private:
     void connectPanel();
     void useSweep();
-    void askMounting(const scanner::SweepSettings& sweep);
+    void askMounting();
     void connectScanner();
     void showHealth();
     void offerOther();
     [[nodiscard]] QString note(bool held) const;
     [[nodiscard]] QString lastLine() const;
     [[nodiscard]] QString shapeNote() const;
+    [[nodiscard]] std::optional<Axis> axisSeen() const;
     void showReplayed(const ReplayedSweep& at);
     void loadTimeline(const QString& path);
     void reportSweepEnd();

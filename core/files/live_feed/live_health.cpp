@@ -84,8 +84,9 @@ void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
     if ((error || warning) && !now) health.contamination += " earlier in this sweep";
 }
 
-/// "MOUNTING ASSUMED", or "STEP ASSUMED 0.18°" if only the step was not given.
+/// "MOUNTING ASSUMED", "MOUNTING FROM RANGES", or "STEP ASSUMED 0.18°" if only the step is not known.
 std::string assumedWords(const std::string& sentence) {
+    if (assumedIn(sentence) == Assumed::SeenAxis) return "MOUNTING FROM RANGES";
     if (assumedIn(sentence) != Assumed::Step) return "MOUNTING ASSUMED";
     const std::size_t number = sentence.find(kStepAssumed) + std::string_view(kStepAssumed).size();
     return "STEP ASSUMED " + sentence.substr(number, sentence.find(' ', number) - number) + "°";

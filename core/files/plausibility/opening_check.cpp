@@ -8,6 +8,7 @@
 #include "core/files/plausibility/common_planes.h"
 #include "core/scan/angle_correction/straighten_scan.h"
 #include "core/scan/grid/assumed_mounting.h"
+#include "core/scan/grid/axis_from_ranges.h"
 
 #include <algorithm>
 #include <array>
@@ -38,14 +39,17 @@ constexpr const char* kOddUnit = "%2 mm, so that half of the ranges are below %1
 constexpr const char* kUnusual = "In the unit that was taken half of the ranges are below %1 m, which is unusual for a scan of rocks.";
 
 struct Mounting {
-    const char *taken, *other, *bent;
+    const char *taken, *other, *bent, *moves;
 };
-constexpr Mounting kSpin{"spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes",
-                         "spin, about the viewing direction: %1 of %2 flat pieces lie on three planes",
-                         "Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do."};
+constexpr Mounting kSpin{
+    "spin: the stepper turns about the viewing direction; %1 of %2 flat pieces lie on three planes",
+    "spin, about the viewing direction: %1 of %2 flat pieces lie on three planes",
+    "Walls bend with mounting spin: %1 of %2 flat pieces lie on three planes, with sweep %3 do.",
+    "The ranges do not fit mounting spin: from line to line they stay the same at beams 0 and 180 degrees, as with sweep."};
 constexpr Mounting kSweep{"sweep: the stepper turns about the 0/180 degree line; %1 of %2 flat pieces lie on three planes",
                           "sweep, about the 0/180 degree line: %1 of %2 flat pieces lie on three planes",
-                          "Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do."};
+                          "Walls bend with mounting sweep: %1 of %2 flat pieces lie on three planes, with spin %3 do.",
+                          "The ranges do not fit mounting sweep: from line to line they stay the same at beam 90 degrees, as with spin."};
 
 double medianRangeM(const Scan& scan) {
     std::vector<float> ranges;
@@ -110,7 +114,10 @@ OpeningPoint mountingOf(const Scan& scan, const PolarGeometry& polar, const Read
     ReadingOptions so = options;
     so.axis = turned.axis;
     point.others.push_back({{wordsOf(turned.axis).other, flatOf(other)}, std::move(so)});
-    if (clearlyFlatter(other, now)) point.against = {wordsOf(polar.axis).bent, with(flatOf(now), std::to_string(other.onPlanes))};
+    if (clearlyFlatter(other, now))
+        point.against = {wordsOf(polar.axis).bent, with(flatOf(now), std::to_string(other.onPlanes))};
+    else if (axisFromRanges(scan.rangeMm, scan.state, polar.beamDeg) == turned.axis && !clearlyFlatter(now, other))
+        point.against = {wordsOf(polar.axis).moves, {}};
     return point;
 }
 

@@ -255,6 +255,7 @@ void SweepAssembler::finishSweep() {
         if (finished_.size() > kFinishedKept) finished_.pop_front();
         ++number_;
     }
+    axisBefore_ = axisSeen_;
     finishedProgress_ = finished_.empty() ? SweepProgress{} : finished_.back().progress;
     ended_ = account();
     note(Irregularity::LeftOut, sweep_->leftOut());

@@ -42,6 +42,9 @@ struct SweepSettings {
     bool operator==(const SweepSettings&) const = default;
 };
 
+/// Degrees per line where no step was given: half a turn over all lines, where their number is known.
+[[nodiscard]] inline double assumedStepDeg(int expectedLines) { return expectedLines > 0 ? 180.0 / expectedLines : 0.18; }
+
 /// Settings without any given value.
 [[nodiscard]] inline SweepSettings assumedSweep() {
     SweepSettings settings;

@@ -5,6 +5,7 @@
 #include "core/base/utc_time.h"
 #include "core/scan/grid/acquisition.h"
 #include "core/scan/grid/assumed_mounting.h"
+#include "core/scan/grid/axis_from_ranges.h"
 
 #include <algorithm>
 #include <iterator>
@@ -55,13 +56,16 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
 }
 
 /// A step that is counted is assumed, too; an encoder or the stepper reports its angles itself.
-std::string assumedText(const SweepSettings& settings, AngleSource source) {
+std::string assumedText(const SweepSettings& settings, std::optional<Axis> axisSeen, AngleSource source) {
     std::string what, flags;
     const auto addAssumption = [&](const std::string& words, const char* flag) {
         what += (what.empty() ? "" : ", ") + words;
         flags += (flags.empty() ? "" : ", ") + std::string(flag);
     };
-    if (settings.axisAssumed) addAssumption(std::string(kAxisAssumed) + (settings.axis == Axis::Spin ? "spin" : "sweep") + ")", "--axis");
+    if (settings.axisAssumed) {
+        const bool spin = axisSeen.value_or(settings.axis) == Axis::Spin;
+        addAssumption(std::string(kAxisAssumed) + (spin ? "spin" : "sweep") + (axisSeen ? kAxisSeen : ")"), "--axis");
+    }
     if (settings.stepAssumed && source == AngleSource::Steps) {
         addAssumption(kStepAssumed + shortestText(*settings.degPerLine) + " degrees" +
                           (settings.continuous ? ", the motor turning on while a line is measured)" : ")"),
@@ -113,7 +117,7 @@ SweepProgress SweepAssembler::progress() const {
         progress.received = progress.lines - static_cast<int>(progress.lost.size());
         progress.cells = sweep_->grid().counts(progress.lines);
         progress.angleSource = angleSourceOf(sweep_->facts(), settings_);
-        progress.assumed = assumedText(settings_, progress.angleSource);
+        progress.assumed = assumedText(settings_, axisSeen_, progress.angleSource);
         progress.startAssumed = startAssumed(progress.angleSource);
         const bool placed = encoderAt_ || progress.angleSource == AngleSource::Stepper;
         progress.endUnknown = placed && !startIsKnown_;
@@ -155,13 +159,17 @@ std::string SweepAssembler::startAssumed(AngleSource source) const {
 
 /// Sets everything but ranges and states; the scan may hold an earlier snapshot.
 void SweepAssembler::describe(Scan& scan) {
+    if (settings_.axisAssumed) {
+        axisSeen_ = axisFromRanges(scan.rangeMm, scan.state, sweep_->beams().beamDeg());
+        if (!axisSeen_) axisSeen_ = axisBefore_;
+    }
     const SweepProgress now = progress();
     const auto rows = static_cast<std::size_t>(now.lines);
     LineAngles angles = lineAngles(sweep_->facts().first(rows), settings_);
     PolarGeometry polar;
     polar.beamDeg = sweep_->beams().beamDeg();
     polar.lineDeg = std::move(angles.lineDeg);
-    polar.axis = settings_.axis;
+    polar.axis = axisSeen_.value_or(settings_.axis);
     polar.lineDirection = settings_.lineDirection;
     polar.lineSkewDeg = lineSkewDeg(polar.beamDeg, sweep_->turnsOf(), angles.degPerTurn, settings_.indexDeg);
     scan.geometry = std::move(polar);

@@ -5,12 +5,15 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
 #include <QSpinBox>
 
 namespace edgescan::ui {
 namespace {
 
-constexpr double kStepNotGiven = -10.00001; // minimum of the box, displayed as text: the step is not given
+// Minimum of their boxes, displayed as text: not given.
+constexpr double kStepNotGiven = -10.00001, kTurnNotGiven = -3600.001;
 
 /// 0 is shown in words.
 class CountBox : public QDoubleSpinBox {
@@ -34,29 +37,68 @@ QDoubleSpinBox* degrees(double least, double most, int decimals) {
     return box;
 }
 
+bool isNotGiven(const QDoubleSpinBox& box) { return box.value() <= box.minimum(); }
+
 } // namespace
 
 SweepForm::SweepForm(QWidget* parent)
-    : QWidget(parent), lines_(new QSpinBox), step_(degrees(kStepNotGiven, 10, 5)), first_(degrees(-360, 360, 3)), ticks_(new CountBox),
-      axis_(new QComboBox), standing_(new QCheckBox(tr("Does not turn while a line is measured"))) {
+    : QWidget(parent), lines_(new QSpinBox), turn_(degrees(kTurnNotGiven, 3600, 3)), step_(degrees(kStepNotGiven, 10, 5)),
+      first_(degrees(-360, 360, 3)), ticks_(new CountBox), axis_(new QComboBox),
+      standing_(new QCheckBox(tr("Does not turn while a line is measured"))) {
     lines_->setRange(0, 20000);
     lines_->setSpecialValueText(tr("not known"));
     step_->setSingleStep(0.01);
-    step_->setSpecialValueText(tr("not known (0.18° assumed)"));
+    first_->setToolTip(tr("Where the stepper begins. The cloud turns with it, its shape is the same."));
     ticks_->setRange(-1e7, 1e7);
     ticks_->setDecimals(4);
     ticks_->setToolTip(tr("0: no encoder; the lines are placed by the stepper's step"));
-    axis_->addItem(tr("not known (spin assumed)"));
-    axis_->addItem(tr("spin: about the viewing direction"), static_cast<int>(Axis::Spin));
-    axis_->addItem(tr("sweep: about the 0/180 degree line"), static_cast<int>(Axis::Sweep));
+    axis_->addItem({});
+    axis_->addItem(tr("like a wheel, about its viewing direction (spin)"), static_cast<int>(Axis::Spin));
+    axis_->addItem(tr("nodding, about the line from beam 0° to 180° (sweep)"), static_cast<int>(Axis::Sweep));
+    showAxisSeen({});
+    auto* source = new QLabel(tr("The numbers are in the stepper's program or data sheet. Leave out what you do not know."));
+    source->setWordWrap(true);
     auto* form = new QFormLayout(this);
+    form->addRow(source);
+    form->addRow(tr("The scanner turns"), axis_);
     form->addRow(tr("Lines of a whole sweep"), lines_);
+    form->addRow(tr("Turn of a whole sweep"), turn_);
     form->addRow(tr("Step per line"), step_);
     form->addRow(tr("Angle of the first line"), first_);
     form->addRow(tr("Encoder counts per degree"), ticks_);
-    form->addRow(tr("Mounting of the stepper"), axis_);
     form->addRow(QString(), standing_);
+    connect(lines_, qOverload<int>(&QSpinBox::valueChanged), this, &SweepForm::followLines);
+    connect(step_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &SweepForm::followStep);
+    connect(turn_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &SweepForm::followTurn);
     showSettings(scanner::assumedSweep());
+}
+
+void SweepForm::showAxisSeen(std::optional<Axis> axis) {
+    const Axis taken = axis.value_or(scanner::assumedSweep().axis);
+    axis_->setItemText(0, !axis                 ? tr("not known (spin assumed until the ranges show it)")
+                          : taken == Axis::Spin ? tr("not known (the ranges show spin)")
+                                                : tr("not known (the ranges show sweep)"));
+}
+
+/// Words of a box are set only here: setting them writes its text again, under the fingers of the operator.
+void SweepForm::followLines() {
+    const int lines = lines_->value();
+    const auto assumed = [](double deg) { return tr("not known (%1° assumed)").arg(QLocale().toString(deg, 'g', 4)); };
+    step_->setSpecialValueText(assumed(scanner::assumedStepDeg(lines)));
+    turn_->setSpecialValueText(lines > 0 ? assumed(scanner::assumedStepDeg(lines) * lines) : tr("needs the number of lines"));
+    turn_->setEnabled(lines > 0);
+    followStep();
+}
+
+void SweepForm::followStep() {
+    const QSignalBlocker quiet(turn_);
+    const int lines = lines_->value();
+    turn_->setValue(lines > 0 && !isNotGiven(*step_) ? step_->value() * lines : kTurnNotGiven);
+}
+
+void SweepForm::followTurn() {
+    const QSignalBlocker quiet(step_);
+    step_->setValue(isNotGiven(*turn_) ? kStepNotGiven : turn_->value() / lines_->value());
 }
 
 void SweepForm::showSettings(const scanner::SweepSettings& settings) {
@@ -67,6 +109,7 @@ void SweepForm::showSettings(const scanner::SweepSettings& settings) {
     ticks_->setValue(settings.ticksPerDeg.value_or(0.0));
     axis_->setCurrentIndex(settings.axisAssumed ? 0 : axis_->findData(static_cast<int>(settings.axis)));
     standing_->setChecked(!settings.continuous);
+    followLines();
 }
 
 void SweepForm::begin() {
@@ -78,8 +121,8 @@ scanner::SweepSettings SweepForm::settings() const {
     scanner::SweepSettings settings = shown_;
     settings.expectedLines = lines_->value();
     const scanner::SweepSettings assumed = scanner::assumedSweep();
-    settings.stepAssumed = step_->value() <= step_->minimum();
-    settings.degPerLine = settings.stepAssumed ? assumed.degPerLine : step_->value();
+    settings.stepAssumed = isNotGiven(*step_);
+    settings.degPerLine = settings.stepAssumed ? scanner::assumedStepDeg(settings.expectedLines) : step_->value();
     settings.firstLineDeg = first_->value();
     settings.ticksPerDeg = ticks_->value() != 0.0 ? std::optional<double>(ticks_->value()) : std::nullopt;
     settings.axisAssumed = axis_->currentIndex() == 0;

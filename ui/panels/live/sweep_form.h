@@ -18,14 +18,21 @@ public:
     explicit SweepForm(QWidget* parent = nullptr);
 
     void showSettings(const scanner::SweepSettings& settings);
+    /// The axis that the ranges show is named where none was chosen; empty: they show none.
+    void showAxisSeen(std::optional<Axis> axis);
     /// Keys go to the first field, whose text is selected.
     void begin();
     /// The last shown settings with the operator's changes.
     [[nodiscard]] scanner::SweepSettings settings() const;
 
 private:
+    void followLines();
+    void followStep();
+    void followTurn();
+
     scanner::SweepSettings shown_;
     QSpinBox* lines_;
+    QDoubleSpinBox* turn_; // of all lines: another form of the step
     QDoubleSpinBox* step_;
     QDoubleSpinBox* first_;
     QDoubleSpinBox* ticks_;

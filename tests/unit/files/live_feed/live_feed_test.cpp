@@ -169,11 +169,14 @@ TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     EXPECT_EQ(healthOf(status).remark, "2 remarks");
     const std::string axis = "the axis (spin)",
                       step = "the step from line to line (0.18 degrees, the motor turning on while a line is measured)";
-    for (const auto& [what, badge] :
-         {std::pair(axis, "MOUNTING ASSUMED"), std::pair(axis + ", " + step, "MOUNTING ASSUMED"), std::pair(step, "STEP ASSUMED 0.18°")}) {
+    const std::string seen = "the axis (sweep" + std::string(kAxisSeen);
+    for (const auto& [what, badge, assumed] :
+         {std::tuple(axis, "MOUNTING ASSUMED", Assumed::Mounting), std::tuple(axis + ", " + step, "MOUNTING ASSUMED", Assumed::Mounting),
+          std::tuple(seen, "MOUNTING FROM RANGES", Assumed::SeenAxis), std::tuple(seen + ", " + step, "STEP ASSUMED 0.18°", Assumed::Step),
+          std::tuple(step, "STEP ASSUMED 0.18°", Assumed::Step)}) {
         status.sweep.assumed = kMountingAssumed + what + ". Give it where that is wrong.";
         EXPECT_EQ(healthOf(status).remark, badge);
-        EXPECT_EQ(assumedIn(status.sweep.assumed), what == step ? Assumed::Step : Assumed::Mounting);
+        EXPECT_EQ(assumedIn(status.sweep.assumed), assumed);
     }
     status.sweep.assumed.clear();
     EXPECT_NE(healthOf(status).remarks.at(0).find("(line 7)"), std::string::npos) << healthOf(status).remarks.at(0);
