@@ -809,7 +809,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagen preliminar de %1 millones de celdas, falta el resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Los bordes llegan con el resto del escaneo</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Aquí no hay ningún punto: no se midió nada, o está oculto.</translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden. Click the rock next to it.</source><translation>Aquí no hay punto: no se midió nada, o está oculto. Haga clic en la roca de al lado.</translation></message>
 <message><source>A is shown; go back to B to pin or to measure.</source><translation>Se muestra A; vuelva a B para fijar o medir.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>Se puede hacer clic en las celdas cuando el escaneo está completo: esta es una imagen preliminar.</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>
@@ -998,8 +998,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Mounting</source><translation>Montaje</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Guardar con el escaneo</translation></message>
 <message><source>&amp;Remove Pose</source><translation>&amp;Quitar la pose</translation></message>
-<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Una línea del levantamiento: punto, E, N, RL, y rumbo, cabeceo y alabeo si los tiene. E es la coordenada este, N la norte, RL la altura sobre el cero de la mina: un lugar más alto tiene un RL mayor.</translation></message>
 <message><source>&amp;Fill In</source><translation>&amp;Rellenar</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Una línea del levantamiento: punto, E, N, RL, y rumbo, cabeceo y alabeo si los tiene. E es la coordenada este, N la norte, RL la altura sobre el cero de la mina: un lugar más alto tiene un RL mayor.</translation></message>
 <message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Cómo está montado el escáner, con un nombre para el próximo escaneo. Un campo vacío tiene el valor que muestra.</translation></message>
 <message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
 <message><source>For&amp;get</source><translation>&amp;Olvidar</translation></message>

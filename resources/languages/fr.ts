@@ -809,7 +809,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Image grossière de %1 millions de cellules, le reste arrive</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Les arêtes arrivent avec le reste du scan</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est masqué.</translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden. Click the rock next to it.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est caché. Cliquez sur la roche voisine.</translation></message>
 <message><source>A is shown; go back to B to pin or to measure.</source><translation>A est affiché ; revenez à B pour épingler ou mesurer.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>On peut cliquer sur les cellules quand le scan est là en entier : ceci en est une image grossière.</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>
@@ -998,8 +998,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Mounting</source><translation>Montage</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Enregistrer avec le scan</translation></message>
 <message><source>&amp;Remove Pose</source><translation>En&amp;lever la pose</translation></message>
-<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Une ligne du levé : point, E, N, RL, puis cap, tangage et roulis si elle les contient. E est la coordonnée est, N la coordonnée nord, RL la hauteur au-dessus du zéro de la mine : un lieu plus haut a un RL plus grand.</translation></message>
 <message><source>&amp;Fill In</source><translation>&amp;Remplir</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Une ligne du levé : point, E, N, RL, puis cap, tangage et roulis si elle les contient. E est la coordonnée est, N la coordonnée nord, RL la hauteur au-dessus du zéro de la mine : un lieu plus haut a un RL plus grand.</translation></message>
 <message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Comment le scanner est monté, sous un nom pour le prochain scan. Un champ vide a la valeur affichée dedans.</translation></message>
 <message><source>Store &amp;As…</source><translation>Enregistrer &amp;sous…</translation></message>
 <message><source>For&amp;get</source><translation>&amp;Oublier</translation></message>

@@ -809,7 +809,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagem grosseira de %1 milhões de células, falta o resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>As arestas chegam com o resto da varredura</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden.</source><translation>Não há ponto aqui: nada foi medido, ou está oculto.</translation></message>
+<message><source>There is no point here: nothing was measured, or it is hidden. Click the rock next to it.</source><translation>Não há ponto aqui: nada foi medido, ou ele está oculto. Clique na rocha ao lado.</translation></message>
 <message><source>A is shown; go back to B to pin or to measure.</source><translation>A está à mostra; volte a B para fixar ou medir.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>Pode-se clicar nas células quando a varredura está completa: esta é uma imagem grosseira dela.</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>
@@ -998,8 +998,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Mounting</source><translation>Montagem</translation></message>
 <message><source>&amp;Store with the Scan</source><translation>&amp;Guardar com a varredura</translation></message>
 <message><source>&amp;Remove Pose</source><translation>&amp;Remover a pose</translation></message>
-<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Uma linha do levantamento: ponto, E, N, RL, e rumo, arfagem e rolagem se os tiver. E é a coordenada este, N a norte, RL a altura acima do zero da mina: um lugar mais alto tem um RL maior.</translation></message>
 <message><source>&amp;Fill In</source><translation>&amp;Preencher</translation></message>
+<message><source>A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL the height above the mine's zero: a higher place has a larger RL.</source><translation>Uma linha do levantamento: ponto, E, N, RL, e rumo, arfagem e rolagem se os tiver. E é a coordenada este, N a norte, RL a altura acima do zero da mina: um lugar mais alto tem um RL maior.</translation></message>
 <message><source>How the scanner is mounted, under a name for the next scan. An empty field has the value shown in it.</source><translation>Como o scanner está montado, com um nome para a próxima varredura. Um campo vazio tem o valor que mostra.</translation></message>
 <message><source>Store &amp;As…</source><translation>Guardar &amp;como…</translation></message>
 <message><source>For&amp;get</source><translation>&amp;Esquecer</translation></message>

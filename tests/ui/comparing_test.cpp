@@ -98,7 +98,11 @@ private slots:
         QVERIFY(on.open(after_) && known(on));
         const ChangeLegend& legend = on.viewer.changeLegend;
         const auto* label = legend.findChild<QLabel*>("change-sum");
-        QVERIFY(label->isVisible());
+        on.window.resize(1280, 800); // a low view has the explanations in tips
+        QTRY_VERIFY(!label->isVisible());
+        QCOMPARE(legend.row(ChangeRow::Lost)->toolTip(), legend.sumText());
+        on.window.resize(1600, 1000);
+        QTRY_VERIFY(label->isVisible());
         std::vector<std::size_t> numbers;
         static const QRegularExpression digits("[0-9][0-9,]*");
         for (auto each = digits.globalMatch(legend.sumText()); each.hasNext();) numbers.push_back(numberIn(each.next().captured()));
@@ -111,6 +115,7 @@ private slots:
         QTest::mouseClick(legend.findChild<QToolButton*>("change-fold"), Qt::LeftButton); // it begins folded
         QTRY_VERIFY(label->isVisible());
         on.window.cab().set(false);
+        on.window.resize(1600, 1000);
         QTRY_VERIFY(label->isVisible());
     }
 

@@ -2,6 +2,7 @@
 #include "ui/base/scrolled.h"
 
 #include <QEvent>
+#include <QFontMetrics>
 #include <QLayout>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -42,6 +43,7 @@ QScrollArea* scrolled(QWidget& panel) {
     area->setWidget(&panel);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
+    area->verticalScrollBar()->setSingleStep(3 * panel.fontMetrics().lineSpacing()); // about a row of a form
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     new FollowsWidth(*area, panel);
     return area;

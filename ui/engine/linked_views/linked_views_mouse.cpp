@@ -75,8 +75,10 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::markClicked, this, [this](const MarkName& mark, qint64 behind) {
         if (!refusesClicks(cloud_)) clickMark(mark, behind < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(behind)));
     });
-    connect(&cloud_, &CloudView::missed, this,
-            [this] { QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden."), &cloud_); });
+    connect(&cloud_, &CloudView::missed, this, [this] {
+        QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden. Click the rock next to it."),
+                           &cloud_);
+    });
     connect(&cloud_, &CloudView::outlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {
         if (!refusesClicks(cloud_)) emit cloudOutlined(corners, modifiers);
     });

@@ -299,7 +299,10 @@ bool ChangeLegend::event(QEvent* event) {
 }
 
 bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize && watched == parentWidget()) fit();
+    if (event->type() == QEvent::Resize && watched == parentWidget()) {
+        showRows();
+        fit();
+    }
     return ViewPlate::eventFilter(watched, event);
 }
 
@@ -333,10 +336,15 @@ void ChangeLegend::showRows() {
         shown_[n]->setMinimumSize(brief_ ? QSize(kForGloves, kForGloves) : QSize(0, 0));
         shown_[n]->setChecked(n == static_cast<std::size_t>(shown));
     }
-    sum_->setVisible(open && rowsShown_ && !words_.at(sum_).isEmpty());
+    const bool all = hasRoom();
+    sum_->setVisible(open && rowsShown_ && all && !words_.at(sum_).isEmpty());
+    const Row& lost = rows_[static_cast<std::size_t>(ChangeRow::Lost)];
+    for (QWidget* each : {static_cast<QWidget*>(lost.box), static_cast<QWidget*>(lost.count)}) each->setToolTip(words_.at(sum_));
     unit_->setVisible(open && compared_ && rowsShown_ && !brief_);
     how_->setVisible(!compared_ || (rowsShown_ && (warned_ || (open && !brief_))));
-    setWords(*how_, open || !warned_ ? howWords_ : outOfSpecWords());
+    const QString how = all || !compared_ ? howWords_ : howWords_.section('\n', 0, 1);
+    setWords(*how_, open || !warned_ ? how : outOfSpecWords());
+    how_->setToolTip(how == howWords_ ? QString() : howWords_);
     byDistance_->setVisible(open && rowsShown_ && ofTwoScans_ && !brief_);
     histogram_->setVisible(open && hasDistances_);
     distances_->setVisible(open && hasDistances_);
@@ -359,6 +367,12 @@ bool ChangeLegend::isOneLine() const { return brief_ && compared_ && rowsShown_ 
 bool ChangeLegend::isLow() const {
     constexpr int kLow = 480; // px
     return brief_ && parentWidget() != nullptr && parentWidget()->height() < kLow;
+}
+
+/// For the explanations too; else they are in tips, because the legend must not cover the changes that it counts.
+bool ChangeLegend::hasRoom() const {
+    constexpr int kRoomForAll = 720;                                                       // px
+    return brief_ || parentWidget() == nullptr || parentWidget()->height() >= kRoomForAll; // a cab has no tips, and unfolds it on purpose
 }
 
 /// Open, it would cover the changes that it counts, and most of a low view.

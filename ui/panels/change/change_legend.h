@@ -75,6 +75,7 @@ private:
     [[nodiscard]] bool isOneLine() const;
     [[nodiscard]] QString summaryText() const;
     [[nodiscard]] bool isLow() const;
+    [[nodiscard]] bool hasRoom() const;
     void foldInCab();
 
     QLabel *title_, *unit_, *how_, *sum_, *overRocks_, *region_;

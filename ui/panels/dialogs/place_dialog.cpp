@@ -69,13 +69,16 @@ bool anyFault(const PlaceTexts& faults) {
 PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidget), state_(wrappedLabel()) {
     setObjectName("place-dialog");
     setWindowTitle(tr("Pose and Mounting"));
+    const QScreen* at = screen();
+    const QSize room = at != nullptr ? at->availableSize() - QSize(20, 60) : QSize(kDialogWide, kDialogHigh);
+    low_ = room.height() < kDialogHigh;
     tabs_->setObjectName("place-tabs");
     tabs_->setUsesScrollButtons(false);               // both fit
     tabs_->addTab(scrolled(*posePage()), tr("Pose")); // also on a low screen the buttons below are in sight
     tabs_->addTab(scrolled(*mountingPage()), tr("Mounting"));
     state_->setObjectName("place-state");
     state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    state_->setMinimumHeight(3 * state_->fontMetrics().lineSpacing()); // the fields do not move while numbers are typed
+    if (!low_) state_->setMinimumHeight(3 * state_->fontMetrics().lineSpacing()); // the fields do not move while numbers are typed
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     keep_ = buttons->addButton(tr("&Store with the Scan"), QDialogButtonBox::AcceptRole);
     remove_ = buttons->addButton(tr("&Remove Pose"), QDialogButtonBox::DestructiveRole);
@@ -88,20 +91,13 @@ PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidge
     column->addWidget(tabs_, 1);
     column->addWidget(state_);
     column->addWidget(buttons);
-    const QScreen* at = screen();
-    const QSize room = at != nullptr ? at->availableSize() - QSize(20, 60) : QSize(kDialogWide, kDialogHigh);
-    const bool low = room.height() < kDialogHigh; // then its texts have fewer lines
-    if (low) state_->setMinimumHeight(2 * state_->fontMetrics().lineSpacing());
-    resize(QSize(low ? room.width() : kDialogWide, kDialogHigh).boundedTo(room));
+    resize(QSize(low_ ? room.width() : kDialogWide, kDialogHigh).boundedTo(room));
     showState({}, false);
 }
 
 QWidget* PlaceDialog::posePage() {
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
-    column->addWidget(
-        wrappedLabel(tr("A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL "
-                        "the height above the mine's zero: a higher place has a larger RL.")));
     line_ = new QLineEdit;
     line_->setObjectName("survey-line");
     line_->setPlaceholderText("P7; 498765.432; 5150123.456; 287.654");
@@ -115,14 +111,18 @@ QWidget* PlaceDialog::posePage() {
     row->addWidget(order_);
     row->addWidget(take);
     row->addStretch(1);
-    column->addWidget(line_); // alone: its example is read whole
-    column->addLayout(row);
     const auto taken = [this] { emit surveyLineTyped(line_->text(), order_->currentIndex() == 1); };
     connect(take, &QPushButton::clicked, this, taken);
     connect(line_, &QLineEdit::returnPressed, this, taken);
     auto* form = new QFormLayout;
     for (const PlaceField& field : poseFields()) addRow(*form, field, pose_);
-    column->addLayout(form, 1);
+    if (low_) column->addLayout(form, 1); // first: on a low screen, as in a cab, numbers are typed
+    column->addWidget(
+        wrappedLabel(tr("A line of the survey: point, E, N, RL, and heading, pitch and roll if it has them. E is easting, N northing, RL "
+                        "the height above the mine's zero: a higher place has a larger RL.")));
+    column->addWidget(line_); // alone: its example is read whole
+    column->addLayout(row);
+    if (!low_) column->addLayout(form, 1);
     return page;
 }
 
@@ -270,6 +270,7 @@ void PlaceDialog::showFaults(const TypedPlace& typed) {
 
 void PlaceDialog::showState(const QString& words, bool ready) {
     state_->setText(words);
+    state_->setVisible(!low_ || !words.isEmpty());
     keep_->setEnabled(ready);
 }
 

@@ -75,6 +75,7 @@ private:
     QPushButton* keep_;
     QPushButton* remove_;
     std::vector<Row> pose_, mounting_;
+    bool low_ = false;     // the screen: texts have fewer lines, and the fields come first
     bool showing_ = false; ///< texts that the program sets are not a change
     bool typed_ = false;   ///< a pose is in the form, whole or in part
 };
