@@ -1223,7 +1223,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Merge</source><translation>Fusionar</translation></message>
 <message><source>Not a Rock</source><translation>No es roca</translation></message>
 <message><source>Deselect this rock</source><translation>Deseleccionar esta roca</translation></message>
-<message><source>. Hidden parts are not counted.</source><translation>. Las partes ocultas no se cuentan.</translation></message>
+<message><source>Hidden parts are not counted.</source><translation>Las partes ocultas no se cuentan.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Luego haga clic en la parte de la roca que es una roca aparte; la rueda toma una parte más pequeña o más grande (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Después trace una línea a través de la roca, de un lado al otro (X)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Las rocas seleccionadas son una sola; Ctrl+clic selecciona varias (M)</translation></message>

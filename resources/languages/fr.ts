@@ -1223,7 +1223,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Merge</source><translation>Fusionner</translation></message>
 <message><source>Not a Rock</source><translation>Pas un bloc</translation></message>
 <message><source>Deselect this rock</source><translation>Désélectionner ce bloc</translation></message>
-<message><source>. Hidden parts are not counted.</source><translation>. Les parties cachées ne sont pas comptées.</translation></message>
+<message><source>Hidden parts are not counted.</source><translation>Les parties cachées ne sont pas comptées.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Cliquez ensuite sur la partie du bloc qui est un bloc à part ; la molette prend une partie plus petite ou plus grande (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Puis tracez une ligne à travers le bloc, d'un côté à l'autre (X)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>Les blocs sélectionnés n'en font qu'un ; Ctrl+clic en sélectionne plusieurs (M)</translation></message>

@@ -1223,7 +1223,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Merge</source><translation>Mesclar</translation></message>
 <message><source>Not a Rock</source><translation>Não é rocha</translation></message>
 <message><source>Deselect this rock</source><translation>Desmarcar esta rocha</translation></message>
-<message><source>. Hidden parts are not counted.</source><translation>. As partes ocultas não são contadas.</translation></message>
+<message><source>Hidden parts are not counted.</source><translation>As partes ocultas não são contadas.</translation></message>
 <message><source>Then click the part of the rock that is a rock of its own; the wheel takes a smaller or a larger part (S)</source><translation>Depois clique na parte da rocha que é uma rocha à parte; a roda toma uma parte menor ou maior (S)</translation></message>
 <message><source>Then draw a line through the rock, from one side to the other (X)</source><translation>Depois trace uma linha através da rocha, de um lado ao outro (X)</translation></message>
 <message><source>The selected rocks are one; Ctrl+click selects several (M)</source><translation>As rochas selecionadas são uma só; Ctrl+clique seleciona várias (M)</translation></message>

@@ -80,6 +80,18 @@ private slots:
         QVERIFY(on.viewer.views.gray().viewPort()->cellSize().width() > 1.1 * wide);
         QVERIFY(tapEntry(on.window, "cab-images", CloudEntry));
         QTRY_VERIFY(cloud.isVisible() && tool(on.window, "cab-zoom-in")->isVisible());
+        // A low view has them in a row.
+        resizeTo(on.window, {853, 480});
+        const QWidget& plate = *tool(on.window, "cab-zoom-in")->parentWidget();
+        QTRY_VERIFY(plate.height() > plate.width());
+        on.viewer.livePanel.show();
+        on.viewer.notice.showNotice(NoticeBar::Kind::Warning, "a note");
+        QTRY_VERIFY2(plate.isVisible() && plate.height() < 64 && plate.width() < 128,
+                     qPrintable(QString("%1 x %2 in %3").arg(plate.width()).arg(plate.height()).arg(cloud.height())));
+        QVERIFY(placeOf(cloud).contains(placeOf(plate)) && !placeOf(on.viewer.legend).intersects(placeOf(plate)));
+        on.viewer.livePanel.hide();
+        on.viewer.notice.hide();
+        QTRY_VERIFY(plate.height() > plate.width());
         on.window.cab().set(false);
         QVERIFY(!tool(on.window, "cab-zoom-in")->isVisible());
     }

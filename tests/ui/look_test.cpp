@@ -674,6 +674,11 @@ private slots:
             QVERIFY2(share > 0.6 && share < 0.8, qPrintable(QString::number(share)));
             QTest::keyClick(&on.window, Qt::Key_M, Qt::ControlModifier);
             QTRY_VERIFY(std::abs(on.viewer.cloud.width() - usual) <= 8);
+            on.window.showAlone(&on.viewer.edges); // the choice is seen: it ends the large view
+            QTest::keyClick(&on.window, Qt::Key_M, Qt::ControlModifier);
+            QTRY_VERIFY(gray.isVisible() && edges.isVisible() && on.viewer.cloud.isVisible());
+            QTest::keyClick(&on.window, Qt::Key_M, Qt::ControlModifier);
+            QTRY_VERIFY(std::abs(on.viewer.cloud.width() - usual) <= 8);
             QTest::mouseDClick(titleOf(on.viewer.gray), Qt::LeftButton);
             QTRY_VERIFY2(gray.width() > 600 && on.viewer.cloud.width() < 400, qPrintable(QString::number(gray.width())));
             // The large image is larger than the small one next to it shows the same part.

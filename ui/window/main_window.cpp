@@ -234,6 +234,9 @@ void MainWindow::followPlaces() {
             if (pane == places_->inCloudsPlace() && pane == panes_.back()) return maximise(pane);
             places_->swap(pane);
         });
+    connect(places_, &PanePlaces::imagesFirstChanged, this, [this] {
+        if (maximised_ != nullptr && !cab_->on()) showAlone(nullptr); // else the choice would show nothing
+    });
     connect(places_, &PanePlaces::changed, this, [this] {
         viewer_.preferences.keep("window/large-view", places_->text());
         imagesDragged_ = false; // the width of the new places

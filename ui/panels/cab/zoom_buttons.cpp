@@ -1,9 +1,9 @@
 // Zooms by taps.
 #include "ui/panels/cab/zoom_buttons.h"
 
+#include <QBoxLayout>
 #include <QEvent>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <tuple>
@@ -17,11 +17,10 @@ constexpr double kZoomStep = 1.25;
 
 } // namespace
 
-ZoomButtons::ZoomButtons() {
+ZoomButtons::ZoomButtons() : buttons_(new QBoxLayout(QBoxLayout::TopToBottom, this)) {
     setObjectName("cab-zoom");
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(kInset, kInset, kInset, kInset);
-    column->setSpacing(kInset);
+    buttons_->setContentsMargins(kInset, kInset, kInset, kInset);
+    buttons_->setSpacing(kInset);
     for (const auto& [name, sign, words, factor] :
          {std::tuple("cab-zoom-in", "+", tr("Zoom in"), kZoomStep), {"cab-zoom-out", "−", tr("Zoom out"), 1.0 / kZoomStep}}) {
         auto* button = new QToolButton;
@@ -36,7 +35,7 @@ ZoomButtons::ZoomButtons() {
         letters.setBold(true);
         button->setFont(letters);
         connect(button, &QToolButton::clicked, this, [this, by = factor] { emit zoomed(by); });
-        column->addWidget(button);
+        buttons_->addWidget(button);
     }
     adjustSize();
     hide();
@@ -55,7 +54,7 @@ void ZoomButtons::setOver(QWidget& view, QWidget& corner) {
 }
 
 void ZoomButtons::setVisible(bool on) {
-    constexpr int kLeastHeight = 370; // px
+    constexpr int kLeastHeight = 220; // px
     wanted_ = on;
     ViewPlate::setVisible(on && parentWidget() != nullptr && parentWidget()->height() >= kLeastHeight);
 }
@@ -65,8 +64,12 @@ bool ZoomButtons::eventFilter(QObject* watched, QEvent* event) {
     return ViewPlate::eventFilter(watched, event);
 }
 
-/// In the middle of the right edge, or lower where the picture in the corner reaches that far. It stays there while the picture is off.
+/// In the middle of the right edge, or lower where the picture in the corner reaches that far. It stays there while the picture is off. A
+/// low view has them in a row.
 void ZoomButtons::place() {
+    constexpr int kLow = 370; // px
+    buttons_->setDirection(parentWidget()->height() < kLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    buttons_->activate(); // else it has the least height of a column, from before it had a view
     const QSize room = parentWidget()->size(), own = sizeHint();
     const int top = std::max((room.height() - own.height()) / 2, corner_->geometry().bottom() + kBelowCorner);
     setGeometry(QRect(QPoint(room.width() - kRightEdge - own.width(), top), own));

@@ -3,7 +3,7 @@
 
 #include "ui/base/view_plate.h"
 
-class QToolButton;
+class QBoxLayout;
 
 namespace edgescan::ui {
 
@@ -16,7 +16,7 @@ public:
     /// Shows them over the view, below `corner`, which is in its upper right corner.
     void setOver(QWidget& view, QWidget& corner);
     bool eventFilter(QObject* watched, QEvent* event) override;
-    /// In a low view they stay hidden: they would cover too much of it, and two fingers zoom there.
+    /// In a view that is too low for them they stay hidden: two fingers zoom there.
     void setVisible(bool on) override;
 
 signals:
@@ -25,6 +25,7 @@ signals:
 private:
     void place();
 
+    QBoxLayout* buttons_;
     QWidget* corner_ = nullptr;
     bool wanted_ = false;
 };

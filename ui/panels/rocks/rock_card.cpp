@@ -82,7 +82,7 @@ RockCard::RockCard(QWidget* parent)
     close_->setToolTip(tr("Deselect this rock"));
     caveat_->setWordWrap(true);
     state_->setWordWrap(true);
-    caveat_->setText(rockCaveat() + tr(". Hidden parts are not counted."));
+    caveat_->setText(tr("Hidden parts are not counted."));
 
     auto* head = new QHBoxLayout;
     head->addWidget(swatch_);
@@ -201,7 +201,7 @@ QString RockCard::text() const {
     for (const auto& [name, value] : rows_) {
         if (!name->isHidden()) lines << name->text() + ": " + value->text();
     }
-    lines << caveat_->text();
+    lines << rockCaveat() << caveat_->text(); // on the screen it is the caption of the cloud
     return lines.join('\n');
 }
 

@@ -55,7 +55,7 @@ struct RockOutline {
 /// "▲ 2 parts that do not touch, 1.34 m apart"; empty for a rock in one piece.
 [[nodiscard]] QString partsText(const rocks::Rock& rock);
 
-/// The caveat that is displayed with every result about rocks.
+/// The caveat of every result about rocks: once on the screen, and in every text that leaves it.
 [[nodiscard]] QString rockCaveat();
 /// "1 rock", "12 rocks".
 [[nodiscard]] QString rockCount(std::size_t rocks);

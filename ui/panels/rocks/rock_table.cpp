@@ -212,7 +212,7 @@ void RockTable::showCount() {
         const std::vector<rocks::Rock>& rocks = model_->picture()->study.rocks;
         text += tr(", %1 of them uncertain (hatched)").arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful));
     }
-    count_->setText((remark_.isEmpty() ? QString() : remark_ + " · ") + text + " · " + rockCaveat());
+    count_->setText((remark_.isEmpty() ? QString() : remark_ + " · ") + text);
     export_->setEnabled(all > 0);
 }
 
