@@ -77,12 +77,13 @@ nlohmann::ordered_json mountingReport(const files::LiveStatus& status) {
     nlohmann::ordered_json assumed = nlohmann::ordered_json::array(), step = nullptr;
     if (sweep.axisAssumed) assumed.push_back("axis");
     if (sweep.stepAssumed && !ownAngles) assumed.push_back("line_step_deg");
+    if (sweep.firstAssumed && !ownAngles) assumed.push_back("line_start_deg");
     if (sweep.degPerLine && !ownAngles) step = *sweep.degPerLine;
     nlohmann::ordered_json lines = nullptr;
     if (sweep.expectedLines > 0) lines = sweep.expectedLines;
-    return {{"axis", sweep.axis == Axis::Spin ? "spin" : "sweep"},
+    return {{"axis", status.sweep.axis == Axis::Spin ? "spin" : "sweep"},
             {"line_step_deg", step},
-            {"line_start_deg", sweep.firstLineDeg},
+            {"line_start_deg", status.sweep.firstLineDeg},
             {"stop_and_go", !sweep.continuous},
             {"expected_lines", lines},
             {"assumed", assumed}};

@@ -35,6 +35,7 @@ Result<scanner::SweepSettings> sweepOf(const Mounting& mounting) {
         sweep.stepAssumed = false;
     }
     sweep.firstLineDeg = mounting.firstLineDeg.value_or(sweep.firstLineDeg);
+    sweep.firstAssumed = !mounting.firstLineDeg && sweep.axisAssumed; // who gives an axis counts the angles from the first line
     sweep.ticksPerDeg = mounting.ticksPerDeg;
     sweep.expectedLines = mounting.expectedLines;
     if (sweep.stepAssumed) sweep.degPerLine = scanner::assumedStepDeg(sweep.expectedLines);

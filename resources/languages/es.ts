@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAJE SEGÚN DISTANCIAS</translation></message>
+<message><source>DIRECTION ASSUMED</source><translation>DIRECCIÓN SUPUESTA</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASO SUPUESTO %1°</translation></message>
 <message><source>START ASSUMED</source><translation>INICIO SUPUESTO</translation></message>
 <message><source>1 remark</source><translation>1 observación</translation></message>
@@ -68,6 +69,7 @@
 <message><source>the axis (sweep, seen in the ranges)</source><translation>el eje (sweep, visto en las distancias)</translation></message>
 <message><source>the step from line to line (%1 degrees</source><translation>el paso de línea a línea (%1 grados</translation></message>
 <message><source>the motor turning on while a line is measured)</source><translation>el motor sigue girando mientras se mide una línea)</translation></message>
+<message><source>the angle of the first line (%1 degrees)</source><translation>el ángulo de la primera línea (%1 grados)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indique %1 si no es así.</translation></message>
 <message><source>The first line received is taken as line 0 of the sweep.</source><translation>La primera línea recibida se toma como línea 0 del barrido.</translation></message>
 <message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>La cuenta del codificador en la primera línea recibida se toma como primer ángulo del barrido.</translation></message>
@@ -239,6 +241,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>indique una pose y la calibración del robot, o guarde en el sistema del escáner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>La pose no tiene hora, así que no se conoce su edad.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>No se conoce el inicio del escaneo, así que tampoco la edad de la pose.</translation></message>
+<message><source>OUT OF SPEC: the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>FUERA DE TOLERANCIA: los ángulos del motor paso a paso son supuestos, así que E, N y RL pueden ser erróneos: indique montaje, paso y ángulo de la primera línea.</translation></message>
 <message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>La calibración no da %1; se usa 0: añada lo que falta (Escaneo &gt; Pose y montaje, página Montaje).</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FUERA DE TOLERANCIA: la pose es %1 s más antigua que el inicio del escaneo.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FUERA DE TOLERANCIA: la inclinación del cabezal cambió %1 grados durante el escaneo, más de </translation></message>
@@ -478,6 +481,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>trying to connect again</source><translation>intentando conectar otra vez</translation></message>
 <message><source>Waiting for the first line</source><translation>Se espera la primera línea</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique el paso en Escaneo &gt; Barrido…</translation></message>
+<message><source>▲ The direction of the cloud is assumed: give the first line in Scan &gt; Sweep…</source><translation>▲ La dirección de la nube es supuesta: indique la primera línea en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ The ranges show the mounting: confirm it in Scan &gt; Sweep…</source><translation>▲ Las distancias muestran el montaje: confírmelo en Escaneo &gt; Barrido…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forma es supuesta: indique montaje y paso en Escaneo &gt; Barrido…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>El barrido %1 está retenido en la pantalla. Seguir muestra sus líneas más recientes.</translation></message>
@@ -1158,6 +1162,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, pero el disco no ha confirmado los últimos %2 kB: no corte la alimentación hasta que esté inactivo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Líneas del barrido; una marca roja es una línea que nunca llegó</translation></message>
 <message><source>not known</source><translation>desconocido</translation></message>
+<message><source>not known (%1° assumed)</source><translation>no se sabe (%1° supuesto)</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Se detiene mientras se mide una línea</translation></message>
 <message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Donde empieza el motor. La nube gira con él, su forma es la misma.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sin encoder; las líneas se ubican según el paso del motor</translation></message>
@@ -1173,7 +1178,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>not known (spin assumed until the ranges show it)</source><translation>no se sabe (spin supuesto hasta que las distancias lo muestren)</translation></message>
 <message><source>not known (the ranges show spin)</source><translation>no se sabe (las distancias muestran spin)</translation></message>
 <message><source>not known (the ranges show sweep)</source><translation>no se sabe (las distancias muestran sweep)</translation></message>
-<message><source>not known (%1° assumed)</source><translation>no se sabe (%1° supuesto)</translation></message>
 <message><source>needs the number of lines</source><translation>requiere el número de líneas</translation></message>
 <message><source>Play</source><translation>Reproducir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espacio reproduce y pausa; Izquierda y Derecha avanzan una línea, con Mayús diez</translation></message>

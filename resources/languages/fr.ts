@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAGE D'APRÈS DISTANCES</translation></message>
+<message><source>DIRECTION ASSUMED</source><translation>DIRECTION SUPPOSÉE</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PAS SUPPOSÉ %1°</translation></message>
 <message><source>START ASSUMED</source><translation>DÉBUT SUPPOSÉ</translation></message>
 <message><source>1 remark</source><translation>1 remarque</translation></message>
@@ -68,6 +69,7 @@
 <message><source>the axis (sweep, seen in the ranges)</source><translation>l'axe (sweep, vu dans les distances)</translation></message>
 <message><source>the step from line to line (%1 degrees</source><translation>le pas de ligne à ligne (%1 degrés</translation></message>
 <message><source>the motor turning on while a line is measured)</source><translation>le moteur continuant à tourner pendant la mesure d'une ligne)</translation></message>
+<message><source>the angle of the first line (%1 degrees)</source><translation>l'angle de la première ligne (%1 degrés)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indiquez %1 si c'est faux.</translation></message>
 <message><source>The first line received is taken as line 0 of the sweep.</source><translation>La première ligne reçue est prise comme ligne 0 du balayage.</translation></message>
 <message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>Le compte de l'encodeur à la première ligne reçue est pris comme premier angle du balayage.</translation></message>
@@ -239,6 +241,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>donnez une pose et l'étalonnage du robot, ou enregistrez dans le repère du scanner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>La pose n'a pas d'heure, son âge n'est donc pas connu.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>Le début du scan n'est pas connu, l'âge de la pose non plus.</translation></message>
+<message><source>OUT OF SPEC: the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>HORS TOLÉRANCE : les angles du moteur pas à pas sont supposés, donc E, N et RL peuvent être faux : indiquez montage, pas et angle de la première ligne.</translation></message>
 <message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>L'étalonnage ne donne pas %1 ; 0 est utilisé : ajoutez ce qui manque (Scan &gt; Pose et montage, page Montage).</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>HORS TOLÉRANCE : la pose a %1 s de plus que le début du scan.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>HORS TOLÉRANCE : l'inclinaison de la tête a changé de %1 degrés pendant le scan, plus que </translation></message>
@@ -478,6 +481,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>trying to connect again</source><translation>nouvel essai de connexion</translation></message>
 <message><source>Waiting for the first line</source><translation>En attente de la première ligne</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez le pas dans Scan &gt; Balayage…</translation></message>
+<message><source>▲ The direction of the cloud is assumed: give the first line in Scan &gt; Sweep…</source><translation>▲ La direction du nuage est supposée : indiquez la première ligne dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ The ranges show the mounting: confirm it in Scan &gt; Sweep…</source><translation>▲ Les distances montrent le montage : confirmez-le dans Scan &gt; Balayage…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ La forme est supposée : indiquez montage et pas dans Scan &gt; Balayage…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>Le balayage %1 est figé à l'écran. Suivre montre ses lignes les plus récentes.</translation></message>
@@ -1158,6 +1162,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 est écrit, mais le disque n'a pas confirmé les derniers %2 kB : ne coupez pas l'alimentation avant qu'il soit au repos.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Lignes du balayage ; une marque rouge est une ligne qui n'est jamais venue</translation></message>
 <message><source>not known</source><translation>inconnu</translation></message>
+<message><source>not known (%1° assumed)</source><translation>non connu (%1° supposé)</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>S'arrête pendant la mesure d'une ligne</translation></message>
 <message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Où le moteur commence. Le nuage tourne avec lui, sa forme reste la même.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0 : pas de codeur ; les lignes sont placées selon le pas du moteur</translation></message>
@@ -1173,7 +1178,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>not known (spin assumed until the ranges show it)</source><translation>non connu (spin supposé jusqu'à ce que les distances le montrent)</translation></message>
 <message><source>not known (the ranges show spin)</source><translation>non connu (les distances montrent spin)</translation></message>
 <message><source>not known (the ranges show sweep)</source><translation>non connu (les distances montrent sweep)</translation></message>
-<message><source>not known (%1° assumed)</source><translation>non connu (%1° supposé)</translation></message>
 <message><source>needs the number of lines</source><translation>demande le nombre de lignes</translation></message>
 <message><source>Play</source><translation>Lire</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espace lit et met en pause ; Gauche et Droite avancent d'une ligne, avec Maj de dix</translation></message>

@@ -22,6 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAGEM PELAS DISTÂNCIAS</translation></message>
+<message><source>DIRECTION ASSUMED</source><translation>DIREÇÃO SUPOSTA</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASSO SUPOSTO %1°</translation></message>
 <message><source>START ASSUMED</source><translation>INÍCIO SUPOSTO</translation></message>
 <message><source>1 remark</source><translation>1 observação</translation></message>
@@ -68,6 +69,7 @@
 <message><source>the axis (sweep, seen in the ranges)</source><translation>o eixo (sweep, visto nas distâncias)</translation></message>
 <message><source>the step from line to line (%1 degrees</source><translation>o passo de linha a linha (%1 graus</translation></message>
 <message><source>the motor turning on while a line is measured)</source><translation>o motor continua a girar enquanto uma linha é medida)</translation></message>
+<message><source>the angle of the first line (%1 degrees)</source><translation>o ângulo da primeira linha (%1 graus)</translation></message>
 <message><source>Give %1 where that is wrong.</source><translation>Indique %1 se não for assim.</translation></message>
 <message><source>The first line received is taken as line 0 of the sweep.</source><translation>A primeira linha recebida é tomada como linha 0 da varredura.</translation></message>
 <message><source>The encoder count of the first line received is taken as the first angle of the sweep.</source><translation>A contagem do encoder na primeira linha recebida é tomada como primeiro ângulo da varredura.</translation></message>
@@ -239,6 +241,7 @@
 <message><source>give a pose and the robot's calibration, or save in the scanner's frame</source><translation>dê uma pose e a calibração do robô, ou salve no referencial do scanner</translation></message>
 <message><source>The pose carries no time, so its age is not known.</source><translation>A pose não tem hora, portanto a sua idade não é conhecida.</translation></message>
 <message><source>The start of the scan is not known, so the age of the pose is not either.</source><translation>O início da varredura não é conhecido, portanto a idade da pose também não.</translation></message>
+<message><source>OUT OF SPEC: the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.</source><translation>FORA DE TOLERÂNCIA: os ângulos do motor de passo são supostos, portanto E, N e RL podem estar errados: indique montagem, passo e ângulo da primeira linha.</translation></message>
 <message><source>The calibration does not give %1, so 0 is used: add what is missing (Scan &gt; Pose and Mounting, page Mounting).</source><translation>A calibração não dá %1; 0 é usado: acrescente o que falta (Varredura &gt; Pose e montagem, página Montagem).</translation></message>
 <message><source>OUT OF SPEC: the pose is %1 s older than the start of the scan.</source><translation>FORA DE TOLERÂNCIA: a pose é %1 s mais antiga que o início da varredura.</translation></message>
 <message><source>OUT OF SPEC: the tilt of the head changed by %1 degrees while it scanned, more than </source><translation>FORA DE TOLERÂNCIA: a inclinação da cabeça mudou %1 graus durante a varredura, mais de </translation></message>
@@ -478,6 +481,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>trying to connect again</source><translation>tentando conectar de novo</translation></message>
 <message><source>Waiting for the first line</source><translation>À espera da primeira linha</translation></message>
 <message><source>▲ The shape is assumed: give the step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique o passo em Varredura &gt; Varredura…</translation></message>
+<message><source>▲ The direction of the cloud is assumed: give the first line in Scan &gt; Sweep…</source><translation>▲ A direção da nuvem é suposta: indique a primeira linha em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ The ranges show the mounting: confirm it in Scan &gt; Sweep…</source><translation>▲ As distâncias mostram a montagem: confirme em Varredura &gt; Varredura…</translation></message>
 <message><source>▲ The shape is assumed: give mounting and step in Scan &gt; Sweep…</source><translation>▲ A forma é suposta: indique montagem e passo em Varredura &gt; Varredura…</translation></message>
 <message><source>Sweep %1 is held on the screen. Follow shows its newest lines.</source><translation>A varredura %1 está retida na tela. Seguir mostra as linhas mais recentes dela.</translation></message>
@@ -1158,6 +1162,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1 is written, but the disk has not confirmed the last %2 kB: keep the power on until it is idle.</source><translation>%1 está escrito, mas o disco não confirmou os últimos %2 kB: não desligue a alimentação até que ele esteja inativo.</translation></message>
 <message><source>Lines of the sweep. A red mark is a line that did not arrive.</source><translation>Linhas da varredura; uma marca vermelha é uma linha que nunca chegou</translation></message>
 <message><source>not known</source><translation>desconhecido</translation></message>
+<message><source>not known (%1° assumed)</source><translation>não se sabe (%1° suposto)</translation></message>
 <message><source>Does not turn while a line is measured</source><translation>Fica parado enquanto uma linha é medida</translation></message>
 <message><source>Where the stepper begins. The cloud turns with it, its shape is the same.</source><translation>Onde o motor começa. A nuvem gira com ele, a forma é a mesma.</translation></message>
 <message><source>0: no encoder; the lines are placed by the stepper's step</source><translation>0: sem encoder; as linhas são posicionadas pelo passo do motor</translation></message>
@@ -1173,7 +1178,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>not known (spin assumed until the ranges show it)</source><translation>não se sabe (spin suposto até que as distâncias o mostrem)</translation></message>
 <message><source>not known (the ranges show spin)</source><translation>não se sabe (as distâncias mostram spin)</translation></message>
 <message><source>not known (the ranges show sweep)</source><translation>não se sabe (as distâncias mostram sweep)</translation></message>
-<message><source>not known (%1° assumed)</source><translation>não se sabe (%1° suposto)</translation></message>
 <message><source>needs the number of lines</source><translation>requer o número de linhas</translation></message>
 <message><source>Play</source><translation>Reproduzir</translation></message>
 <message><source>Space plays and pauses; Left and Right step by a line, with Shift by ten</source><translation>Espaço reproduz e pausa; Esquerda e Direita avançam uma linha, com Shift dez</translation></message>

@@ -161,11 +161,12 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
         return std::pair(path, json::parse(record.out));
     };
     const auto warningsIn = [](const json& document) { return document["warnings"].dump(); };
-    const std::string both =
-        "ASSUMED: the axis (spin), the step from line to line (0.18 degrees, the motor turning on while a line is measured). "
-        "Give --axis, --line-step where that is wrong. The first line received is taken as line 0 of the sweep.";
+    const std::string both = "ASSUMED: the axis (spin), the step from line to line (0.18 degrees, the motor turning on while a line is "
+                             "measured), the angle of the "
+                             "first line (0 degrees). Give --axis, --line-step, --line-start where that is wrong. The first line received "
+                             "is taken as line 0 of the sweep.";
     const auto [nothing, summary] = recorded("nothing.mcap", "");
-    EXPECT_EQ(summary["mounting"]["assumed"], (json{"axis", "line_step_deg"}));
+    EXPECT_EQ(summary["mounting"]["assumed"], (json{"axis", "line_step_deg", "line_start_deg"}));
     EXPECT_TRUE(summary["mounting"]["expected_lines"].is_null());
     EXPECT_NE(warningsIn(summary).find(both), std::string::npos) << warningsIn(summary);
     const auto detect = runCli("detect " + nothing + " --json - --edges " + (folder / "edges.csv").string());
@@ -177,8 +178,11 @@ TEST_F(Live, WhatNobodySaidOfTheMountingIsToldEverywhere) {
     const std::string whenOpened = runCli("detect --json - " + nothing + " --axis sweep --line-step 2").out;
 
     const auto [step, stepGiven] = recorded("step.mcap", "--line-step 2 --expected-lines 90");
-    EXPECT_EQ(stepGiven["mounting"]["assumed"], (json{"axis"}));
-    EXPECT_NE(warningsIn(stepGiven).find("ASSUMED: the axis (spin). Give --axis where"), std::string::npos) << warningsIn(stepGiven);
+    EXPECT_EQ(stepGiven["mounting"]["assumed"], (json{"axis", "line_start_deg"}));
+    EXPECT_NE(
+        warningsIn(stepGiven).find("ASSUMED: the axis (spin), the angle of the first line (0 degrees). Give --axis, --line-start where"),
+        std::string::npos)
+        << warningsIn(stepGiven);
     const auto [all, allGiven] = recorded("all.mcap", "--line-step 2 --axis sweep");
     EXPECT_TRUE(allGiven["mounting"]["assumed"].empty());
     EXPECT_EQ(warningsIn(allGiven).find("ASSUMED"), std::string::npos) << warningsIn(allGiven);

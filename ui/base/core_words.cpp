@@ -37,6 +37,7 @@ constexpr std::array kWholeTexts{
     QT_TRANSLATE_NOOP("QObject", "COUNTERS IN DOUBT"),
     QT_TRANSLATE_NOOP("QObject", "MOUNTING ASSUMED"),
     QT_TRANSLATE_NOOP("QObject", "MOUNTING FROM RANGES"),
+    QT_TRANSLATE_NOOP("QObject", "DIRECTION ASSUMED"),
     QT_TRANSLATE_NOOP("QObject", "STEP ASSUMED %1°"),
     QT_TRANSLATE_NOOP("QObject", "START ASSUMED"),
     QT_TRANSLATE_NOOP("QObject", "1 remark"),
@@ -95,6 +96,7 @@ constexpr std::array kParts{
     QT_TRANSLATE_NOOP("QObject", "the axis (sweep, seen in the ranges)"),
     QT_TRANSLATE_NOOP("QObject", "the step from line to line (%1 degrees"),
     QT_TRANSLATE_NOOP("QObject", "the motor turning on while a line is measured)"),
+    QT_TRANSLATE_NOOP("QObject", "the angle of the first line (%1 degrees)"),
     QT_TRANSLATE_NOOP("QObject", "Give %1 where that is wrong."),
     QT_TRANSLATE_NOOP("QObject", "The first line received is taken as line 0 of the sweep."),
     QT_TRANSLATE_NOOP("QObject", "The encoder count of the first line received is taken as the first angle of the sweep."),
@@ -267,6 +269,8 @@ constexpr std::array kParts{
     // Of a pose, of several stations, and of a scan before and after.
     QT_TRANSLATE_NOOP("QObject", "The pose carries no time, so its age is not known."),
     QT_TRANSLATE_NOOP("QObject", "The start of the scan is not known, so the age of the pose is not either."),
+    QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and "
+                                 "angle of the first line."),
     QT_TRANSLATE_NOOP("QObject",
                       "The calibration does not give %1, so 0 is used: add what is missing (Scan > Pose and Mounting, page Mounting)."),
     QT_TRANSLATE_NOOP("QObject", "OUT OF SPEC: the pose is %1 s older than the start of the scan."),
@@ -416,6 +420,7 @@ QString coreSentence(const std::string& text) { return coreSentence(shownText(te
 QString assumedText(const Scan& scan) {
     switch (assumedIn(scan)) {
     case Assumed::Nothing:
+    case Assumed::Direction: // coordinates have a warning of their own
         break;
     case Assumed::SeenAxis:
         return QObject::tr("▲ mounting from the ranges");

@@ -70,7 +70,7 @@ public:
     /// Some cells of the region that the views zoomed to last, or of the largest one; none while no difference is shown.
     [[nodiscard]] std::vector<std::uint32_t> someOfRegion() const;
     /// The region that was visited last.
-    [[nodiscard]] std::optional<std::size_t> visited() const { return region_; }
+    [[nodiscard]] std::optional<std::size_t> visited() const { return comparison_ ? region_ : std::nullopt; }
 
     /// Handles the key that flips while it is pressed.
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -269,10 +269,11 @@ QString Live::shapeNote() const {
     const Scan& scan = *shown->detection->scan;
     const Assumed assumed = assumedIn(scan);
     if (assumed == Assumed::Nothing || !scanner_.connected() || !showsScanner() || panel_.bridge()) return assumedText(scan);
-    return panel_.brief()                 ? QString() // its strip has the badge
-           : assumed == Assumed::Step     ? tr("▲ The shape is assumed: give the step in Scan > Sweep…")
-           : assumed == Assumed::SeenAxis ? tr("▲ The ranges show the mounting: confirm it in Scan > Sweep…")
-                                          : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
+    return panel_.brief()                  ? QString() // its strip has the badge
+           : assumed == Assumed::Step      ? tr("▲ The shape is assumed: give the step in Scan > Sweep…")
+           : assumed == Assumed::Direction ? tr("▲ The direction of the cloud is assumed: give the first line in Scan > Sweep…")
+           : assumed == Assumed::SeenAxis  ? tr("▲ The ranges show the mounting: confirm it in Scan > Sweep…")
+                                           : tr("▲ The shape is assumed: give mounting and step in Scan > Sweep…");
 }
 
 /// What is on the screen, and what the button does.

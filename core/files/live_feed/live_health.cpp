@@ -84,9 +84,10 @@ void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
     if ((error || warning) && !now) health.contamination += " earlier in this sweep";
 }
 
-/// "MOUNTING ASSUMED", "MOUNTING FROM RANGES", or "STEP ASSUMED 0.18°" if only the step is not known.
+/// "MOUNTING ASSUMED", "MOUNTING FROM RANGES", "DIRECTION ASSUMED", or "STEP ASSUMED 0.18°".
 std::string assumedWords(const std::string& sentence) {
     if (assumedIn(sentence) == Assumed::SeenAxis) return "MOUNTING FROM RANGES";
+    if (assumedIn(sentence) == Assumed::Direction) return "DIRECTION ASSUMED";
     if (assumedIn(sentence) != Assumed::Step) return "MOUNTING ASSUMED";
     const std::size_t number = sentence.find(kStepAssumed) + std::string_view(kStepAssumed).size();
     return "STEP ASSUMED " + sentence.substr(number, sentence.find(' ', number) - number) + "°";

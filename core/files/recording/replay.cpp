@@ -42,6 +42,8 @@ void sayAssumed(scanner::SweepSettings& settings, const ReadingOptions& options)
         if (settings.stepAssumed && settings.degPerLine) settings.degPerLine = options.lineStepDeg;
         settings.stepAssumed = false;
     }
+    if (settings.firstAssumed && options.lineStartDeg) settings.firstLineDeg = *options.lineStartDeg;
+    settings.firstAssumed = settings.firstAssumed && !options.lineStartDeg && !options.axis; // as in a recording that was given an axis
 }
 
 } // namespace

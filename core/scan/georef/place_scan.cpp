@@ -6,6 +6,7 @@
 #include "core/base/utc_time.h"
 #include "core/scan/georef/chain.h"
 #include "core/scan/georef/rotations.h"
+#include "core/scan/grid/assumed_mounting.h"
 
 #include <Eigen/Dense>
 
@@ -169,6 +170,9 @@ Result<std::shared_ptr<const Placement>> placeScan(const Scan& scan, const Calib
     placement->scanEndUtc = utcText(poses.scanEndS);
     const TalinReading mean = averageTalin(poses.talin);
     placement->originEnhM = chooseOrigin(mean.enhM);
+    if (assumedIn(scan) != Assumed::Nothing)
+        warn(*placement, true,
+             "the angles of the stepper are assumed, so E, N and RL may be wrong: give mounting, step and angle of the first line.");
     judgeMounting(*placement, calibration, poses);
     const double startS = lineTimesS.empty() ? poses.scanStartS : lineTimesS.front();
     if (poses.moving) {

@@ -33,6 +33,8 @@ struct SweepProgress {
     AngleSource angleSource = AngleSource::Steps;
     /// a sentence about the assumed mounting: "How a motor turned ... ASSUMED: the axis (spin) ..."; empty: all values were given
     std::string assumed;
+    Axis axis = Axis::Spin;    ///< given, shown by the ranges (core/scan/grid/axis_from_ranges.h), or assumed
+    double firstLineDeg = 0.0; ///< given, or assumed
     /// "The first line received is taken as line 0 of the sweep.": until the start of a sweep was seen, a connection in the middle of one
     /// has its lines at wrong angles; empty: the start was seen, or the stepper reports its angles
     std::string startAssumed;
@@ -101,6 +103,7 @@ private:
     [[nodiscard]] bool encoderLeapsBack(std::uint32_t position, std::int64_t lost, bool restarted);
     [[nodiscard]] std::int64_t lostInRestart(const SweepLine& line) const;
     void describe(Scan& scan);
+    [[nodiscard]] SweepSettings settingsInUse() const;
     [[nodiscard]] std::string startAssumed(AngleSource source) const;
     [[nodiscard]] TelegramAccount account() const;
 

@@ -50,6 +50,7 @@ private:
 
 constexpr const char* kAxisKey = "stepper.axis";
 constexpr const char* kStepKey = "stepper.deg_per_step";
+constexpr const char* kFirstKey = "stepper.phi0_deg";
 constexpr const char* kAssumedKey = "assumed";
 
 /// Values that a recording gives and does not mark as assumed.
@@ -61,6 +62,7 @@ void takeAssumed(Keys& keys, SweepSettings& settings) {
     const bool stepSaid = keys.text(kStepKey) != nullptr || rate;
     settings.axisAssumed = axisSaid ? isAssumed(kAxisKey) : true;
     settings.stepAssumed = stepSaid ? isAssumed(kStepKey) : true;
+    settings.firstAssumed = keys.text(kFirstKey) != nullptr ? isAssumed(kFirstKey) : settings.axisAssumed;
 }
 
 /// [0,0,1] is spin, [1,0,0] is sweep; with the opposite sign the line angles rotate against the axis.
@@ -87,7 +89,7 @@ SweepMetadata metadataOf(const SweepSettings& settings) {
     SweepMetadata keys{{"format", "sweep/1"}, {"units", "mm raw, deg, m, s"}};
     const std::string one = settings.lineDirection < 0 ? "-1" : "1";
     keys[kAxisKey] = settings.axis == Axis::Spin ? "[0,0," + one + "]" : "[" + one + ",0,0]";
-    keys["stepper.phi0_deg"] = numberText(settings.firstLineDeg);
+    keys[kFirstKey] = numberText(settings.firstLineDeg);
     keys["stepper.mode"] = settings.continuous ? "continuous" : "step";
     if (settings.degPerLine) {
         keys[kStepKey] = numberText(std::abs(*settings.degPerLine));
@@ -102,8 +104,11 @@ SweepMetadata metadataOf(const SweepSettings& settings) {
     keys["lidar.echo"] = settings.echo == Echo::First ? "first" : "last";
     keys["sweep.reversal_deg"] = numberText(settings.reversalDeg);
     if (settings.expectedLines > 0) keys["sweep.lines"] = std::to_string(settings.expectedLines);
-    std::string assumed = settings.axisAssumed ? kAxisKey : "";
-    if (settings.stepAssumed) assumed += (assumed.empty() ? "" : " ") + std::string(kStepKey);
+    std::string assumed;
+    for (const auto& [is, key] : {std::pair(settings.axisAssumed, kAxisKey), std::pair(settings.stepAssumed, kStepKey),
+                                  std::pair(settings.firstAssumed, kFirstKey)}) {
+        if (is) assumed += (assumed.empty() ? "" : " ") + std::string(key);
+    }
     if (!assumed.empty()) keys[kAssumedKey] = assumed;
     return keys;
 }
@@ -115,7 +120,7 @@ SettingsFound settingsOf(const SweepMetadata& metadata, const SweepSettings& oth
     takeAxis(keys, settings);
     takeAssumed(keys, settings);
     settings.firstLineDeg =
-        keys.number("stepper.phi0_deg", physical::kLineDeg.limits.least, physical::kLineDeg.limits.most).value_or(settings.firstLineDeg);
+        keys.number(kFirstKey, physical::kLineDeg.limits.least, physical::kLineDeg.limits.most).value_or(settings.firstLineDeg);
     if (const std::string* mode = keys.text("stepper.mode")) settings.continuous = *mode == "continuous";
     if (const auto rate = keys.number("stepper.deg_per_s", -1e4, 1e4)) {
         settings.degPerSecond = *rate;

@@ -38,6 +38,7 @@ struct SweepSettings {
     /// The value above was not given by the stream, the calibration or a flag: it is a guess, and the operator who opens the sweep is
     /// warned.
     bool axisAssumed = false, stepAssumed = false;
+    bool firstAssumed = false; ///< likewise firstLineDeg; it only turns the whole cloud about the stepper's axis
 
     bool operator==(const SweepSettings&) const = default;
 };
@@ -45,10 +46,16 @@ struct SweepSettings {
 /// Degrees per line where no step was given: half a turn over all lines, where their number is known.
 [[nodiscard]] inline double assumedStepDeg(int expectedLines) { return expectedLines > 0 ? 180.0 / expectedLines : 0.18; }
 
+/// The angle of the first line where none was given: a sweep that nods over all lines is as far on both sides of the viewing direction.
+[[nodiscard]] inline double assumedFirstDeg(Axis axis, const SweepSettings& settings) {
+    return axis == Axis::Sweep && settings.expectedLines > 0 && settings.degPerLine ? -0.5 * settings.expectedLines * *settings.degPerLine
+                                                                                    : 0.0;
+}
+
 /// Settings without any given value.
 [[nodiscard]] inline SweepSettings assumedSweep() {
     SweepSettings settings;
-    settings.axisAssumed = settings.stepAssumed = true;
+    settings.axisAssumed = settings.stepAssumed = settings.firstAssumed = true;
     return settings;
 }
 

@@ -56,14 +56,14 @@ std::shared_ptr<const Acquisition> sweepAcquisition(GrowingSweep& sweep, std::si
 }
 
 /// A step that is counted is assumed, too; an encoder or the stepper reports its angles itself.
-std::string assumedText(const SweepSettings& settings, std::optional<Axis> axisSeen, AngleSource source) {
+std::string assumedText(const SweepSettings& settings, bool axisSeen, AngleSource source) {
     std::string what, flags;
     const auto addAssumption = [&](const std::string& words, const char* flag) {
         what += (what.empty() ? "" : ", ") + words;
         flags += (flags.empty() ? "" : ", ") + std::string(flag);
     };
     if (settings.axisAssumed) {
-        const bool spin = axisSeen.value_or(settings.axis) == Axis::Spin;
+        const bool spin = settings.axis == Axis::Spin;
         addAssumption(std::string(kAxisAssumed) + (spin ? "spin" : "sweep") + (axisSeen ? kAxisSeen : ")"), "--axis");
     }
     if (settings.stepAssumed && source == AngleSource::Steps) {
@@ -71,6 +71,8 @@ std::string assumedText(const SweepSettings& settings, std::optional<Axis> axisS
                           (settings.continuous ? ", the motor turning on while a line is measured)" : ")"),
                       "--line-step");
     }
+    if (settings.firstAssumed && source != AngleSource::Stepper)
+        addAssumption(kFirstAssumed + shortestText(settings.firstLineDeg) + " degrees)", "--line-start");
     if (what.empty()) return {};
     return kMountingAssumed + what + ". Give " + flags + " where that is wrong.";
 }
@@ -117,7 +119,9 @@ SweepProgress SweepAssembler::progress() const {
         progress.received = progress.lines - static_cast<int>(progress.lost.size());
         progress.cells = sweep_->grid().counts(progress.lines);
         progress.angleSource = angleSourceOf(sweep_->facts(), settings_);
-        progress.assumed = assumedText(settings_, axisSeen_, progress.angleSource);
+        progress.axis = settingsInUse().axis;
+        progress.firstLineDeg = settingsInUse().firstLineDeg;
+        progress.assumed = assumedText(settingsInUse(), axisSeen_.has_value(), progress.angleSource);
         progress.startAssumed = startAssumed(progress.angleSource);
         const bool placed = encoderAt_ || progress.angleSource == AngleSource::Stepper;
         progress.endUnknown = placed && !startIsKnown_;
@@ -157,6 +161,14 @@ std::string SweepAssembler::startAssumed(AngleSource source) const {
     return isCounted && !startIsKnown_ ? "The first line received is taken as line 0 of the sweep." : "";
 }
 
+/// With the axis that the ranges show, and the angle of the first line that follows from it, where these are assumed.
+SweepSettings SweepAssembler::settingsInUse() const {
+    SweepSettings used = settings_;
+    used.axis = axisSeen_.value_or(used.axis);
+    if (used.firstAssumed) used.firstLineDeg = assumedFirstDeg(used.axis, used);
+    return used;
+}
+
 /// Sets everything but ranges and states; the scan may hold an earlier snapshot.
 void SweepAssembler::describe(Scan& scan) {
     if (settings_.axisAssumed) {
@@ -165,11 +177,12 @@ void SweepAssembler::describe(Scan& scan) {
     }
     const SweepProgress now = progress();
     const auto rows = static_cast<std::size_t>(now.lines);
-    LineAngles angles = lineAngles(sweep_->facts().first(rows), settings_);
+    const SweepSettings used = settingsInUse();
+    LineAngles angles = lineAngles(sweep_->facts().first(rows), used);
     PolarGeometry polar;
     polar.beamDeg = sweep_->beams().beamDeg();
     polar.lineDeg = std::move(angles.lineDeg);
-    polar.axis = axisSeen_.value_or(settings_.axis);
+    polar.axis = used.axis;
     polar.lineDirection = settings_.lineDirection;
     polar.lineSkewDeg = lineSkewDeg(polar.beamDeg, sweep_->turnsOf(), angles.degPerTurn, settings_.indexDeg);
     scan.geometry = std::move(polar);

@@ -181,7 +181,8 @@ void WhyCard::endWithWholeLine() {
     int end = 0;
     for (const QWidget* each : texts.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (!each->isVisibleTo(&texts)) continue;
-        const int step = qobject_cast<const QLabel*>(each) != nullptr ? each->fontMetrics().lineSpacing() : each->height();
+        // A part of the drawing is better than an empty half of the card.
+        const int step = qobject_cast<const QLabel*>(each) != nullptr ? each->fontMetrics().lineSpacing() : 1;
         for (int at = each->y() + step; at <= std::min(room, each->geometry().bottom() + 1); at += step) end = std::max(end, at);
     }
     if (end > 0) content_->setMaximumHeight(end + content_->height() - room);

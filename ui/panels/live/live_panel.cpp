@@ -6,6 +6,7 @@
 #include "ui/base/elided_label.h"
 #include "ui/base/flow_layout.h"
 #include "ui/base/icons.h"
+#include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
 #include "ui/panels/live/state_badge.h"
@@ -21,6 +22,8 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QUrl>
@@ -151,7 +154,7 @@ void LivePanel::addSweepDialog() {
     sweepDialog_->setWindowTitle(sweepButton_->toolTip());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     auto* column = new QVBoxLayout(sweepDialog_);
-    column->addWidget(sweep_);
+    column->addWidget(scrolled(*sweep_)); // also on a low screen Close is in sight
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, sweepDialog_, &QDialog::accept);
     connect(sweepButton_, &QToolButton::clicked, this, &LivePanel::askSweep);
@@ -222,7 +225,12 @@ void LivePanel::close() {
 void LivePanel::keyPressEvent(QKeyEvent* event) { event->key() == Qt::Key_Escape && !connected_ ? close() : QWidget::keyPressEvent(event); }
 
 void LivePanel::askSweep() {
-    if (!sweepDialog_->isVisible()) sweep_->begin();
+    if (!sweepDialog_->isVisible()) {
+        constexpr QSize kAround(60, 120); // px, of the dialog round the fields
+        const QSize wanted = sweep_->sizeHint() + kAround, room = screen()->availableSize() - QSize(20, 60);
+        sweepDialog_->resize(wanted.boundedTo(room));
+        sweep_->begin();
+    }
     sweepDialog_->show();
     sweepDialog_->raise();
     sweepDialog_->activateWindow();

@@ -13,7 +13,7 @@ namespace edgescan::ui {
 namespace {
 
 // Minimum of their boxes, displayed as text: not given.
-constexpr double kStepNotGiven = -10.00001, kTurnNotGiven = -3600.001;
+constexpr double kStepNotGiven = -10.00001, kTurnNotGiven = -3600.001, kFirstNotGiven = -360.001;
 
 /// 0 is shown in words.
 class CountBox : public QDoubleSpinBox {
@@ -37,13 +37,15 @@ QDoubleSpinBox* degrees(double least, double most, int decimals) {
     return box;
 }
 
+QString notKnown(double deg) { return SweepForm::tr("not known (%1° assumed)").arg(QLocale().toString(deg, 'g', 4)); }
+
 bool isNotGiven(const QDoubleSpinBox& box) { return box.value() <= box.minimum(); }
 
 } // namespace
 
 SweepForm::SweepForm(QWidget* parent)
     : QWidget(parent), lines_(new QSpinBox), turn_(degrees(kTurnNotGiven, 3600, 3)), step_(degrees(kStepNotGiven, 10, 5)),
-      first_(degrees(-360, 360, 3)), ticks_(new CountBox), axis_(new QComboBox),
+      first_(degrees(kFirstNotGiven, 360, 3)), ticks_(new CountBox), axis_(new QComboBox),
       standing_(new QCheckBox(tr("Does not turn while a line is measured"))) {
     lines_->setRange(0, 20000);
     lines_->setSpecialValueText(tr("not known"));
@@ -69,6 +71,7 @@ SweepForm::SweepForm(QWidget* parent)
     form->addRow(QString(), standing_);
     connect(lines_, qOverload<int>(&QSpinBox::valueChanged), this, &SweepForm::followLines);
     connect(step_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &SweepForm::followStep);
+    connect(axis_, qOverload<int>(&QComboBox::currentIndexChanged), this, &SweepForm::nameFirst);
     connect(turn_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &SweepForm::followTurn);
     showSettings(scanner::assumedSweep());
 }
@@ -78,14 +81,15 @@ void SweepForm::showAxisSeen(std::optional<Axis> axis) {
     axis_->setItemText(0, !axis                 ? tr("not known (spin assumed until the ranges show it)")
                           : taken == Axis::Spin ? tr("not known (the ranges show spin)")
                                                 : tr("not known (the ranges show sweep)"));
+    seen_ = axis;
+    nameFirst();
 }
 
 /// Words of a box are set only here: setting them writes its text again, under the fingers of the operator.
 void SweepForm::followLines() {
     const int lines = lines_->value();
-    const auto assumed = [](double deg) { return tr("not known (%1° assumed)").arg(QLocale().toString(deg, 'g', 4)); };
-    step_->setSpecialValueText(assumed(scanner::assumedStepDeg(lines)));
-    turn_->setSpecialValueText(lines > 0 ? assumed(scanner::assumedStepDeg(lines) * lines) : tr("needs the number of lines"));
+    step_->setSpecialValueText(notKnown(scanner::assumedStepDeg(lines)));
+    turn_->setSpecialValueText(lines > 0 ? notKnown(scanner::assumedStepDeg(lines) * lines) : tr("needs the number of lines"));
     turn_->setEnabled(lines > 0);
     followStep();
 }
@@ -94,18 +98,25 @@ void SweepForm::followStep() {
     const QSignalBlocker quiet(turn_);
     const int lines = lines_->value();
     turn_->setValue(lines > 0 && !isNotGiven(*step_) ? step_->value() * lines : kTurnNotGiven);
+    nameFirst();
 }
 
 void SweepForm::followTurn() {
     const QSignalBlocker quiet(step_);
     step_->setValue(isNotGiven(*turn_) ? kStepNotGiven : turn_->value() / lines_->value());
+    nameFirst();
+}
+
+void SweepForm::nameFirst() {
+    const scanner::SweepSettings now = settings();
+    first_->setSpecialValueText(notKnown(scanner::assumedFirstDeg(now.axisAssumed && seen_ ? *seen_ : now.axis, now)));
 }
 
 void SweepForm::showSettings(const scanner::SweepSettings& settings) {
     shown_ = settings;
     lines_->setValue(settings.expectedLines);
     step_->setValue(settings.stepAssumed ? kStepNotGiven : settings.degPerLine.value_or(0.18));
-    first_->setValue(settings.firstLineDeg);
+    first_->setValue(settings.firstAssumed ? kFirstNotGiven : settings.firstLineDeg);
     ticks_->setValue(settings.ticksPerDeg.value_or(0.0));
     axis_->setCurrentIndex(settings.axisAssumed ? 0 : axis_->findData(static_cast<int>(settings.axis)));
     standing_->setChecked(!settings.continuous);
@@ -123,7 +134,8 @@ scanner::SweepSettings SweepForm::settings() const {
     const scanner::SweepSettings assumed = scanner::assumedSweep();
     settings.stepAssumed = isNotGiven(*step_);
     settings.degPerLine = settings.stepAssumed ? scanner::assumedStepDeg(settings.expectedLines) : step_->value();
-    settings.firstLineDeg = first_->value();
+    settings.firstAssumed = isNotGiven(*first_);
+    settings.firstLineDeg = settings.firstAssumed ? assumed.firstLineDeg : first_->value();
     settings.ticksPerDeg = ticks_->value() != 0.0 ? std::optional<double>(ticks_->value()) : std::nullopt;
     settings.axisAssumed = axis_->currentIndex() == 0;
     settings.axis = settings.axisAssumed ? assumed.axis : static_cast<Axis>(axis_->currentData().toInt());

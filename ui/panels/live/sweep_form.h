@@ -29,8 +29,10 @@ private:
     void followLines();
     void followStep();
     void followTurn();
+    void nameFirst();
 
     scanner::SweepSettings shown_;
+    std::optional<Axis> seen_; // that the ranges show
     QSpinBox* lines_;
     QDoubleSpinBox* turn_; // of all lines: another form of the step
     QDoubleSpinBox* step_;

@@ -169,11 +169,12 @@ TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     EXPECT_EQ(healthOf(status).remark, "2 remarks");
     const std::string axis = "the axis (spin)",
                       step = "the step from line to line (0.18 degrees, the motor turning on while a line is measured)";
-    const std::string seen = "the axis (sweep" + std::string(kAxisSeen);
+    const std::string seen = "the axis (sweep" + std::string(kAxisSeen), first = std::string(kFirstAssumed) + "-90 degrees)";
     for (const auto& [what, badge, assumed] :
          {std::tuple(axis, "MOUNTING ASSUMED", Assumed::Mounting), std::tuple(axis + ", " + step, "MOUNTING ASSUMED", Assumed::Mounting),
           std::tuple(seen, "MOUNTING FROM RANGES", Assumed::SeenAxis), std::tuple(seen + ", " + step, "STEP ASSUMED 0.18°", Assumed::Step),
-          std::tuple(step, "STEP ASSUMED 0.18°", Assumed::Step)}) {
+          std::tuple(step, "STEP ASSUMED 0.18°", Assumed::Step), std::tuple(first, "DIRECTION ASSUMED", Assumed::Direction),
+          std::tuple(seen + ", " + first, "MOUNTING FROM RANGES", Assumed::SeenAxis)}) {
         status.sweep.assumed = kMountingAssumed + what + ". Give it where that is wrong.";
         EXPECT_EQ(healthOf(status).remark, badge);
         EXPECT_EQ(assumedIn(status.sweep.assumed), assumed);

@@ -92,9 +92,13 @@ TEST(AxisFromRanges, AGrowingSweepTakesItAndSaysSo) {
             telegram.sinceStartUs = static_cast<std::uint32_t>(5'000'000 + 40'000 * n);
             test::pushTelegram(assembler, telegram, test::hostNsOfLine(n));
         }
-        return assembler.snapshot();
+        const auto shown = assembler.snapshot();
+        EXPECT_EQ(assembler.progress().axis, polarOf(*shown).axis);
+        EXPECT_EQ(assembler.progress().firstLineDeg, polarOf(*shown).lineDeg.front());
+        return shown;
     };
     EXPECT_EQ(polarOf(*after(60, settings)).axis, Axis::Spin);
+    EXPECT_EQ(polarOf(*after(60, settings)).lineDeg.front(), 0.0);
     EXPECT_EQ(assumedIn(*after(60, settings)), Assumed::Mounting);
     const auto whole = after(200, settings);
     EXPECT_EQ(polarOf(*whole).axis, Axis::Sweep);
@@ -105,7 +109,13 @@ TEST(AxisFromRanges, AGrowingSweepTakesItAndSaysSo) {
     EXPECT_EQ(polarOf(*next).axis, Axis::Sweep) << "the ranges of the sweep before";
     settings.stepAssumed = false;
     EXPECT_EQ(assumedIn(*after(200, settings)), Assumed::SeenAxis);
+    // As far on both sides of the viewing direction, until the angle of the first line is given.
+    settings.degPerLine = 0.6;
+    EXPECT_EQ(polarOf(*after(200, settings)).lineDeg.front(), -90.0);
     settings.axisAssumed = false; // given, right or wrong
+    EXPECT_EQ(assumedIn(*after(200, settings)), Assumed::Direction);
+    EXPECT_FALSE(mountingAssumed(*after(200, settings))) << "lengths do not depend on it";
+    settings.firstAssumed = false;
     EXPECT_EQ(polarOf(*after(200, settings)).axis, Axis::Spin);
     EXPECT_EQ(assumedIn(*after(200, settings)), Assumed::Nothing);
 }

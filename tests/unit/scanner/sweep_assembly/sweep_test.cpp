@@ -425,7 +425,7 @@ TEST(Sweep, SettingsSurviveTheMetadata) {
     EXPECT_EQ(settingsOf(metadataOf(settings)).settings, settings);
     settings.stepAssumed = false;
     EXPECT_EQ(settingsOf(metadataOf(settings)).settings, settings);
-    EXPECT_EQ(metadataOf(settings).at("assumed"), "stepper.axis");
+    EXPECT_EQ(metadataOf(settings).at("assumed"), "stepper.axis stepper.phi0_deg");
     EXPECT_EQ(settingsOf({}).settings, assumedSweep()); // a recording of another program
     const SettingsFound odd = settingsOf({{"stepper.deg_per_step", "much"}, {"stepper.axis", "[0,1,0]"}});
     EXPECT_EQ(odd.warnings.size(), 2U);
