@@ -1280,9 +1280,8 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Sección</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Rueda: zoom; arrastrar: mover; dos clics: una longitud</translation></message>
 <message><source>Fit</source><translation>Encuadrar</translation></message>
+<message><source>▲ %1 points are outside: Fit shows them.</source><translation>▲ %1 puntos quedan fuera: Encuadrar los muestra.</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Puntos de borde, en verde: %1.</translation></message>
-<message><source>▲ %1 outside</source><translation>▲ %1 fuera</translation></message>
-<message><source>%1 points are outside: Fit shows them</source><translation>%1 puntos quedan fuera: Encuadrar los muestra</translation></message>
 <message><source>along the section [m]</source><translation>a lo largo de la sección [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir un escaneo…</translation></message>

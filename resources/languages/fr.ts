@@ -1280,9 +1280,8 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Section</source><translation>Coupe</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Molette : zoom ; glisser : déplacer ; deux clics : une longueur</translation></message>
 <message><source>Fit</source><translation>Ajuster</translation></message>
+<message><source>▲ %1 points are outside: Fit shows them.</source><translation>▲ %1 points sont en dehors : Ajuster les montre.</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Points d'arête, en vert : %1.</translation></message>
-<message><source>▲ %1 outside</source><translation>▲ %1 dehors</translation></message>
-<message><source>%1 points are outside: Fit shows them</source><translation>%1 points sont en dehors : Ajuster les montre</translation></message>
 <message><source>along the section [m]</source><translation>le long de la coupe [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLET</translation></message>
 <message><source>Open a scan…</source><translation>Ouvrir un scan…</translation></message>

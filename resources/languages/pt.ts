@@ -1280,9 +1280,8 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Section</source><translation>Secção</translation></message>
 <message><source>Wheel: zoom; drag: move; two clicks: a length</source><translation>Roda: zoom; arrastar: mover; dois cliques: um comprimento</translation></message>
 <message><source>Fit</source><translation>Enquadrar</translation></message>
+<message><source>▲ %1 points are outside: Fit shows them.</source><translation>▲ %1 pontos estão fora: Enquadrar os mostra.</translation></message>
 <message><source>Edge points, green: %1.</source><translation>Pontos de borda, em verde: %1.</translation></message>
-<message><source>▲ %1 outside</source><translation>▲ %1 fora</translation></message>
-<message><source>%1 points are outside: Fit shows them</source><translation>%1 pontos estão fora: Enquadrar os mostra</translation></message>
 <message><source>along the section [m]</source><translation>ao longo da secção [m]</translation></message>
 <message><source>✕ INCOMPLETE</source><translation>✕ INCOMPLETO</translation></message>
 <message><source>Open a scan…</source><translation>Abrir uma varredura…</translation></message>

@@ -199,22 +199,19 @@ void Targets::show() {
         if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
         const inspect::CellTarget* now = knownOf(target.cell);
         QStringList known = wordsOf(target);
-        if (target.locked) known << tr("locked");
         if (now != nullptr) known << edgeText(*now);
         QString words = known.join("   ");
         const QString note = target.note.empty() ? QString() : "   " + shownName(exactText(target.note), 80);
         words += note;
         const QString first = words; // shortened in the list
-        const QString place = now != nullptr ? briefPositionText(*now) : QString();
+        const QString locked = target.locked ? "   " + tr("locked") : QString();
+        const QString place = (now != nullptr ? briefPositionText(*now) : QString()) + locked;
         words += "\n" + (place.isEmpty() ? QString(" ") : place); // two rows before it is known: the card below the list stays where it is
         QStringList shortened;                                    // the class of its edge and the second row last
         if (!note.isEmpty()) shortened << note;
-        QString state; // its rock, and whether it is locked
-        if (const rocks::Rock* rock = around(target.cell).rock) state += "   " + tr("rock %1").arg(rock->label);
-        if (target.locked) state += "   " + tr("locked");
-        if (!state.isEmpty()) shortened << state;
+        if (const rocks::Rock* rock = around(target.cell).rock) shortened << "   " + tr("rock %1").arg(rock->label);
         if (!target.name.empty()) shortened << "  " + shownName(exactText(target.name));
-        lines.push_back({words, first + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened});
+        lines.push_back({words, first + locked + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened});
     }
     rocks_.setTargets(all, names);
     panel_.showTargets(lines);

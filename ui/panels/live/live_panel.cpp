@@ -226,7 +226,7 @@ void LivePanel::keyPressEvent(QKeyEvent* event) { event->key() == Qt::Key_Escape
 
 void LivePanel::askSweep() {
     if (!sweepDialog_->isVisible()) {
-        constexpr QSize kAround(60, 120); // px, of the dialog round the fields
+        constexpr QSize kAround(60, 90); // px, of the dialog round the fields
         const QSize wanted = sweep_->sizeHint() + kAround, room = screen()->availableSize() - QSize(20, 60);
         sweepDialog_->resize(wanted.boundedTo(room));
         sweep_->begin();

@@ -2,7 +2,6 @@
 #include "ui/panels/section/section_card.h"
 
 #include "ui/base/count_text.h"
-#include "ui/base/elided_label.h"
 #include "ui/panels/section/section_plot.h"
 
 #include <QHBoxLayout>
@@ -20,8 +19,7 @@ constexpr double kZoomStep = 1.25;
 } // namespace
 
 SectionCard::SectionCard(QWidget* parent)
-    : QDialog(parent), plot_(new SectionPlot), words_(new QLabel), outside_(new ElidedLabel(nullptr, 2)),
-      export_(new QPushButton(tr("Export Section…"))) {
+    : QDialog(parent), plot_(new SectionPlot), words_(new QLabel), export_(new QPushButton(tr("Export Section…"))) {
     setObjectName("section-card");
     setWindowTitle(tr("Section"));
     words_->setWordWrap(true);
@@ -34,9 +32,7 @@ SectionCard::SectionCard(QWidget* parent)
         zoomBy(1.0 / kZoomStep);
     })->setAutoRepeat(true);
     addButton(*foot, "section-fit", tr("Fit"), {}, [this] { plot_->zoomToFit(); });
-    outside_->setObjectName("section-outside");
-    outside_->setMinimumHeight(2 * outside_->fontMetrics().lineSpacing() + 2); // the buttons are lower
-    foot->addWidget(outside_, 1);                                              // next to Fit, not over the lines
+    foot->addStretch(1);
     foot->addWidget(export_);
     addButton(*foot, "section-close", tr("Close"), {}, [this] { hide(); }); // a cab has no frame to close it by
     connect(plot_, &SectionPlot::viewChanged, this, &SectionCard::showView);
@@ -67,14 +63,18 @@ void SectionCard::setWords(const QString& words) {
     showView();
 }
 
-/// What the plot shows now. The words become no lower: the plot would move.
+/// What the plot shows now. The words become no lower, and have room for all sentences: the plot would move.
 void SectionCard::showView() {
-    const std::size_t edges = plot_->edgesShown();
-    words_->setText(edges > 0 ? tr("Edge points, green: %1.").arg(countText(edges)) + ' ' + about_ : about_);
-    words_->setMinimumHeight(std::max(words_->minimumHeight(), words_->heightForWidth(words_->width())));
-    const std::size_t count = plot_->outside();
-    outside_->setText(count > 0 ? tr("▲ %1 outside").arg(countText(count)) : QString());
-    outside_->setToolTip(count > 0 ? tr("%1 points are outside: Fit shows them").arg(countText(count)) : QString());
+    const auto say = [this](std::size_t edges, std::size_t outside) {
+        QStringList sentences;
+        if (outside > 0) sentences << tr("▲ %1 points are outside: Fit shows them.").arg(countText(outside));
+        if (edges > 0) sentences << tr("Edge points, green: %1.").arg(countText(edges));
+        words_->setText((sentences << about_).join(' '));
+        words_->setMinimumHeight(std::max(words_->minimumHeight(), words_->heightForWidth(words_->width())));
+    };
+    constexpr std::size_t kMany = 88888;
+    say(kMany, kMany);
+    say(plot_->edgesShown(), plot_->outside());
 }
 
 QString SectionCard::words() const { return words_->text(); }

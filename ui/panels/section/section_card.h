@@ -11,7 +11,6 @@ class QPushButton;
 
 namespace edgescan::ui {
 
-class ElidedLabel;
 class SectionPlot;
 
 /// GUI thread only.
@@ -33,7 +32,6 @@ private:
 
     SectionPlot* plot_;
     QLabel* words_;
-    ElidedLabel* outside_;
     QString about_; // the words, without what depends on the view
     QPushButton* export_;
 };
