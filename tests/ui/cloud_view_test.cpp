@@ -224,7 +224,8 @@ private slots:
         const CameraPose right = view_->camera();
         view_->setCamera(zoomed(right, right.focus, 2.5));
         view_->zoomToFit();
-        QVERIFY(view_->camera().position.isApprox(right.position, 1e-6) && view_->camera().forward().isApprox(right.forward()));
+        QVERIFY(view_->camera().forward().isApprox(right.forward()));
+        QVERIFY2(view_->shareInPicture() > 0.99, qPrintable(QString::number(view_->shareInPicture()))); // the end of the drift too
         // Turned there by the mouse, it is only a direction.
         view_->setCamera(turned(right, right.focus, right.up, 0.05, 0.0));
         const Eigen::Vector3d forward = view_->camera().forward();

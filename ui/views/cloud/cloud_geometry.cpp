@@ -109,7 +109,8 @@ std::vector<std::uint32_t> sampleCells(const CloudGeometry& cloud) {
     return cells;
 }
 
-Box3f boxOfMost(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
+/// Without this share of the points at each end of each axis.
+Box3f boxOfMost(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample, double leftOut) {
     Box3f box;
     if (sample.empty()) return box;
     Vector3f low, high;
@@ -117,10 +118,10 @@ Box3f boxOfMost(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sa
     for (int axis = 0; axis < 3; ++axis) {
         std::transform(sample.begin(), sample.end(), values.begin(), [&](std::uint32_t k) { return cloud.point(k)[axis]; });
         const auto last = static_cast<double>(values.size() - 1);
-        const auto lower = values.begin() + static_cast<std::ptrdiff_t>(0.01 * last);
+        const auto lower = values.begin() + static_cast<std::ptrdiff_t>(leftOut * last);
         std::nth_element(values.begin(), lower, values.end());
         low[axis] = *lower;
-        const auto upper = values.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * last));
+        const auto upper = values.begin() + static_cast<std::ptrdiff_t>(std::ceil((1.0 - leftOut) * last));
         std::nth_element(values.begin(), upper, values.end());
         high[axis] = *upper;
     }
@@ -245,7 +246,8 @@ std::shared_ptr<const CloudGeometry> makeCloudGeometry(const Scan& scan) {
     fillOrder(*out);
     fillTiles(*out);
     const std::vector<std::uint32_t> sample = sampleCells(*out);
-    out->mainBounds = boxOfMost(*out, sample);
+    out->mainBounds = boxOfMost(*out, sample, 0.01);
+    out->wideBounds = boxOfMost(*out, sample, 0.001);
     out->stepRad = middleStep(*out, sample);
     fillFrames(scan, tables, sample, *out);
     return out;

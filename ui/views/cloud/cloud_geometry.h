@@ -48,6 +48,7 @@ struct CloudGeometry {
     Eigen::Vector3f sensor = Eigen::Vector3f::Zero(); ///< local
     Box3f bounds;                                     ///< of all valid points, local; empty if no cell is valid
     Box3f mainBounds;                                 ///< of the 1-99 % of the points per axis
+    Box3f wideBounds;                                 ///< of the 0.1-99.9 %: with the end of a drift, without single far points
     double stepRad = 0.0;                             ///< median angle between neighbouring points, seen from the sensor; 0: unknown
     ViewFrame scannerView;                            ///< looking from the sensor along the mean direction of the points
     ViewFrame axes; ///< for the views front, right, top ...: those of the mine grid; without a pose up is the scanner's z, as in sections

@@ -174,7 +174,8 @@ public slots:
     void viewBottom();
     void viewIsometric();
     void resetView(); ///< the scanner's view, without clipping
-    void zoomToFit(); ///< keeps the direction: one of the views by name always, another if anything but the backs of walls is seen in it
+    void zoomToFit(); ///< all but single far points; keeps the direction: one of the views by name always, another if anything but the
+                      ///< backs of walls is seen in it
     /// CloudScene::keepReady().
     void keepReady(const std::shared_ptr<const CloudGeometry>& cloud);
     /// Looks from the scanner's side at these cells and some of their surroundings. A few cells at the rim may be outside the view.
@@ -261,6 +262,7 @@ private:
     void fitPane();
     void updateOverlay();
     void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up);
+    void look(const Eigen::Vector3d& forward, const Eigen::Vector3d& up, const Box3f& all);
     /// What has to fit the whole view so that `box` fits the free area, and its aspect.
     struct FreeBox {
         Box3f box;
@@ -268,7 +270,7 @@ private:
     };
     [[nodiscard]] FreeBox intoFreeArea(const Box3f& box) const;
     [[nodiscard]] std::optional<QPointF> pixelIn(const ScreenView& view, const Eigen::Vector3f& point) const;
-    void fitPlates(const std::function<CameraPose(const FreeBox&, const CameraPose& lens)>& pose);
+    void fitPlates(const Box3f& all, const std::function<CameraPose(const FreeBox&, const CameraPose& lens)>& pose);
     /// The focus is in the middle of the free area.
     [[nodiscard]] CameraPose besidePlates(const CameraPose& pose) const;
     void drag(QPointF at);

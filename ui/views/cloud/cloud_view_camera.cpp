@@ -37,26 +37,27 @@ std::optional<QPointF> CloudView::pixelIn(const ScreenView& view, const Eigen::V
 CloudGeometry CloudView::extent() const {
     CloudGeometry all;
     all.bounds = layersBounds_;
-    all.mainBounds = layersMain_;
+    all.mainBounds = all.wideBounds = layersMain_;
     if (cloud_) {
         all.bounds.extend(cloud_->bounds);
         all.mainBounds.extend(cloud_->mainBounds);
+        all.wideBounds.extend(cloud_->wideBounds);
     }
     return all;
 }
 
-void CloudView::look(const Vector3d& forward, const Vector3d& up) {
-    const Box3f all = extent().mainBounds;
+void CloudView::look(const Vector3d& forward, const Vector3d& up) { look(forward, up, extent().mainBounds); }
+
+void CloudView::look(const Vector3d& forward, const Vector3d& up, const Box3f& all) {
     if (!cloud_ || all.isEmpty()) return;
-    fitPlates([&](const FreeBox& into, const CameraPose& lens) { return lookingAt(into.box, forward, up, lens, into.aspect); });
+    fitPlates(all, [&](const FreeBox& into, const CameraPose& lens) { return lookingAt(into.box, forward, up, lens, into.aspect); });
     asked_ = forward;
 }
 
 /// Into the whole view; if plates cover too much of the cloud then, into the part of the view between them.
-void CloudView::fitPlates(const std::function<CameraPose(const FreeBox&, const CameraPose&)>& pose) {
+void CloudView::fitPlates(const Box3f& all, const std::function<CameraPose(const FreeBox&, const CameraPose&)>& pose) {
     constexpr double kMostCovered = 0.07; // share of the cloud's area in the picture
     constexpr int kPatch = 16;            // px
-    const Box3f all = extent().mainBounds;
     const CameraPose before = pose_;
     pose_ = pose({all, aspect()}, before);
     const auto isFree = freePixels();
@@ -137,11 +138,11 @@ void CloudView::viewIsometric() {
     look((axes().forward - axes().right + (fromBelow ? 1.0 : -1.0) * axes().up).normalized(), axes().up);
 }
 void CloudView::zoomToFit() {
-    const Box3f all = extent().mainBounds;
+    const Box3f all = extent().wideBounds;
     if (!cloud_ || all.isEmpty()) return;
-    if (pose_.forward().isApprox(asked_, 1e-6)) return look(pose_.forward(), pose_.up);
+    if (pose_.forward().isApprox(asked_, 1e-6)) return look(pose_.forward(), pose_.up, all);
     if (pose_.forward().isApprox(cloud_->scannerView.forward, 1e-6)) return viewFromScanner();
-    fitPlates([&](const FreeBox& into, const CameraPose& lens) { return fitted(*cloud_, into.box, lens, into.aspect); });
+    fitPlates(all, [&](const FreeBox& into, const CameraPose& lens) { return fitted(*cloud_, into.box, lens, into.aspect); });
 }
 
 void CloudView::zoomToCells(const CellIndices& cells) {
