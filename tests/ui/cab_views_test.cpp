@@ -96,6 +96,29 @@ private slots:
         QVERIFY(!tool(on.window, "cab-zoom-in")->isVisible());
     }
 
+    // Its parts are in lines, and none is cut; the text itself is as given.
+    void aLongNameOfAFileIsWhole() {
+        const QString words =
+            "Saved /home/op/demo-draw-bell-after-the-blast_edges_edgescan+_edge-strength1_2026-11-27_LOCAL.pcd: x -7.78 m.";
+        WindowFixture on;
+        QVERIFY(on.showWith(scan_));
+        on.window.cab().set(true);
+        for (const QSize size : {QSize(853, 480), QSize(1280, 800)}) {
+            resizeTo(on.window, size);
+            NoticeBar& notice = on.viewer.notice;
+            notice.showNotice(NoticeBar::Kind::Warning, words);
+            QTest::mouseClick(notice.findChild<QToolButton*>("notice-unfold"), Qt::LeftButton);
+            const auto* text = notice.findChild<QLabel*>("notice-text");
+            QTRY_VERIFY(text->isVisible());
+            QCOMPARE(notice.text(), words);
+            static const QRegularExpression places(QString("[ %1]").arg(QChar(0x200B)));
+            for (const QString& part : text->text().split(places))
+                QTRY_VERIFY2(text->fontMetrics().horizontalAdvance(part) <= text->width(), qPrintable(part));
+            notice.hide();
+        }
+        on.window.cab().set(false);
+    }
+
     // Next to fewer and more, with its word.
     void theUsualSettingsAreNextToFewerAndMore() {
         WindowFixture on;

@@ -53,6 +53,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     QFont bold = sign_->font();
     bold.setBold(true);
     sign_->setFont(bold);
+    text_->setObjectName("notice-text");
     text_->setWordWrap(true);
     text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long path must not widen the window
     text_->setMinimumWidth(kLeastText);
@@ -60,7 +61,7 @@ NoticeBar::NoticeBar(QWidget* parent)
     text_->setTextFormat(Qt::PlainText);
     auto* copy = copy_ = new QToolButton;
     copy->setText(tr("Copy"));
-    connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text_->text()); });
+    connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(words_); });
     auto* close = new QToolButton;
     close->setText(tr("Close"));
     close->setObjectName("notice-close");
@@ -129,15 +130,14 @@ void NoticeBar::withdraw(const QStringList& texts) {
     std::erase_if(earlier_, [&](const Note& note) { return texts.contains(note.text); });
     countEarlier();
     if (isHidden() || !texts.contains(text())) return;
-    text_->clear(); // not stored for "earlier"
+    setWords({}); // not stored for "earlier"
     earlier_.empty() ? hide() : bringBack();
 }
 
 /// What passes is not stored for "earlier", nor confirmations without a button.
 void NoticeBar::keepShown() {
-    if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || passes_ || text_->text().isEmpty()) return;
-    earlier_.push_back(
-        {kind_, text_->text(), action_->isHidden() ? QString() : action_->text(), onAction_, brief_, saved_, waits(), folderOf_});
+    if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || passes_ || words_.isEmpty()) return;
+    earlier_.push_back({kind_, words_, action_->isHidden() ? QString() : action_->text(), onAction_, brief_, saved_, waits(), folderOf_});
     if (earlier_.size() > kMostEarlier) earlier_.pop_front();
 }
 
@@ -155,7 +155,7 @@ void NoticeBar::put(const Note& note) {
     leaves_.stop();
     sign_->setText(kind_ == Kind::Error ? "✕ " + tr("Error") : kind_ == Kind::Warning ? "▲ " + tr("Note") : "✓ " + tr("Done"));
     paintKind();
-    text_->setText(note.text);
+    setWords(note.text);
     brief_ = note.brief;
     unfold(false);
     action_->setText(note.label);
@@ -178,7 +178,7 @@ void NoticeBar::bringBack() {
 
 void NoticeBar::closeShown() {
     const QString read = text();
-    text_->clear(); // not stored for "earlier"
+    setWords({}); // not stored for "earlier"
     earlier_.empty() ? hide() : showEarlier();
     emit closed(read);
 }
@@ -294,7 +294,7 @@ void NoticeBar::unfold(bool on) {
 /// Where the line is too short for a path, its folders are left out, and the middle of a long name: its ends are read.
 void NoticeBar::fitLine(int room) {
     static const QRegularExpression kFolders(R"((?<![:/\w])(?:…?/[^/\s]+)+/(?=[^/\s]))");
-    const QString shown = (brief_.isEmpty() ? text_->text() : brief_).simplified();
+    const QString shown = (brief_.isEmpty() ? words_ : brief_).simplified();
     line_->setText(shown);
     if (line_->fits(room)) return;
     QStringList words = QString(shown).replace(kFolders, QString("…/")).split(' ');
@@ -324,7 +324,7 @@ void NoticeBar::offerMore() {
         const bool shares = large_ && !unfold_->isHidden() && unfold_->y() == line_->y();
         const int room = line_->width() + (shares ? unfold_->width() + layout()->spacing() : 0);
         fitLine(room);
-        const bool offered = unfolded() || line_->text() != text_->text().simplified() || !line_->fits(room);
+        const bool offered = unfolded() || line_->text() != words_.simplified() || !line_->fits(room);
         if (offered != unfold_->isHidden()) return;
         unfold_->setVisible(offered);
         layout()->activate(); // else it would be over the others until the next event
@@ -363,6 +363,7 @@ bool NoticeBar::unfolded() const { return unfold_->isChecked(); }
 void NoticeBar::setBrief(bool on) {
     copy_->setVisible(!on);
     large_ = on;
+    setWords(words_);
     placeButtons();
     showFolder();
     line_->setLines(on ? 2 : 1);
@@ -371,7 +372,21 @@ void NoticeBar::setBrief(bool on) {
     offerMore();
 }
 
-QString NoticeBar::text() const { return text_->text(); }
+QString NoticeBar::text() const { return words_; }
+
+/// A cab breaks long names of files after their signs; elsewhere text is copied from here by the mouse.
+void NoticeBar::setWords(const QString& words) {
+    static const QRegularExpression longWord("\\S{24,}"), sign("[_/.-]");
+    words_ = words;
+    QString shown;
+    int done = 0;
+    for (auto each = longWord.globalMatch(words); large_ && each.hasNext();) {
+        const auto found = each.next();
+        shown += words.mid(done, found.capturedStart() - done) + found.captured().replace(sign, QStringLiteral("\\0") + QChar(0x200B));
+        done = found.capturedEnd();
+    }
+    text_->setText(shown + words.mid(done));
+}
 
 } // namespace edgescan::ui
 

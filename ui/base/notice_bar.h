@@ -86,6 +86,7 @@ private:
     void showNote(const Note& note, bool passes = false);
     void paintKind();
     void put(const Note& note);
+    void setWords(const QString& words);
     void keepShown();
     [[nodiscard]] bool waits() const;
     void countEarlier();
@@ -109,6 +110,7 @@ private:
     QLabel* sign_;
     ElidedLabel* line_; // the text in one line, in a cab in two
     QLabel* text_;      // all of it, on request
+    QString words_;     // as given
     QToolButton* action_;
     QToolButton* folder_;
     QToolButton* unfold_;
