@@ -16,12 +16,14 @@ constexpr int kLinesToFit = 8;    // of a growing sweep: if their places are not
 /// The lines of a growing sweep got other places: its axis showed in the ranges, or the operator gave mounting or step.
 bool turnsOtherwise(const Scan& before, const Scan& now) {
     constexpr double kSameStep = 0.01; // share of the step
+    constexpr double kSameStart = 1.0; // degrees
     const auto *a = std::get_if<PolarGeometry>(&before.geometry), *b = std::get_if<PolarGeometry>(&now.geometry);
     if (a == nullptr || b == nullptr || a->lineDeg.size() < 2 || b->lineDeg.size() < 2) return false;
     const auto step = [](const PolarGeometry& polar) {
         return polar.lineDirection * (polar.lineDeg.back() - polar.lineDeg.front()) / (static_cast<double>(polar.lineDeg.size()) - 1.0);
     };
-    return a->axis != b->axis || std::abs(step(*a) - step(*b)) > kSameStep * std::abs(step(*a));
+    return a->axis != b->axis || std::abs(step(*a) - step(*b)) > kSameStep * std::abs(step(*a)) ||
+           std::abs(a->lineDeg.front() - b->lineDeg.front()) > kSameStart;
 }
 
 } // namespace

@@ -77,6 +77,7 @@ SweepForm::SweepForm(QWidget* parent)
 }
 
 void SweepForm::showAxisSeen(std::optional<Axis> axis) {
+    if (axis == seen_ && !axis_->itemText(0).isEmpty()) return; // each picture says it, also while a number is typed
     const Axis taken = axis.value_or(scanner::assumedSweep().axis);
     axis_->setItemText(0, !axis                 ? tr("not known (spin assumed until the ranges show it)")
                           : taken == Axis::Spin ? tr("not known (the ranges show spin)")
