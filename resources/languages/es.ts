@@ -62,7 +62,7 @@
 <message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Los telegramas llevan cuentas del codificador, pero no se indicó cuántas hay por grado: los ángulos no las siguen.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>El escáner perdió la cuenta del codificador al reiniciarse: los ángulos de las líneas siguientes se calculan.</translation></message>
 <message><source> (from line %1 on).</source><translation> (desde la línea %1).</translation></message>
-<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>No se indicó cómo un motor giró el escáner. SUPUESTO: </translation></message>
+<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>No se indicó del todo cómo un motor giró el escáner. SUPUESTO: </translation></message>
 <message><source>the axis (spin)</source><translation>el eje (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>el eje (sweep)</translation></message>
 <message><source>the axis (spin, seen in the ranges)</source><translation>el eje (spin, visto en las distancias)</translation></message>

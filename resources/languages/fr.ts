@@ -62,7 +62,7 @@
 <message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Les télégrammes portent des impulsions d'encodeur, mais le nombre d'impulsions par degré n'a pas été donné : les angles ne les suivent pas.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>Le scanner a perdu le compte de l'encodeur au redémarrage : les angles des lignes suivantes sont calculés.</translation></message>
 <message><source> (from line %1 on).</source><translation> (à partir de la ligne %1).</translation></message>
-<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été indiquée. SUPPOSÉ : </translation></message>
+<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>La rotation du scanner par un moteur n'a pas été entièrement indiquée. SUPPOSÉ : </translation></message>
 <message><source>the axis (spin)</source><translation>l'axe (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>l'axe (sweep)</translation></message>
 <message><source>the axis (spin, seen in the ranges)</source><translation>l'axe (spin, vu dans les distances)</translation></message>

@@ -62,7 +62,7 @@
 <message><source>The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them.</source><translation>Os telegramas trazem contagens do encoder, mas não se indicou quantas há por grau: os ângulos não as seguem.</translation></message>
 <message><source>The scanner lost its encoder count when it restarted: the line angles after that are computed.</source><translation>O scanner perdeu a contagem do encoder ao reiniciar: os ângulos das linhas seguintes são calculados.</translation></message>
 <message><source> (from line %1 on).</source><translation> (a partir da linha %1).</translation></message>
-<message><source>How a motor turned the scanner was not said. ASSUMED: </source><translation>Não foi indicado como um motor girou o scanner. SUPOSTO: </translation></message>
+<message><source>How a motor turned the scanner was not said in full. ASSUMED: </source><translation>Não foi indicado por completo como um motor girou o scanner. SUPOSTO: </translation></message>
 <message><source>the axis (spin)</source><translation>o eixo (spin)</translation></message>
 <message><source>the axis (sweep)</source><translation>o eixo (sweep)</translation></message>
 <message><source>the axis (spin, seen in the ranges)</source><translation>o eixo (spin, visto nas distâncias)</translation></message>

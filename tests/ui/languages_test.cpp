@@ -408,7 +408,7 @@ private slots:
                         now.sweep.deviceEver.contaminationError = part == 4;
                         now.sweep.device.error = part == 3;
                         now.sweep.deviceEver.error = part == 4;
-                        if (part == 5) now.sweep.assumed = "How a motor turned the scanner was not said. ASSUMED: the axis (spin).";
+                        if (part == 5) now.sweep.assumed = "How a motor turned the scanner was not said in full. ASSUMED: the axis (spin).";
                         if (part == 4) now.recording = files::RecordingState{};
                         const files::LiveHealth health = files::healthOf(now);
                         for (const std::string& each :
@@ -427,7 +427,7 @@ private slots:
         QVERIFY2(same.isEmpty(), qPrintable(QStringList(same.values()).join('\n')));
         useLanguage("en");
         const char* assumed =
-            "How a motor turned the scanner was not said. ASSUMED: the axis (spin), the step from line to line (0.18 degrees, the "
+            "How a motor turned the scanner was not said in full. ASSUMED: the axis (spin), the step from line to line (0.18 degrees, the "
             "motor turning on while a line is measured). Give --axis, --line-step where that is wrong. The first line "
             "received is taken as line 0 of the sweep.";
         for (const char* language : {"fr", "es", "pt"}) {

@@ -3,6 +3,7 @@
 
 #include "core/scan/georef/place_form.h"
 #include "core/scan/grid/assumed_mounting.h"
+#include "core/scan/grid/reading_options.h"
 #include "ui/base/shown_text.h"
 
 #include <QObject>
@@ -89,7 +90,7 @@ constexpr std::array kParts{
                       "The telegrams carry encoder counts, but the number of counts per degree was not given: angles do not follow them."),
     QT_TRANSLATE_NOOP("QObject", "The scanner lost its encoder count when it restarted: the line angles after that are computed."),
     QT_TRANSLATE_NOOP("QObject", " (from line %1 on)."),
-    QT_TRANSLATE_NOOP("QObject", "How a motor turned the scanner was not said. ASSUMED: "),
+    QT_TRANSLATE_NOOP("QObject", "How a motor turned the scanner was not said in full. ASSUMED: "),
     QT_TRANSLATE_NOOP("QObject", "the axis (spin)"),
     QT_TRANSLATE_NOOP("QObject", "the axis (sweep)"),
     QT_TRANSLATE_NOOP("QObject", "the axis (spin, seen in the ranges)"),
@@ -353,8 +354,13 @@ QString wordsOf(const QString& text) {
 QString placeOf(const QString& flag) {
     const auto known = std::ranges::find_if(kPlaces, [&](const auto& each) { return flag == QLatin1String(each.first); });
     if (known != kPlaces.end()) return QObject::tr(known->second);
-    if (std::ranges::any_of(kFieldsOfReading, [&](const char* field) { return flag == QLatin1String(field); }))
-        return QObject::tr("“%1” in Scan > How the Scan Is Read").arg(flag);
+    if (std::ranges::any_of(kFieldsOfReading, [&](const char* field) { return flag == QLatin1String(field); })) {
+        static const QRegularExpression unit("\\s*\\[.*$");
+        const auto option =
+            std::ranges::find_if(readingOptionTable(), [&](const ReadingOption& each) { return flag == QLatin1String(each.key); });
+        const bool isNamed = option != readingOptionTable().end() && option->kind == ReadingOption::Kind::Number; // by its label
+        return QObject::tr("“%1” in Scan > How the Scan Is Read").arg(isNamed ? QObject::tr(option->help).remove(unit) : flag);
+    }
     return QObject::tr("“%1”").arg(QString(flag).replace('-', ' '));
 }
 

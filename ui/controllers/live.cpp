@@ -304,7 +304,10 @@ void Live::reportSweepEnd() {
     const Scan& scan = *picture.detection->scan;
     notice_.withdraw({endNote_}); // of the sweep before
     QStringList warnings;
-    for (const std::string& warning : scan.warnings) warnings << coreSentence(warning);
+    for (const std::string& warning : scan.warnings) {
+        const bool isInStrip = scanner_.connected() && assumedIn(warning) != Assumed::Nothing; // and in the cloud, where it is given now
+        if (!isInStrip) warnings << coreSentence(warning);
+    }
     const QString name = scanName(scan.name);
     if (scanner_.heldAtStop())
         return notice_.showNotice(NoticeBar::Kind::Warning,

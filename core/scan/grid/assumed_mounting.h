@@ -9,7 +9,8 @@
 
 namespace edgescan {
 
-inline constexpr const char* kMountingAssumed = "How a motor turned the scanner was not said. ASSUMED: "; ///< begins the scan's warning
+inline constexpr const char* kMountingAssumed =
+    "How a motor turned the scanner was not said in full. ASSUMED: ";         ///< begins the scan's warning
 inline constexpr const char* kAxisAssumed = "the axis (";                     ///< of that sentence, if the axis was not given
 inline constexpr const char* kAxisSeen = ", seen in the ranges)";             ///< behind the name of an axis that the ranges show
 inline constexpr const char* kStepAssumed = "the step from line to line (";   ///< and before the degrees of a step not given
