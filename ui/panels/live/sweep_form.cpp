@@ -1,12 +1,14 @@
 // The stepper in numbers.
 #include "ui/panels/live/sweep_form.h"
 
+#include "core/base/number_text.h"
+#include "ui/base/shown_text.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSpinBox>
 
 namespace edgescan::ui {
@@ -37,7 +39,7 @@ QDoubleSpinBox* degrees(double least, double most, int decimals) {
     return box;
 }
 
-QString notKnown(double deg) { return SweepForm::tr("not known (%1° assumed)").arg(QLocale().toString(deg, 'g', 4)); }
+QString notKnown(double deg) { return SweepForm::tr("not known (%1° assumed)").arg(exactText(significantText(deg, 4))); }
 
 bool isNotGiven(const QDoubleSpinBox& box) { return box.value() <= box.minimum(); }
 
