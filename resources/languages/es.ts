@@ -813,7 +813,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir un escaneo: Ctrl+O, o suelte un archivo aquí</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagen preliminar de %1 millones de celdas, falta el resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Los bordes llegan con el resto del escaneo</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden. Click the rock next to it.</source><translation>Aquí no hay punto: no se midió nada, o está oculto. Haga clic en la roca de al lado.</translation></message>
+<message><source>The scanner did not measure this place, or its point is hidden. Click the rock next to it.</source><translation>El escáner no midió este lugar, o su punto está oculto. Haga clic en la roca de al lado.</translation></message>
 <message><source>A is shown; go back to B to pin or to measure.</source><translation>Se muestra A; vuelva a B para fijar o medir.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>Se puede hacer clic en las celdas cuando el escaneo está completo: esta es una imagen preliminar.</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fijar esta celda</translation></message>

@@ -813,7 +813,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Ouvrir un scan : Ctrl+O, ou déposez un fichier ici</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Image grossière de %1 millions de cellules, le reste arrive</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>Les arêtes arrivent avec le reste du scan</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden. Click the rock next to it.</source><translation>Il n'y a pas de point ici : rien n'a été mesuré, ou il est caché. Cliquez sur la roche voisine.</translation></message>
+<message><source>The scanner did not measure this place, or its point is hidden. Click the rock next to it.</source><translation>Le scanner n'a pas mesuré cet endroit, ou son point est caché. Cliquez sur la roche voisine.</translation></message>
 <message><source>A is shown; go back to B to pin or to measure.</source><translation>A est affiché ; revenez à B pour épingler ou mesurer.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>On peut cliquer sur les cellules quand le scan est là en entier : ceci en est une image grossière.</translation></message>
 <message><source>&amp;Pin this cell</source><translation>É&amp;pingler cette cellule</translation></message>

@@ -813,7 +813,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Open a scan: Ctrl+O, or drop a file here</source><translation>Abrir uma varredura: Ctrl+O, ou solte um arquivo aqui</translation></message>
 <message><source>Coarse picture of %1 million cells, the rest is coming</source><translation>Imagem grosseira de %1 milhões de células, falta o resto</translation></message>
 <message><source>The edges come with the rest of the scan</source><translation>As arestas chegam com o resto da varredura</translation></message>
-<message><source>There is no point here: nothing was measured, or it is hidden. Click the rock next to it.</source><translation>Não há ponto aqui: nada foi medido, ou ele está oculto. Clique na rocha ao lado.</translation></message>
+<message><source>The scanner did not measure this place, or its point is hidden. Click the rock next to it.</source><translation>O scanner não mediu este lugar, ou o ponto dele está oculto. Clique na rocha ao lado.</translation></message>
 <message><source>A is shown; go back to B to pin or to measure.</source><translation>A está à mostra; volte a B para fixar ou medir.</translation></message>
 <message><source>Cells can be clicked when the whole scan is here: this is a coarse picture of it.</source><translation>Pode-se clicar nas células quando a varredura está completa: esta é uma imagem grosseira dela.</translation></message>
 <message><source>&amp;Pin this cell</source><translation>&amp;Fixar esta célula</translation></message>

@@ -23,4 +23,9 @@ void fitIntoScreen(QWidget& window) {
     if (fits != window.geometry()) window.setGeometry(fits);
 }
 
+QSize roomForDialog(const QWidget& widget) {
+    const QScreen* at = widget.screen();
+    return at != nullptr ? at->availableSize() - QSize(20, 60) : QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+}
+
 } // namespace edgescan::ui

@@ -3,6 +3,7 @@
 
 #include <QMargins>
 #include <QRect>
+#include <QSize>
 
 class QWidget;
 
@@ -14,5 +15,8 @@ namespace edgescan::ui {
 
 /// The same for a visible window, on its own screen; a maximised window does not change.
 void fitIntoScreen(QWidget& window);
+
+/// The largest size of a dialog on the screen of `widget`, px: its frame has room too.
+[[nodiscard]] QSize roomForDialog(const QWidget& widget);
 
 } // namespace edgescan::ui

@@ -86,9 +86,10 @@ void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
 
 /// "MOUNTING ASSUMED", "MOUNTING FROM RANGES", "DIRECTION ASSUMED", or "STEP ASSUMED 0.18°".
 std::string assumedWords(const std::string& sentence) {
-    if (assumedIn(sentence) == Assumed::SeenAxis) return "MOUNTING FROM RANGES";
-    if (assumedIn(sentence) == Assumed::Direction) return "DIRECTION ASSUMED";
-    if (assumedIn(sentence) != Assumed::Step) return "MOUNTING ASSUMED";
+    const Assumed what = assumedIn(sentence);
+    if (what == Assumed::SeenAxis) return "MOUNTING FROM RANGES";
+    if (what == Assumed::Direction) return "DIRECTION ASSUMED";
+    if (what != Assumed::Step) return "MOUNTING ASSUMED";
     const std::size_t number = sentence.find(kStepAssumed) + std::string_view(kStepAssumed).size();
     return "STEP ASSUMED " + sentence.substr(number, sentence.find(' ', number) - number) + "°";
 }

@@ -1,8 +1,11 @@
 // Compares how much the ranges along both possible axes differ from line to line.
 #include "core/scan/grid/axis_from_ranges.h"
 
+#include "core/base/order_statistic.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgescan {
 namespace {
@@ -21,21 +24,17 @@ std::optional<double> spreadMm(const Grid<float>& rangeMm, const Grid<CellState>
     for (std::size_t j = 0; j < beamDeg.size(); ++j) {
         if (std::abs(beamDeg[j] - atDeg) <= kOffAxisDeg) near.push_back(static_cast<int>(j));
     }
-    std::vector<float> ofLines, ofBeams;
+    std::vector<float> ofLines;
     for (int i = 0; i < rangeMm.lines; ++i) {
-        ofBeams.clear();
+        std::vector<float> ofBeams;
         for (const int j : near) {
             if (state.at(i, j) == CellState::Valid) ofBeams.push_back(rangeMm.at(i, j));
         }
-        if (ofBeams.empty()) continue;
-        const auto middle = ofBeams.begin() + static_cast<std::ptrdiff_t>(ofBeams.size() / 2);
-        std::ranges::nth_element(ofBeams, middle);
-        ofLines.push_back(*middle);
+        if (!ofBeams.empty()) ofLines.push_back(median(std::move(ofBeams)));
     }
     const std::size_t count = ofLines.size();
     if (count < kFewestLines || 2 * count < static_cast<std::size_t>(rangeMm.lines)) return std::nullopt;
-    std::ranges::sort(ofLines);
-    return ofLines[count - 1 - count / 10] - ofLines[count / 10];
+    return valueInOrder(ofLines, count - 1 - count / 10) - valueInOrder(ofLines, count / 10);
 }
 
 bool isAlongAxis(double spread, double other) {

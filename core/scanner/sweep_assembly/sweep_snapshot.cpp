@@ -119,9 +119,10 @@ SweepProgress SweepAssembler::progress() const {
         progress.received = progress.lines - static_cast<int>(progress.lost.size());
         progress.cells = sweep_->grid().counts(progress.lines);
         progress.angleSource = angleSourceOf(sweep_->facts(), settings_);
-        progress.axis = settingsInUse().axis;
-        progress.firstLineDeg = settingsInUse().firstLineDeg;
-        progress.assumed = assumedText(settingsInUse(), axisSeen_.has_value(), progress.angleSource);
+        const SweepSettings used = settingsInUse();
+        progress.axis = used.axis;
+        progress.firstLineDeg = used.firstLineDeg;
+        progress.assumed = assumedText(used, axisSeen_.has_value(), progress.angleSource);
         progress.startAssumed = startAssumed(progress.angleSource);
         const bool placed = encoderAt_ || progress.angleSource == AngleSource::Stepper;
         progress.endUnknown = placed && !startIsKnown_;
@@ -172,8 +173,8 @@ SweepSettings SweepAssembler::settingsInUse() const {
 /// Sets everything but ranges and states; the scan may hold an earlier snapshot.
 void SweepAssembler::describe(Scan& scan) {
     if (settings_.axisAssumed) {
-        axisSeen_ = axisFromRanges(scan.rangeMm, scan.state, sweep_->beams().beamDeg());
-        if (!axisSeen_) axisSeen_ = axisBefore_;
+        const auto seen = axisFromRanges(scan.rangeMm, scan.state, sweep_->beams().beamDeg());
+        axisSeen_ = seen ? seen : axisBefore_;
     }
     const SweepProgress now = progress();
     const auto rows = static_cast<std::size_t>(now.lines);

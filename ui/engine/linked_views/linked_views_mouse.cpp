@@ -76,7 +76,7 @@ void LinkedViews::linkCloud() {
         if (!refusesClicks(cloud_)) clickMark(mark, behind < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(behind)));
     });
     connect(&cloud_, &CloudView::missed, this, [this] {
-        QToolTip::showText(QCursor::pos(), tr("There is no point here: nothing was measured, or it is hidden. Click the rock next to it."),
+        QToolTip::showText(QCursor::pos(), tr("The scanner did not measure this place, or its point is hidden. Click the rock next to it."),
                            &cloud_);
     });
     connect(&cloud_, &CloudView::outlined, this, [this](const QPolygonF& corners, Qt::KeyboardModifiers modifiers) {

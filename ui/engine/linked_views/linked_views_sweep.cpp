@@ -13,16 +13,14 @@ constexpr double kSeen = 0.2;     // share of the points
 constexpr double kMuchMore = 1.2; // times
 constexpr int kLinesToFit = 8;    // of a growing sweep: if their places are not known by now, the view stays where it is
 
-/// The lines of a growing sweep got other places: its axis showed in the ranges, or the operator gave mounting or step.
+/// The lines of a growing sweep got other places: its axis showed in the ranges, or the operator gave angles.
 bool turnsOtherwise(const Scan& before, const Scan& now) {
     constexpr double kSameStep = 0.01; // share of the step
     constexpr double kSameStart = 1.0; // degrees
     const auto *a = std::get_if<PolarGeometry>(&before.geometry), *b = std::get_if<PolarGeometry>(&now.geometry);
     if (a == nullptr || b == nullptr || a->lineDeg.size() < 2 || b->lineDeg.size() < 2) return false;
-    const auto step = [](const PolarGeometry& polar) {
-        return polar.lineDirection * (polar.lineDeg.back() - polar.lineDeg.front()) / (static_cast<double>(polar.lineDeg.size()) - 1.0);
-    };
-    return a->axis != b->axis || std::abs(step(*a) - step(*b)) > kSameStep * std::abs(step(*a)) ||
+    const double stepOfA = a->lineDirection * meanStepDeg(*a), stepOfB = b->lineDirection * meanStepDeg(*b);
+    return a->axis != b->axis || std::abs(stepOfA - stepOfB) > kSameStep * std::abs(stepOfA) ||
            std::abs(a->lineDeg.front() - b->lineDeg.front()) > kSameStart;
 }
 
@@ -31,10 +29,10 @@ bool turnsOtherwise(const Scan& before, const Scan& now) {
 /// Another sweep has directions of its own after a part of one, and a view of its own then, and where its first lines are outside of the
 /// view. So has a sweep whose lines got other places. A view that the operator moved stays.
 void LinkedViews::followSweep(const Picture& last, bool untouched) {
-    const Growth &before = last.source.growth, &growthNow = shown()->source.growth;
-    const bool isAnother = before.sweep != growthNow.sweep;
+    const Growth &before = last.source.growth, &now = shown()->source.growth;
+    const bool isAnother = before.sweep != now.sweep;
     const bool wasPart = isAnother && last.detection->scan->lines() < std::max(1, before.expectedLines);
-    const bool hasOtherPlaces = !isAnother && growthNow.growing && turnsOtherwise(*last.detection->scan, *shown()->detection->scan);
+    const bool hasOtherPlaces = !isAnother && now.growing && turnsOtherwise(*last.detection->scan, *shown()->detection->scan);
     if (wasPart || hasOtherPlaces) cloud_.setAxes(std::nullopt);
     nameDirections();
     if (!untouched) return;

@@ -154,10 +154,7 @@ ChangeLegend::ChangeLegend(QWidget* parent)
     }
     buttons->addStretch(1); // they stay where they are when the plate gets wider
     summary_->setTextFormat(Qt::RichText);
-    connect(fold_, &QToolButton::toggled, this, [this] {
-        showRows();
-        fit();
-    });
+    connect(fold_, &QToolButton::toggled, this, &ChangeLegend::showRows);
     connect(end_, &QToolButton::clicked, this, &ChangeLegend::endRequested);
     grid->addWidget(byDistance_, kChangeRows + 5, 0, 1, 2);
     grid->addWidget(histogram_, kChangeRows + 6, 0, 1, 2);
@@ -299,10 +296,7 @@ bool ChangeLegend::event(QEvent* event) {
 }
 
 bool ChangeLegend::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize && watched == parentWidget()) {
-        showRows();
-        fit();
-    }
+    if (event->type() == QEvent::Resize && watched == parentWidget()) showRows();
     return ViewPlate::eventFilter(watched, event);
 }
 
@@ -343,12 +337,13 @@ void ChangeLegend::showRows() {
     unit_->setVisible(open && compared_ && rowsShown_ && !brief_);
     how_->setVisible(!compared_ || (rowsShown_ && (warned_ || (open && !brief_))));
     const QString how = all || !compared_ ? howWords_ : howWords_.section('\n', 0, 1);
-    setWords(*how_, open || !warned_ ? how : outOfSpecWords());
+    words_[how_] = open || !warned_ ? how : outOfSpecWords();
     how_->setToolTip(how == howWords_ ? QString() : howWords_);
     byDistance_->setVisible(open && rowsShown_ && ofTwoScans_ && !brief_);
     histogram_->setVisible(open && hasDistances_);
     distances_->setVisible(open && hasDistances_);
     overRocks_->setVisible(open && overRocksOn_);
+    fit();
 }
 
 /// The region that was visited last, with what the two colours mean.
@@ -395,7 +390,6 @@ void ChangeLegend::showFlipped(bool flipped) {
     setWords(*title_,
              (flipped ? tr("On the screen: A, %1") : tr("A: %1")).arg(before_) + (both ? "\n" + tr("B: %1").arg(now_) : QString()));
     showRows();
-    fit();
 }
 
 void ChangeLegend::showOverRocks(bool on) {
@@ -407,7 +401,6 @@ void ChangeLegend::showRegion(const QString& words, const QString& brief) {
     regionBrief_ = brief;
     setWords(*region_, words);
     showRows();
-    fit();
 }
 
 QString ChangeLegend::counted(ChangeRow row) const { return rows_[static_cast<std::size_t>(row)].count->text(); }

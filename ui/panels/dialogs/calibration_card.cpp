@@ -15,7 +15,6 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -161,8 +160,7 @@ void CalibrationCard::fit() {
     const bool some = !shown_.empty();
     answer_->setVisible(some);
     const QSize wanted = some ? QSize(1180, 690) : QSize(kQuestionWidth + 30, 400);
-    const QScreen* at = screen();
-    resize(at != nullptr ? wanted.boundedTo(at->availableSize() - QSize(20, 60)) : wanted);
+    resize(wanted.boundedTo(roomForDialog(*this)));
     fitIntoScreen(*this);
 }
 

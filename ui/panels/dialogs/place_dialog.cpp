@@ -14,7 +14,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QShowEvent>
@@ -69,8 +68,7 @@ bool anyFault(const PlaceTexts& faults) {
 PlaceDialog::PlaceDialog(QWidget* parent) : QDialog(parent), tabs_(new QTabWidget), state_(wrappedLabel()) {
     setObjectName("place-dialog");
     setWindowTitle(tr("Pose and Mounting"));
-    const QScreen* at = screen();
-    const QSize room = at != nullptr ? at->availableSize() - QSize(20, 60) : QSize(kDialogWide, kDialogHigh);
+    const QSize room = roomForDialog(*this);
     low_ = room.height() < kDialogHigh;
     tabs_->setObjectName("place-tabs");
     tabs_->setUsesScrollButtons(false);               // both fit

@@ -9,6 +9,7 @@
 #include "ui/base/scrolled.h"
 #include "ui/base/shown_text.h"
 #include "ui/base/themes.h"
+#include "ui/base/window_room.h"
 #include "ui/panels/live/state_badge.h"
 #include "ui/panels/live/sweep_form.h"
 #include "ui/panels/live/topic_menu.h"
@@ -22,7 +23,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QScreen>
 #include <QScrollArea>
 #include <QSpinBox>
 #include <QToolButton>
@@ -227,8 +227,7 @@ void LivePanel::keyPressEvent(QKeyEvent* event) { event->key() == Qt::Key_Escape
 void LivePanel::askSweep() {
     if (!sweepDialog_->isVisible()) {
         constexpr QSize kAround(60, 90); // px, of the dialog round the fields
-        const QSize wanted = sweep_->sizeHint() + kAround, room = screen()->availableSize() - QSize(20, 60);
-        sweepDialog_->resize(wanted.boundedTo(room));
+        sweepDialog_->resize((sweep_->sizeHint() + kAround).boundedTo(roomForDialog(*this)));
         sweep_->begin();
     }
     sweepDialog_->show();

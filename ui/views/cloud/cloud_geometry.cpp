@@ -2,6 +2,7 @@
 #include "ui/views/cloud/cloud_geometry.h"
 
 #include "core/base/bands.h"
+#include "core/base/order_statistic.h"
 #include "core/scan/georef/placed_points.h"
 #include "core/scan/grid/cartesian.h"
 #include "ui/views/cloud/cloud_normals.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace edgescan::ui {
 namespace {
@@ -109,25 +111,18 @@ std::vector<std::uint32_t> sampleCells(const CloudGeometry& cloud) {
     return cells;
 }
 
-/// Without this share of the points at each end of each axis.
-Box3f boxOfMost(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample, double leftOut) {
-    Box3f box;
-    if (sample.empty()) return box;
-    Vector3f low, high;
+/// The boxes without 1 % and without 0.1 % of the points at each end of each axis.
+void fillBoxes(const std::vector<std::uint32_t>& sample, CloudGeometry& out) {
+    if (sample.empty()) return;
     std::vector<float> values(sample.size());
+    const auto last = static_cast<double>(values.size() - 1);
     for (int axis = 0; axis < 3; ++axis) {
-        std::transform(sample.begin(), sample.end(), values.begin(), [&](std::uint32_t k) { return cloud.point(k)[axis]; });
-        const auto last = static_cast<double>(values.size() - 1);
-        const auto lower = values.begin() + static_cast<std::ptrdiff_t>(leftOut * last);
-        std::nth_element(values.begin(), lower, values.end());
-        low[axis] = *lower;
-        const auto upper = values.begin() + static_cast<std::ptrdiff_t>(std::ceil((1.0 - leftOut) * last));
-        std::nth_element(values.begin(), upper, values.end());
-        high[axis] = *upper;
+        std::transform(sample.begin(), sample.end(), values.begin(), [&](std::uint32_t k) { return out.point(k)[axis]; });
+        for (const auto& [box, leftOut] : {std::pair(&out.mainBounds, 0.01), std::pair(&out.wideBounds, 0.001)}) {
+            box->min()[axis] = quantile(values, leftOut);
+            box->max()[axis] = valueInOrder(values, static_cast<std::size_t>(std::ceil((1.0 - leftOut) * last)));
+        }
     }
-    box.extend(low);
-    box.extend(high);
-    return box;
 }
 
 double middleStep(const CloudGeometry& cloud, const std::vector<std::uint32_t>& sample) {
@@ -246,8 +241,7 @@ std::shared_ptr<const CloudGeometry> makeCloudGeometry(const Scan& scan) {
     fillOrder(*out);
     fillTiles(*out);
     const std::vector<std::uint32_t> sample = sampleCells(*out);
-    out->mainBounds = boxOfMost(*out, sample, 0.01);
-    out->wideBounds = boxOfMost(*out, sample, 0.001);
+    fillBoxes(sample, *out);
     out->stepRad = middleStep(*out, sample);
     fillFrames(scan, tables, sample, *out);
     return out;

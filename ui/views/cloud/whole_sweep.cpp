@@ -27,10 +27,14 @@ float medianRange(const Scan& scan) {
 
 } // namespace
 
+double meanStepDeg(const PolarGeometry& polar) {
+    return (polar.lineDeg.back() - polar.lineDeg.front()) / (static_cast<double>(polar.lineDeg.size()) - 1.0);
+}
+
 std::shared_ptr<const CloudGeometry> wholeSweep(const Scan& scan, int expectedLines) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || scan.placement || polar->lineDeg.size() < 2 || polar->beamDeg.size() < 2) return nullptr;
-    const double step = (polar->lineDeg.back() - polar->lineDeg.front()) / (static_cast<double>(polar->lineDeg.size()) - 1.0);
+    const double step = meanStepDeg(*polar);
     const float range = medianRange(scan);
     if (!std::isfinite(step) || step == 0.0 || range <= 0.0F) return nullptr;
     const double lines = expectedLines > 0 ? expectedLines : std::max<double>(scan.lines(), 1.0 + kHalfTurn / std::abs(step));
