@@ -79,12 +79,14 @@ Result<Done> clicks(const ClicksAsked& asked) {
                           {"as_clicked", lengthsJson(score.asClicked)},
                           {"near_side", lengthsJson(score.nearSide)},
                           {"throats_of_clicks", widthsJson(throats.ofClicks)},
-                          {"throats_around", widthsJson(throats.ofAround)}});
+                          {"throats_around", widthsJson(throats.ofAround)},
+                          {"throats_of_one_click", widthsJson(throats.ofOne)}});
         if (asked.json != "-")
             printResult(scene + ": " + std::to_string(score.clicks) + " clicks, " + std::to_string(score.moved) +
                         " moved\n  at the clicked cells: " + lengthsText(score.asClicked) + "\n  on the near side: " +
                         lengthsText(score.nearSide) + "\n  throats, of the two clicks: " + widthsText(throats.ofClicks) +
-                        "\n  throats, with the clicks next to them: " + widthsText(throats.ofAround) + "\n");
+                        "\n  throats, with the clicks next to them: " + widthsText(throats.ofAround) +
+                        "\n  throats, of one click into the opening: " + widthsText(throats.ofOne) + "\n");
     }
     if (asked.json.empty()) return Done{};
     return writeDocument(asked.json, document("clicks", {{"lines", asked.lines},

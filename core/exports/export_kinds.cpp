@@ -41,8 +41,16 @@ Files grayImageFile(const ExportInput& in) {
 Files rangeImage(const ExportInput& in) { return one(in, containers::png16Bytes(rangePicture(in.scan), in.path.string(), in.record)); }
 Files wholeScan(const ExportInput& in) { return files::scanFiles(in.scan, in.path, in.save); }
 
-Files rockReport(const ExportInput& in) { return one(in, reportBytes(*in.options.rocks, in.options.frame, in.path, in.record)); }
-Files rockTable(const ExportInput& in) { return one(in, tableBytes(*in.options.rocks, in.options.frame, in.path)); }
+rocks::NamedCells namedCells(const ExportOptions& options) {
+    rocks::NamedCells names;
+    if (!options.targets) return names;
+    for (const inspect::PinnedTarget& target : *options.targets) names.emplace_back(target.cell, target.name);
+    return names;
+}
+Files rockReport(const ExportInput& in) {
+    return one(in, reportBytes(*in.options.rocks, in.options.frame, namedCells(in.options), in.path, in.record));
+}
+Files rockTable(const ExportInput& in) { return one(in, tableBytes(*in.options.rocks, in.options.frame, namedCells(in.options), in.path)); }
 Files rockLabelPicture(const ExportInput& in) {
     const auto picture = labelPicture(*in.options.rocks, in.path.string());
     if (!picture) return picture.error();

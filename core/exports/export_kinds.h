@@ -120,6 +120,11 @@ struct ExportKind {
 [[nodiscard]] inline bool isCloud(ExportContent content) { return exportKind(content).holds == ExportKind::Holds::Points; }
 [[nodiscard]] inline bool isOfRocks(ExportContent content) { return exportKind(content).needs == ExportKind::Needs::Rocks; }
 
+/// True if the file has the names of targets.
+[[nodiscard]] inline bool namesTargets(ExportContent content) {
+    return content == ExportContent::Targets || content == ExportContent::RockTable || content == ExportContent::RockReport;
+}
+
 /// "edge points", "points", "cells", "rocks", "targets".
 [[nodiscard]] const char* countedThings(const ExportKind& kind);
 

@@ -183,7 +183,7 @@ std::string exportRecord(ExportContent content, const edges::Detection& detectio
     record["attached_points"] = {{"in_scan", scan.attached.size()}, {"included", options.includeAttached}};
     if (options.selection && isCloud(content)) record["selection"] = selectionRecord(options);
     if (options.section && content == ExportContent::Section) record["section"] = planeRecord(*options.section);
-    if (options.targets && content == ExportContent::Targets) record["targets"] = targetsRecord(*options.targets, scan);
+    if (options.targets && namesTargets(content)) record["targets"] = targetsRecord(*options.targets, scan);
     if (exportKind(content).needs != ExportKind::Needs::Scan) {
         record["settings"] = edges::settingsToJson(detection.settings);
         record["default_settings"] = {{"name", edges::kDefaultSet.name},

@@ -82,16 +82,17 @@ Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::s
     return picture;
 }
 
-Result<std::string> tableBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path) {
+Result<std::string> tableBytes(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names,
+                               const std::filesystem::path& path) {
     if (auto known = files::checkFrame(*study.segmentation->inputs.scan, frame, path.string()); !known) return known.error();
-    return rocksTable(study, frame);
+    return rocksTable(study, frame, names);
 }
 
-Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
-                                const std::string& record) {
+Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names,
+                                const std::filesystem::path& path, const std::string& record) {
     if (auto known = files::checkFrame(*study.segmentation->inputs.scan, frame, path.string()); !known) return known.error();
     Json whole{{"schema", kRocksSchema}};
-    whole.update(rocksReport(study, frame));
+    whole.update(rocksReport(study, frame, names));
     // A later version that verifies the export makes the same file, even if the scan was moved.
     const auto parsed = parseOrderedJson(record, "");
     if (parsed) {

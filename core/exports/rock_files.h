@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/exports/provenance.h"
+#include "core/rocks/attributes/rock_columns.h"
 #include "core/rocks/attributes/study.h"
 #include "core/scan/grid/placement.h"
 
@@ -17,9 +18,10 @@ namespace edgescan::exports {
 Result<Grid<std::uint16_t>> labelPicture(const rocks::Study& study, const std::string& where);
 
 /// A row per rock, and the whole report with the input and version of the record. Error: the scan has no placement for the frame.
-Result<std::string> tableBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path);
-Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,
-                                const std::string& record);
+Result<std::string> tableBytes(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names,
+                               const std::filesystem::path& path);
+Result<std::string> reportBytes(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names,
+                                const std::filesystem::path& path, const std::string& record);
 
 /// Convex hulls of the visible points by extension: .ply or .obj. Error: another extension, no placement for the frame.
 Result<std::string> hullBytes(const rocks::Study& study, CoordinateFrame frame, const std::filesystem::path& path,

@@ -5,7 +5,6 @@
 #include "core/base/number_text.h"
 #include "core/base/sha256.h"
 #include "core/base/version.h"
-#include "core/rocks/attributes/rock_columns.h"
 
 #include <nlohmann/json.hpp>
 
@@ -65,7 +64,7 @@ struct CsvText {
 
 std::string labelsSha256(const Grid<std::uint32_t>& labels) { return sha256Hex(std::as_bytes(std::span(labels.cells))); }
 
-Json rocksReport(const rocks::Study& study, CoordinateFrame frame) {
+Json rocksReport(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names) {
     const Scan& scan = *study.segmentation->inputs.scan;
     const rocks::UpDirection up = rocks::upOf(scan);
     const rocks::RockRows rows(study, frame);
@@ -84,14 +83,14 @@ Json rocksReport(const rocks::Study& study, CoordinateFrame frame) {
                 {"not_rock", countsJson(rocks::regionCounts(study.map, rocks::RegionKind::NotRock))},
                 {"outside_region", countsJson(rocks::regionCounts(study.map, rocks::RegionKind::Outside))},
                 {"labels_sha256", labelsSha256(rocks::rockLabels(*study.segmentation, study.map))},
-                {"rocks", rockRowsJson(study, frame)},
+                {"rocks", rockRowsJson(study, frame, names)},
                 {"warnings", scan.warnings},
                 {"version", version()}};
     return report;
 }
 
-Json rockRowsJson(const rocks::Study& study, CoordinateFrame frame) {
-    const rocks::RockRows rows(study, frame);
+Json rockRowsJson(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names) {
+    const rocks::RockRows rows(study, frame, names);
     Json all = Json::array();
     for (const rocks::Rock& rock : study.rocks) {
         const rocks::RockRow row = rows.of(rock);
@@ -102,8 +101,8 @@ Json rockRowsJson(const rocks::Study& study, CoordinateFrame frame) {
     return all;
 }
 
-std::string rocksTable(const rocks::Study& study, CoordinateFrame frame) {
-    const rocks::RockRows rows(study, frame);
+std::string rocksTable(const rocks::Study& study, CoordinateFrame frame, const rocks::NamedCells& names) {
+    const rocks::RockRows rows(study, frame, names);
     std::string text;
     for (const rocks::RockColumn& column : rocks::rockColumns(frame)) text += (text.empty() ? "" : ",") + std::string(column.key);
     text += '\n';

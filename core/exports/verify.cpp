@@ -298,7 +298,7 @@ Result<Verification> verifyExport(const fs::path& exported, const std::optional<
         if (!plane) return plane.error();
         options.section = *plane;
     }
-    if (kind->content == ExportContent::Targets) {
+    if (kind->content == ExportContent::Targets || (namesTargets(kind->content) && record->contains("targets"))) {
         const auto targets = targetsOf(at(*record, "/targets"), *(*detection)->scan, exported.string());
         if (!targets) return targets.error();
         options.targets = *targets;

@@ -723,16 +723,16 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>click the other end of a</source><translation>haga clic en el otro extremo de a</translation></message>
 <message><source>click one end of b</source><translation>haga clic en un extremo de b</translation></message>
 <message><source>click the other end of b</source><translation>haga clic en el otro extremo de b</translation></message>
-<message><source>click the near rock at one side</source><translation>haga clic en la roca cercana de un lado</translation></message>
+<message><source>click into the opening, or the near rock at one side</source><translation>haga clic en la abertura, o en la roca cercana de un lado</translation></message>
 <message><source>click the rock at the other side</source><translation>haga clic en la roca del otro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>no se pudo medir la garganta (%1); cierre otros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>No hay abertura entre estos dos clics: haga clic en la roca a ambos lados de una. Distancia mide sobre una roca.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic pasó por la abertura, así que se tomó el borde de delante: compruebe los dos extremos de la línea.</translation></message>
+<message><source>The click went into the opening, so its width was measured there.</source><translation>El clic fue en la abertura, así que el ancho se midió allí.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Más allá, esta garganta se estrecha hasta %1 m.</translation></message>
 <message><source>Measure There</source><translation>Medir allí</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
-<message><source> · the last click went through the opening, to %1 m: the rim in front of it counts</source><translation> · el último clic pasó por la abertura, a %1 m: cuenta el borde de delante</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · el último clic tomó el objetivo %1, a %2 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Ancho de la garganta: se busca el paso más estrecho …</translation></message>
@@ -1269,7 +1269,7 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 de ellas inciertas (achuradas); %3 trozos demasiado pequeños para ser una roca</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 cambiadas a mano</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; se omiten %1 trozos fuera de la región de interés</translation></message>
-<message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Un clic elige una roca y fija un objetivo; Ctrl+clic elige una roca más.</translation></message>
+<message><source>With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Con la herramienta Fijar, un clic elige una roca y fija un objetivo; Ctrl+clic elige una roca más.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % sobre %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Ancho visible b por cantidad: P20 %1, P50 %2, P80 %3 (20, 50, 80 % de las rocas no son más anchas), la mayor %4 m%5. Las partes ocultas hacen que esto sea más fino que la pila, en 40 % y más.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
@@ -2077,6 +2077,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic pasó por esta garganta, %1 m detrás de ella: se tomó el borde de delante</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ un extremo está %1 m más lejos que el otro</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ más allá, la garganta se estrecha hasta %1 m</translation></message>
+<message><source>shortest way across the opening through the click</source><translation>paso más corto a través de la abertura por el clic</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>sin paso más estrecho a su lado</translation></message>

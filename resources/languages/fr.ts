@@ -723,16 +723,16 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>click the other end of a</source><translation>cliquez sur l'autre extrémité de a</translation></message>
 <message><source>click one end of b</source><translation>cliquez sur une extrémité de b</translation></message>
 <message><source>click the other end of b</source><translation>cliquez sur l'autre extrémité de b</translation></message>
-<message><source>click the near rock at one side</source><translation>cliquez la roche proche d'un côté</translation></message>
+<message><source>click into the opening, or the near rock at one side</source><translation>cliquez dans l'ouverture, ou la roche proche d'un côté</translation></message>
 <message><source>click the rock at the other side</source><translation>cliquez la roche de l'autre côté</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>l'étranglement n'a pas pu être mesuré (%1) ; fermez d'autres programmes.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Pas d'ouverture entre ces deux clics : cliquez la roche des deux côtés d'une ouverture. Distance mesure sur une roche.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic est passé par l'ouverture, donc le bord devant a été pris : vérifiez les deux extrémités de la ligne.</translation></message>
+<message><source>The click went into the opening, so its width was measured there.</source><translation>Le clic était dans l'ouverture, donc la largeur a été mesurée là.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Plus loin, ce goulot se resserre à %1 m.</translation></message>
 <message><source>Measure There</source><translation>Mesurer là-bas</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
-<message><source> · the last click went through the opening, to %1 m: the rim in front of it counts</source><translation> · le dernier clic est passé par l'ouverture, à %1 m : le bord devant compte</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · le dernier clic a pris la cible %1, à %2 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largeur de l'étranglement : le passage le plus étroit est recherché …</translation></message>
@@ -1269,7 +1269,7 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, dont %2 incertains (hachurés) ; %3 morceaux trop petits pour être un bloc</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 modifiés à la main</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 morceaux hors de la région d'intérêt sont omis</translation></message>
-<message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Un clic choisit un bloc et épingle une cible ; Ctrl+clic choisit un bloc de plus.</translation></message>
+<message><source>With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Avec l'outil Épingler, un clic choisit un bloc et épingle une cible ; Ctrl+clic choisit un bloc de plus.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % au-dessus de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largeur visible b, en nombre : P20 %1, P50 %2, P80 %3 (20, 50, 80 % des blocs ne sont pas plus larges), le plus grand %4 m%5. Les parties cachées rendent ceci plus fin que le tas ne l'est, de 40 % et plus.</translation></message>
 <message><source>Size curve</source><translation>Courbe granulométrique</translation></message>
@@ -2077,6 +2077,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic est passé par cette gorge, %1 m derrière elle : le bord devant a été pris</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ une extrémité est %1 m plus loin que l'autre</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ plus loin, le goulot se resserre à %1 m</translation></message>
+<message><source>shortest way across the opening through the click</source><translation>passage le plus court à travers l'ouverture par le clic</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>pas de passage plus étroit à côté</translation></message>

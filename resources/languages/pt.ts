@@ -723,16 +723,16 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>click the other end of a</source><translation>clique na outra extremidade de a</translation></message>
 <message><source>click one end of b</source><translation>clique em uma extremidade de b</translation></message>
 <message><source>click the other end of b</source><translation>clique na outra extremidade de b</translation></message>
-<message><source>click the near rock at one side</source><translation>clique na rocha próxima de um lado</translation></message>
+<message><source>click into the opening, or the near rock at one side</source><translation>clique na abertura, ou na rocha próxima de um lado</translation></message>
 <message><source>click the rock at the other side</source><translation>clique na rocha do outro lado</translation></message>
 <message><source>the throat could not be measured (%1); close other programs.</source><translation>não foi possível medir a garganta (%1); feche outros programas.</translation></message>
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Não há abertura entre estes dois cliques: clique na rocha dos dois lados de uma. Distância mede sobre uma rocha.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Um clique passou pela abertura, por isso foi tomada a borda da frente: verifique as duas pontas da linha.</translation></message>
+<message><source>The click went into the opening, so its width was measured there.</source><translation>O clique foi na abertura, então a largura foi medida ali.</translation></message>
 <message><source>Farther along, this throat narrows to %1 m.</source><translation>Mais adiante, esta garganta estreita-se até %1 m.</translation></message>
 <message><source>Measure There</source><translation>Medir ali</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
-<message><source> · the last click went through the opening, to %1 m: the rim in front of it counts</source><translation> · o último clique passou pela abertura, a %1 m: conta a borda da frente</translation></message>
 <message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · o último clique tomou o alvo %1, a %2 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largura da garganta: procurando a passagem mais estreita …</translation></message>
@@ -1269,7 +1269,7 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>%1, %2 of them uncertain (hatched); %3 pieces too small to be a rock</source><translation>%1, %2 delas incertas (hachuradas); %3 pedaços pequenos demais para ser uma rocha</translation></message>
 <message><source>; %1 changed by hand</source><translation>; %1 alteradas à mão</translation></message>
 <message><source>; %1 pieces outside the region of interest are left out</source><translation>; %1 pedaços fora da região de interesse ficam de fora</translation></message>
-<message><source>A click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Um clique escolhe uma rocha e fixa um alvo; Ctrl+clique escolhe mais uma rocha.</translation></message>
+<message><source>With the tool Pin, a click selects a rock and pins a target; Ctrl+click selects one more rock.</source><translation>Com a ferramenta Fixar, um clique escolhe uma rocha e fixa um alvo; Ctrl+clique escolhe mais uma rocha.</translation></message>
 <message><source>▲ %1 % over %2 m</source><translation>▲ %1 % acima de %2 m</translation></message>
 <message><source>Visible width b by count: P20 %1, P50 %2, P80 %3 (20, 50, 80 % of the rocks are not wider), largest %4 m%5. Hidden parts make this finer than the pile is, by 40 % and more.</source><translation>Largura visível b por contagem: P20 %1, P50 %2, P80 %3 (20, 50, 80 % das rochas não são mais largas), a maior %4 m%5. As partes ocultas tornam isto mais fino do que a pilha, em 40 % e mais.</translation></message>
 <message><source>Size curve</source><translation>Curva granulométrica</translation></message>
@@ -2077,6 +2077,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ um clique passou por esta garganta, %1 m atrás dela: foi tomada a borda da frente</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ uma extremidade está %1 m mais longe que a outra</translation></message>
 <message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ mais adiante, a garganta estreita-se até %1 m</translation></message>
+<message><source>shortest way across the opening through the click</source><translation>passagem mais curta através da abertura pelo clique</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>
 <message><source>no narrower way next to it</source><translation>sem passagem mais estreita ao lado</translation></message>

@@ -321,6 +321,37 @@ private slots:
         QVERIFY2(hits > 20 && hits < 280, qPrintable(QString::number(hits)));
     }
 
+    // A hole is where the surface around it would have been seen: from the scanner exactly there, from elsewhere close to it.
+    void aCellOfAHoleIsFoundWhereItWouldBeDrawn() {
+        const auto whole = demo::room(120, 160);
+        auto holed = std::make_shared<Scan>(*whole);
+        for (int i = 50; i < 66; ++i) {
+            for (int j = 70; j < 90; ++j) holed->state.at(i, j) = CellState::NoReturn;
+        }
+        const auto before = makeCloudGeometry(*whole), cloud = makeCloudGeometry(*holed);
+        const Eigen::Vector3f moved = (before->originM - cloud->originM).cast<float>();
+        const CartesianTables tables(*holed);
+        const auto apart = [](std::uint32_t a, std::uint32_t b) {
+            const int lines = static_cast<int>(a / 160) - static_cast<int>(b / 160),
+                      beams = static_cast<int>(a % 160) - static_cast<int>(b % 160);
+            return std::max(std::abs(lines), std::abs(beams));
+        };
+        for (const double turned : {0.0, 0.15}) {
+            const CameraPose start = fromScanner(*cloud, lens(), kAspect);
+            const ScreenView view = viewOf(*cloud, tumbled(start, start.focus, turned, turned), 500.0, 3.0);
+            for (std::uint32_t k = 0; k < cloud->cells(); ++k) {
+                if (holed->state[k] == CellState::Valid) continue;
+                const ScreenPoint at = toScreen(view, before->point(k) + moved);
+                const auto found = pickVoid(*cloud, tables, view, at.x, at.y, 32.0);
+                QVERIFY(found.has_value());
+                QVERIFY(holed->state[*found] != CellState::Valid);
+                QVERIFY2(apart(*found, k) <= (turned == 0.0 ? 0 : 2), qPrintable(QString("%1 %2").arg(k).arg(*found)));
+            }
+            const auto far = toScreen(view, cloud->point(5 * 160 + 5));
+            QVERIFY(!pickVoid(*cloud, tables, view, far.x, far.y, 32.0));
+        }
+    }
+
     void pickedPointIsNeverHidden() {
         const auto cloud = makeCloudGeometry(*demo::room(120, 160));
         CameraPose pose = fromScanner(*cloud, lens(), kAspect);

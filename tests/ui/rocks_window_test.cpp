@@ -1406,6 +1406,17 @@ private slots:
             const auto* row = reinterpret_cast<const quint16*>(byWindow.constScanLine(line));
             for (int beam = 0; beam < byWindow.width(); ++beam) QCOMPARE(std::uint32_t{row[beam]}, shown.labels.at(line, beam));
         }
+        // The table has the names of the targets, and is verified with them.
+        on.viewer.views.pinByClick(inspect::exactly(picture(on).study.rocks.front().cell));
+        QVERIFY(on.viewer.targets.active() != nullptr);
+        on.viewer.targets.rename(on.viewer.targets.active()->number, "keystone, left");
+        QSignalSpy saved(&on.viewer.engine, &Engine::saved);
+        on.viewer.rocks.exportTo(QString::fromStdString(place("named.csv")));
+        QVERIFY2(saved.wait(kPatienceMs), qPrintable(on.viewer.notice.text()));
+        const std::string named = test::fileText(place("named.csv"));
+        QVERIFY(named.find(",names\n") != std::string::npos);
+        QVERIFY(named.find(",\"keystone, left\"\n") != std::string::npos);
+        QCOMPARE(test::runCli("verify '" + place("named.csv") + "'").code, 0);
         on.viewer.rocks.exportTo(QString::fromStdString(place("window.xls")));
         QCOMPARE(on.viewer.notice.kind(), NoticeBar::Kind::Error);
     }

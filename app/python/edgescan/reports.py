@@ -162,6 +162,7 @@ class _Rock(TypedDict):
     by_hand: bool
     note: str
     apart_m: Optional[float]
+    names: Optional[str]
 
 
 class Rock(_Rock, total=False):

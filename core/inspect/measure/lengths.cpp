@@ -198,6 +198,21 @@ double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked) {
     return acrossM > leastJumpM(endM) ? behindM : 0.0;
 }
 
+/// Where the ends of a throat are, seen from the clicks at its two sides.
+void takeSides(const Scan& scan, const CartesianTables& tables, std::span<const std::uint32_t> cells,
+               std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
+    const int beams = scan.beams();
+    for (std::size_t n = 0; n < 2; ++n) {
+        measured.clickBehindM = std::max(measured.clickBehindM, behindEndM(scan, cells[n], clicked[n]));
+        const int cell = static_cast<int>(cells[n]), click = static_cast<int>(clicked[n]);
+        measured.fromClicks =
+            std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});
+        measured.fromClicksM = std::max(measured.fromClicksM, acrossBeamsM(scan, tables, cells[n], clicked[n]));
+    }
+    if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; })) return;
+    measured.clicksM = (tables.point(clicked[0]) - tables.point(clicked[1])).norm();
+}
+
 std::string millimetres(double metres) { return fixedText(std::ceil(metres * 1000.0 - 1e-9), 0) + " mm"; }
 
 } // namespace
@@ -297,28 +312,24 @@ std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& no
 
 void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
     if (measured.kind != MeasureKind::Throat || cells.size() != 2) return;
-    takeNarrower(scan, cells, measured);
     if (clicked.empty()) clicked = cells; // each end is where it was clicked
-    if (clicked.size() != 2 || std::ranges::any_of(clicked, [&](std::uint32_t k) { return k >= scan.cells(); })) return;
+    const bool isPair = clicked.size() == 2 && std::ranges::all_of(clicked, [&](std::uint32_t k) { return k < scan.cells(); });
     const CartesianTables tables(scan);
-    if (const auto throat = throatAt(scan, tables, clicked[0], clicked[1])) {
+    measured.byOneClick = isPair && clicked[0] == clicked[1];
+    if (!measured.byOneClick) takeNarrower(scan, cells, measured);
+    if (!isPair) return;
+    const auto throat = measured.byOneClick ? throatThrough(scan, tables, clicked[0]) : throatAt(scan, tables, clicked[0], clicked[1]);
+    if (throat) {
         measured.leastM = throat->leastM;
         measured.mostM = throat->mostM;
         MeasuredLength& length = measured.lengths.front();
         length.toleranceM = std::max({length.toleranceM, length.valueM - throat->leastM, throat->mostM - length.valueM});
     }
-    const int beams = scan.beams();
-    for (std::size_t n = 0; n < 2; ++n) {
-        measured.clickBehindM = std::max(measured.clickBehindM, behindEndM(scan, cells[n], clicked[n]));
-        const int cell = static_cast<int>(cells[n]), click = static_cast<int>(clicked[n]);
-        measured.fromClicks =
-            std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});
-        measured.fromClicksM = std::max(measured.fromClicksM, acrossBeamsM(scan, tables, cells[n], clicked[n]));
-        if (const auto resolution = resolutionAt(scan, tables, cells[n]))
+    for (const std::uint32_t k : cells) {
+        if (const auto resolution = resolutionAt(scan, tables, k))
             measured.spreadM = std::max(measured.spreadM, kClickSpread * resolution->spacingM);
     }
-    if (std::ranges::any_of(clicked, [&](std::uint32_t k) { return scan.state[k] != CellState::Valid; })) return;
-    measured.clicksM = (tables.point(clicked[0]) - tables.point(clicked[1])).norm();
+    if (!measured.byOneClick) takeSides(scan, tables, cells, clicked, measured);
 }
 
 double MeasuredCells::endsApartM() const {
@@ -370,12 +381,15 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
         if (const double apartM = measured.endsApartM(); apartM > 0.0)
             parts.push_back(say("▲ one end is %1 m farther away than the other", {fixedText(apartM, 2)}));
         if (measured.narrowsOn()) parts.push_back(say("▲ farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)}));
-        parts.push_back(say("narrowest way near the two clicks"));
+        if (measured.byOneClick)
+            parts.push_back(say("shortest way across the opening through the click"));
+        else
+            parts.push_back(say("narrowest way near the two clicks"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;
         if (dependsOnClicks)
             parts.push_back(say("clicks %1 away find %2 to %3 m",
                                 {millimetres(measured.spreadM), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
-        else if (!measured.narrowsOn())
+        else if (!measured.narrowsOn() && !measured.byOneClick)
             parts.push_back(say("no narrower way next to it"));
     }
     parts.push_back(say("ranges %1 m", {ranges}));

@@ -66,8 +66,9 @@ struct MeasuredCells {
     double fromClicksM = 0.0;         ///< only for Throat: the same in metres, across the beams at the range of the end
     double spreadM = 0.0;             ///< only for Throat: how far those clicks next to these are from them; 0: not known
     double clicksM = 0.0;             ///< only for Throat: distance of the two clicked points; 0: not known
-    double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find (throatAt()); 0: not known
+    double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find; 0: not known
     double clickBehindM = 0.0;        ///< only for Throat: how far a click is behind its end, across a jump; 0: neither click is
+    bool byOneClick = false;          ///< only for Throat: of one click into the opening
     double narrowerM = 0.0;           ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
     std::array<std::uint32_t, 2> narrowerEnds{}; ///< of that way
 
@@ -99,7 +100,8 @@ struct SurfacePoint {
                                                         std::span<const std::uint32_t> cells, std::span<const double> shares = {});
 
 /// For Throat: where its ends are, seen from the clicks, whether it goes on narrowing, and how far it depends on the clicks. Its ± then
-/// includes the lengths that clicks next to these find. `clicked`: of each of its cells; empty: these are its cells.
+/// includes the lengths that clicks next to these find. `clicked`: of each of its cells (twice the same: one click
+/// into the opening, see throatThrough()); empty: these are its cells.
 void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured);
 
 /// "0.512 m ± 0.034", "< 88 mm".

@@ -40,6 +40,8 @@ struct StoredMeasure {
     std::vector<double> shares{};         ///< for Section only, see measureCells()
     int number = 0;                       ///< 1 or more, in the order of measuring; it stays when another measurement is removed
 
+    /// Twice the same cell: one click into the opening of a throat.
+    [[nodiscard]] bool isByOneClick() const { return kind == MeasureKind::Throat && clicked.size() == 2 && clicked[0] == clicked[1]; }
     bool operator==(const StoredMeasure&) const = default;
 };
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -26,6 +27,7 @@ constexpr int kWidestVoid = 7;             // cells without a range between two 
 constexpr int kFewestOnSurface = 4;        // of a surface: fewer are dust
 constexpr int kMostTried = 4000;           // shortest pairs; if all of these are blocked, the result is empty
 constexpr double kAtEnd = 0.02;            // of a way, where its surfaces are those of its ends
+constexpr double kLeastBehind = 1.0;       // of the width: what is seen through an opening by one click, behind its sides
 constexpr double kLeastDepth = 0.25;       // of the width: the least that half of an opening is deep
 
 struct RimCell {
@@ -153,14 +155,22 @@ bool isOpen(const Scan& scan, const CartesianTables& tables, const RimCell& from
     return behindM.empty() || median(behindM) > kLeastDepth * way.norm();
 }
 
-/// The cells that a click and the four clicks next to it mean: that of the click itself first. Empty if nothing was measured there.
-std::vector<std::uint32_t> meantNear(const Scan& scan, std::uint32_t clicked) {
+/// A click, and the four clicks next to it that a hand may do as well.
+std::vector<std::uint32_t> clicksNear(const Scan& scan, std::uint32_t clicked) {
     const int line = static_cast<int>(clicked) / scan.beams(), beam = static_cast<int>(clicked) % scan.beams();
-    std::vector<std::uint32_t> meant;
+    std::vector<std::uint32_t> clicks;
     for (const auto& [di, dj] : {std::pair{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
         const int i = line + di * kClickSpread, j = beam + dj * kClickSpread;
-        if (!scan.rangeMm.contains(i, j)) continue;
-        const MeantCell click = meantCell(scan, static_cast<std::uint32_t>(scan.rangeMm.index(i, j)));
+        if (scan.rangeMm.contains(i, j)) clicks.push_back(static_cast<std::uint32_t>(scan.rangeMm.index(i, j)));
+    }
+    return clicks;
+}
+
+/// The cells that these clicks mean: that of the click itself first. Empty if nothing was measured there.
+std::vector<std::uint32_t> meantNear(const Scan& scan, std::uint32_t clicked) {
+    std::vector<std::uint32_t> meant;
+    for (const std::uint32_t each : clicksNear(scan, clicked)) {
+        const MeantCell click = meantCell(scan, each);
         if (click.measured())
             meant.push_back(click.cell);
         else if (meant.empty())
@@ -205,35 +215,105 @@ std::optional<std::array<std::uint32_t, 2>> narrowestOf(const Scan& scan, const 
     return std::nullopt;
 }
 
-/// How much nearer than the cell the first surface in this direction is that hides a part of what is behind it, metres; 0: none is there.
-double rimAlong(const Scan& scan, std::uint32_t k, int lineStep, int beamStep, int cells) {
+/// A straight way over the grid from a cell, up to `cells` cells in a direction whose larger part is 1. The first kCellsAtEnds cells are
+/// before that cell.
+struct WayOut {
+    std::vector<std::uint32_t> cells;
+    std::vector<double> rangesM; // 0 without a range
+};
+
+WayOut wayOut(const Scan& scan, std::uint32_t k, double lineStep, double beamStep, int cells) {
     const int line = static_cast<int>(k) / scan.beams(), beam = static_cast<int>(k) % scan.beams();
-    std::vector<double> rangesM;
+    WayOut way;
     for (int n = -kCellsAtEnds; n <= cells; ++n) {
-        const int i = line + n * lineStep, j = beam + n * beamStep;
-        const bool valid = scan.rangeMm.contains(i, j) && scan.state.at(i, j) == CellState::Valid;
-        rangesM.push_back(valid ? static_cast<double>(scan.rangeMm.at(i, j)) / 1000.0 : 0.0);
+        const int i = line + static_cast<int>(std::lround(n * lineStep)), j = beam + static_cast<int>(std::lround(n * beamStep));
+        const bool isInside = scan.rangeMm.contains(i, j);
+        if (n > 0 && !isInside) break;
+        const auto at = isInside ? static_cast<std::uint32_t>(scan.rangeMm.index(i, j)) : 0U;
+        way.cells.push_back(at);
+        way.rangesM.push_back(isInside && scan.state[at] == CellState::Valid ? static_cast<double>(scan.rangeMm[at]) / 1000.0 : 0.0);
     }
-    const double here = rangesM[kCellsAtEnds];
-    for (const RowJump& jump : jumpsAlong(rangesM, kWidestVoid)) {
-        const double nearer = here - rangesM[static_cast<std::size_t>(jump.to)];
-        if (jump.to > kCellsAtEnds && jump.stepM < 0.0 && nearer > leastJumpM(here)) return nearer;
+    return way;
+}
+
+/// Places on the way where a nearer surface begins that hides a part of what is behind it; each is nearer than those before. Behind a cell
+/// without a range, the first surface is one of them.
+std::vector<std::size_t> nearerOn(const WayOut& way) {
+    double nearestM = way.rangesM[kCellsAtEnds] > 0.0 ? way.rangesM[kCellsAtEnds] : std::numeric_limits<double>::infinity();
+    std::vector<std::size_t> nearer;
+    const std::vector<RowJump> jumps = jumpsAlong(way.rangesM, kWidestVoid);
+    const auto begins = [&](std::size_t n) { // a surface, at the end of a jump or of a void over which a jump is not seen
+        if (std::ranges::any_of(jumps, [&](const RowJump& jump) { return jump.stepM < 0.0 && static_cast<std::size_t>(jump.to) == n; }))
+            return true;
+        for (std::size_t back = 1; back <= kWidestVoid + 1; ++back) {
+            if (n - back <= kCellsAtEnds) return way.rangesM[kCellsAtEnds] == 0.0 && way.rangesM[n - 1] == 0.0;
+            if (way.rangesM[n - back] > 0.0) return false;
+        }
+        return true;
+    };
+    const auto isSurface = [&](std::size_t n) { // not dust
+        if (n + kFewestOnSurface > way.rangesM.size()) return false;
+        for (std::size_t m = n; m < n + kFewestOnSurface; ++m) {
+            if (way.rangesM[m] == 0.0 || way.rangesM[m] - way.rangesM[n] > leastJumpM(way.rangesM[n]) * kFewestOnSurface) return false;
+        }
+        return true;
+    };
+    for (std::size_t n = kCellsAtEnds + 1; n < way.rangesM.size(); ++n) {
+        if (way.rangesM[n] == 0.0 || !(nearestM - way.rangesM[n] > leastJumpM(way.rangesM[n])) || !begins(n) || !isSurface(n)) continue;
+        nearestM = way.rangesM[n];
+        nearer.push_back(n);
     }
-    return 0.0;
+    return nearer;
+}
+
+int reachOf(const Scan& scan) {
+    constexpr int kShareOfScan = 4;
+    return std::max(scan.lines(), scan.beams()) / kShareOfScan;
+}
+
+/// Of the cells where nearer surfaces begin at both ends of a straight way through `k`, the closest two with free space between them, if
+/// the cell has no range or is farther behind them than they are apart: a hollow between rocks is not an opening.
+std::optional<std::array<RimCell, 2>> sidesAlong(const Scan& scan, const CartesianTables& tables, std::uint32_t k, double lineStep,
+                                                 double beamStep) {
+    const std::array ways{wayOut(scan, k, lineStep, beamStep, reachOf(scan)), wayOut(scan, k, -lineStep, -beamStep, reachOf(scan))};
+    std::vector<std::array<std::size_t, 2>> pairs;
+    for (const std::size_t first : nearerOn(ways[0])) {
+        for (const std::size_t second : nearerOn(ways[1])) pairs.push_back({first, second});
+    }
+    std::ranges::stable_sort(pairs, {}, [](const auto& pair) { return pair[0] + pair[1]; });
+    for (const auto& [first, second] : pairs) {
+        const std::uint32_t a = ways[0].cells[first], b = ways[1].cells[second];
+        const double rangeA = ways[0].rangesM[first], rangeB = ways[1].rangesM[second], wide = openingRad(tables, a, b);
+        if (isBehind(rangeA, rangeB, wide) || isBehind(rangeB, rangeA, wide)) continue;
+        const std::array sides{RimCell{a, tables.point(a)}, RimCell{b, tables.point(b)}};
+        const double rangeM = ways[0].rangesM[kCellsAtEnds], widthM = (sides[0].pointM - sides[1].pointM).norm();
+        const bool isThrough = rangeM > 0.0 ? rangeM - (rangeA + rangeB) / 2.0 > kLeastBehind * widthM
+                                            : first + second - 2 * kCellsAtEnds > kWidestVoid + 1; // else the surface goes on behind it
+        if (isThrough && isOpen(scan, tables, sides[0], sides[1])) return sides;
+    }
+    return std::nullopt;
+}
+
+/// Two cells at opposite sides of the opening around a cell: on one of the straight ways through it, the first nearer surfaces at both ends
+/// with free space between them; of these the two that are closest to each other.
+std::optional<std::array<std::uint32_t, 2>> sidesAround(const Scan& scan, const CartesianTables& tables, std::uint32_t k) {
+    constexpr int kDirections = 32; // over half a turn
+    std::optional<std::array<std::uint32_t, 2>> closest;
+    double closestM = std::numeric_limits<double>::infinity();
+    for (int n = 0; n < kDirections; ++n) {
+        const double angle = std::numbers::pi * n / kDirections, along = std::cos(angle), across = std::sin(angle);
+        const double larger = std::max(std::abs(along), std::abs(across));
+        const auto sides = sidesAlong(scan, tables, k, along / larger, across / larger);
+        if (!sides) continue;
+        const double lengthM = ((*sides)[0].pointM - (*sides)[1].pointM).norm();
+        if (!(lengthM < closestM)) continue;
+        closestM = lengthM;
+        closest = {(*sides)[0].cell, (*sides)[1].cell};
+    }
+    return closest;
 }
 
 } // namespace
-
-double seenThroughM(const Scan& scan, std::uint32_t k) {
-    constexpr int kShareOfScan = 4, kMostWithout = 2;
-    if (scan.state[k] != CellState::Valid) return 0.0;
-    const int cells = std::max(scan.lines(), scan.beams()) / kShareOfScan;
-    std::vector<double> nearerM;
-    for (const auto& [di, dj] : {std::pair{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}})
-        nearerM.push_back(rimAlong(scan, k, di, dj, cells));
-    std::ranges::sort(nearerM);
-    return nearerM[kMostWithout]; // the least of the directions that count
-}
 
 std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
                                                              std::uint32_t b) {
@@ -262,6 +342,21 @@ std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, 
     if (ways.empty()) return std::nullopt;
     std::ranges::sort(ways, [](const Way& x, const Way& y) { return std::tie(x.lengthM, x.ends) < std::tie(y.lengthM, y.ends); });
     return Throat{ways[ways.size() / 2].ends, ways.front().lengthM, ways.back().lengthM};
+}
+
+std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
+    std::optional<Throat> throat;
+    if (clicked >= scan.cells()) return throat;
+    for (const std::uint32_t click : clicksNear(scan, clicked)) { // the click itself is the first
+        const auto sides = sidesAround(scan, tables, click);
+        if (!sides && !throat) return std::nullopt;
+        if (!sides) continue;
+        const double lengthM = (tables.point((*sides)[0]) - tables.point((*sides)[1])).norm();
+        if (!throat) throat = Throat{*sides, lengthM, lengthM};
+        throat->leastM = std::min(throat->leastM, lengthM);
+        throat->mostM = std::max(throat->mostM, lengthM);
+    }
+    return throat;
 }
 
 } // namespace edgescan::inspect

@@ -18,22 +18,23 @@ namespace edgescan::inspect {
 [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
                                                                            std::uint32_t b);
 
-/// How far the surface of a cell, which was seen through an opening, is behind the rock around that opening; metres. 0: not in six or more
-/// of eight directions a jump towards the scanner is within a quarter of the lines or beams, or the cell has no range.
-[[nodiscard]] double seenThroughM(const Scan& scan, std::uint32_t k);
-
 /// How far a second click at the same place ends from the first: cells along or across the lines.
 inline constexpr int kClickSpread = 2;
 
-/// What two clicks find, and what clicks next to them find.
+/// What one or two clicks find, and what clicks next to them find.
 struct Throat {
-    std::array<std::uint32_t, 2> ends{}; ///< of the way whose length is the median of all that these clicks find
-    double leastM = 0.0, mostM = 0.0;    ///< lengths of the shortest and of the longest of them
+    std::array<std::uint32_t, 2> ends{};
+    double leastM = 0.0, mostM = 0.0; ///< lengths of the shortest and of the longest of them
 };
 
 /// narrowestBetween() for all pairs of a click at each side: the click itself, and those kClickSpread cells from it in four directions. A
-/// click means meantCell(). Empty if no pair finds a way.
+/// click means meantCell(). The ends are those of the median length. Empty if no pair finds a way.
 [[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
                                              std::uint32_t clickedB);
+
+/// The shortest way across an opening through a click into it, on a void or on what is seen through it: of 32 straight ways over the grid
+/// through that cell, each between the first nearer surfaces at both ends with free space between them. At most a quarter of the lines or
+/// beams to each side. Empty if no way has such ends, or what is seen through it is not as far behind it as it is wide.
+[[nodiscard]] std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked);
 
 } // namespace edgescan::inspect

@@ -64,12 +64,24 @@ public:
         const auto throat = inspect::throatAt(scan_, tables_, clicks[0], clicks[1]);
         return throat ? std::optional(throat->ends) : std::nullopt;
     }
+    [[nodiscard]] std::optional<TwoClicks> endsThrough(const TwoClicks& clicks) const {
+        const auto throat = inspect::throatThrough(scan_, tables_, between(clicks)[0]);
+        return throat ? std::optional(throat->ends) : std::nullopt;
+    }
     [[nodiscard]] inspect::MeasuredLength ofClicks(const TwoClicks& ends) const {
         return inspect::measureCells(scan_, noise_, inspect::MeasureKind::Throat, ends)->lengths.front();
     }
     [[nodiscard]] inspect::MeasuredLength ofAround(const TwoClicks& ends, const TwoClicks& clicks) const {
         const inspect::StoredMeasure stored{inspect::MeasureKind::Throat, {ends.begin(), ends.end()}, {clicks.begin(), clicks.end()}};
         return inspect::measureStored(scan_, noise_, stored)->lengths.front();
+    }
+
+    /// One click into the opening, halfway between the two.
+    [[nodiscard]] TwoClicks between(const TwoClicks& clicks) const {
+        const auto [a, b] = clicks;
+        const auto beams = static_cast<std::uint32_t>(scan_.beams());
+        const std::uint32_t half = (a / beams + b / beams) / 2 * beams + (a % beams + b % beams) / 2;
+        return {half, half};
     }
 
 private:
@@ -138,6 +150,7 @@ ThroatWidths& ThroatWidths::operator+=(const ThroatWidths& other) {
 ThroatScore& ThroatScore::operator+=(const ThroatScore& other) {
     ofClicks += other.ofClicks;
     ofAround += other.ofAround;
+    ofOne += other.ofOne;
     return *this;
 }
 
@@ -156,6 +169,9 @@ ThroatScore scoreThroats(const sim::Simulation& simulation, int openings, int re
         addOpening(
             tries, [&](const TwoClicks& clicks) { return scene.endsAround(clicks); },
             [&](const TwoClicks& ends, const TwoClicks& clicks) { return scene.ofAround(ends, clicks); }, score.ofAround);
+        addOpening(
+            tries, [&](const TwoClicks& clicks) { return scene.endsThrough(clicks); },
+            [&](const TwoClicks& ends, const TwoClicks& clicks) { return scene.ofAround(ends, scene.between(clicks)); }, score.ofOne);
     }
     return score;
 }

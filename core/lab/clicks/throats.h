@@ -26,6 +26,7 @@ struct ThroatWidths {
 struct ThroatScore {
     ThroatWidths ofClicks; ///< narrowestBetween() of the two cells that the clicks mean
     ThroatWidths ofAround; ///< throatAt(): also with clicks next to them
+    ThroatWidths ofOne;    ///< throatThrough() of one click into the opening, halfway between the two
 
     ThroatScore& operator+=(const ThroatScore& other);
 };

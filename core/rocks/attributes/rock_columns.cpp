@@ -9,7 +9,7 @@
 namespace edgescan::rocks {
 namespace {
 
-constexpr std::size_t kColumns = 26;
+constexpr std::size_t kColumns = 27;
 constexpr int kWhole = 0, kHundredths = 2;
 
 double millimetres(double metres) { return rounded(metres, 1000); }
@@ -88,6 +88,8 @@ std::array<RockColumn, kColumns> columnsOf(CoordinateFrame frame) {
         {"note", nullptr, "What every rock is", [](Row) -> RockValue { return kRockCaveat; }, nullptr, false},
         {"apart_m", nullptr, "It was merged by hand of parts that do not touch: the largest distance between their nearest cells",
          [](Row r) -> RockValue { return r.rock->apart.empty() ? RockValue() : RockValue(millimetres(r.rock->apartM())); }, nullptr, false},
+        {"names", nullptr, "Names of the targets on it", [](Row r) -> RockValue { return r.names.empty() ? RockValue() : RockValue(r.names.c_str()); },
+         nullptr, false},
     }};
     // clang-format on
 }
@@ -108,15 +110,23 @@ double sortingNumber(const RockValue& value) {
     return -1;
 }
 
-RockRows::RockRows(const Study& study, CoordinateFrame frame)
+RockRows::RockRows(const Study& study, CoordinateFrame frame, const NamedCells& names)
     : frame_(frame), beams_(static_cast<std::uint32_t>(study.segmentation->segment.beams)),
       curve_(sizeCurve(study.rocks, study.settings.oversizeM)) {
     if (frame != CoordinateFrame::Scanner) placed_.emplace(*study.segmentation->inputs.scan);
+    if (names.empty()) return;
+    const Grid<std::uint32_t> labels = rockLabels(*study.segmentation, study.map);
+    for (const auto& [cell, name] : names) {
+        if (name.empty() || cell >= labels.size() || labels[cell] == 0) continue;
+        std::string& all = names_[labels[cell]];
+        all += (all.empty() ? "" : "; ") + name;
+    }
 }
 
 RockRow RockRows::of(const Rock& rock) const {
     RockRow row{&rock, static_cast<int>(rock.cell / beams_), static_cast<int>(rock.cell % beams_), rock.centreM,
                 curve_.shareUpTo(rock.shortestCaliperM)};
+    if (const auto named = names_.find(rock.label); named != names_.end()) row.names = named->second;
     if (placed_) row.centreM = placed_->inFrame(frame_, row.line, row.beam, rock.centreM);
     return row;
 }

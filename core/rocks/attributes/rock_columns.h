@@ -8,9 +8,11 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -22,6 +24,7 @@ struct RockRow {
     int line = 0, beam = 0;                            ///< of its measured cell closest to its centre
     Eigen::Vector3d centreM = Eigen::Vector3d::Zero(); ///< in the frame of the table
     double finerShare = 0.0;                           ///< 0..1: share of the rocks that are not wider than it
+    std::string names{};                               ///< of the named cells on it, separated by "; "
 };
 
 /// Nothing, a truth, a whole number, a number, numbers of rocks, or a text.
@@ -42,10 +45,13 @@ struct RockColumn {
 /// The value as a number for sorting: the count of a list, -1 for nothing.
 [[nodiscard]] double sortingNumber(const RockValue& value);
 
+/// Cells that the operator named.
+using NamedCells = std::vector<std::pair<std::uint32_t, std::string>>;
+
 /// The rows of a study. Frames other than Scanner need a scan with a placement. The study must outlive it.
 class RockRows {
 public:
-    RockRows(const Study& study, CoordinateFrame frame);
+    RockRows(const Study& study, CoordinateFrame frame, const NamedCells& names = {});
     [[nodiscard]] RockRow of(const Rock& rock) const;
     [[nodiscard]] const SizeCurve& curve() const { return curve_; }
     [[nodiscard]] CoordinateFrame frame() const { return frame_; }
@@ -55,6 +61,7 @@ private:
     std::uint32_t beams_;
     SizeCurve curve_;
     std::optional<PlacedPoints> placed_;
+    std::map<std::uint32_t, std::string> names_; // by label
 };
 
 } // namespace edgescan::rocks

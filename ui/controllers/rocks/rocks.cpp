@@ -243,7 +243,8 @@ void Rocks::selectPinned() {
     if (pinnedOnRock() || !selected_.empty()) select(pinnedOnRock() ? std::vector{*pinned_} : std::vector<std::size_t>());
 }
 
-void Rocks::setTargets(const RockNames& targets, const RockNames& names) {
+void Rocks::setTargets(const RockNames& targets, const RockNames& names, const std::vector<inspect::PinnedTarget>& pinned) {
+    pinnedTargets_ = pinned;
     table_.setNames(names);
     if (std::exchange(targets_, targets) != targets) showCard();
 }

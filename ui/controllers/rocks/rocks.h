@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/inspect/measure/near_side.h"
+#include "core/inspect/measure/notebook.h"
 #include "core/rocks/selection/strokes.h"
 #include "ui/controllers/rocks/rock_sidecar.h"
 #include "ui/engine/linked_views/cell_drag.h"
@@ -84,8 +85,9 @@ public:
     void select(std::vector<std::size_t> cells);
     /// The rock of the chosen target, also after another choice; without one nothing.
     void selectPinned();
-    /// The targets, by cell: all of them with their numbers, for the card; those with a name by their names, for the table.
-    void setTargets(const RockNames& targets, const RockNames& names);
+    /// The targets, by cell: all of them with their numbers, for the card; those with a name by their names, for the table. `pinned` has
+    /// the exact names, for files.
+    void setTargets(const RockNames& targets, const RockNames& names, const std::vector<inspect::PinnedTarget>& pinned);
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
     [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::MeantCell& click) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }
@@ -186,6 +188,7 @@ private:
     std::shared_ptr<const edges::Detection> asked_; // the newest request
     std::vector<std::size_t> selected_;
     RockNames targets_;
+    std::vector<inspect::PinnedTarget> pinnedTargets_;
     bool largestWanted_ = false; // as soon as the rocks are known
     std::optional<std::size_t> pinned_;
     std::optional<QPoint> cutFrom_; // the first click of a line of two

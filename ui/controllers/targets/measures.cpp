@@ -20,7 +20,8 @@ QString wordsFor(inspect::MeasureKind kind, std::size_t picked) {
                             Measures::tr("click the end of the other side")};
     const QStringList spans{Measures::tr("click one end of a"), Measures::tr("click the other end of a"),
                             Measures::tr("click one end of b"), Measures::tr("click the other end of b")};
-    const QStringList throat{Measures::tr("click the near rock at one side"), Measures::tr("click the rock at the other side")};
+    const QStringList throat{Measures::tr("click into the opening, or the near rock at one side"),
+                             Measures::tr("click the rock at the other side")};
     const QStringList& all = kind == inspect::MeasureKind::Throat     ? throat
                              : kind == inspect::MeasureKind::Angle    ? angle
                              : kind == inspect::MeasureKind::Spans    ? spans
@@ -89,7 +90,8 @@ bool Measures::removeLastPick() {
 }
 
 void Measures::pick(const inspect::MeantCell& click) {
-    if (throats_.behind()) return; // the prompt says so
+    if (throats_.behind()) return;                                                                          // the prompt says so
+    if (kind_ == inspect::MeasureKind::Throat && picked_.empty() && keepThrough(click.cell)) return show(); // not a click next to a side
     if (!views_.shown() || views_.shown()->detection->scan->state[click.cell] != CellState::Valid) {
         notice_.showHint(tr("Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.")
                              .arg(inspect::kSnapReach));
@@ -98,6 +100,15 @@ void Measures::pick(const inspect::MeantCell& click) {
     picked_.push_back(click);
     if (picked_.size() == inspect::traitsOf(*kind_).cells) keepPicked();
     show();
+}
+
+/// One click into an opening measures it there. False: it is not into one.
+bool Measures::keepThrough(std::uint32_t cell) {
+    if (!views_.shown()) return false;
+    const Scan& scan = *views_.shown()->detection->scan;
+    const auto throat = inspect::throatThrough(scan, CartesianTables(scan), cell);
+    if (throat) keep(inspect::MeasureKind::Throat, {throat->ends.begin(), throat->ends.end()}, {cell, cell});
+    return throat.has_value();
 }
 
 void Measures::keepPicked() {
@@ -130,10 +141,11 @@ void Measures::offerNarrower() {
     const KnownTargets& known = targets_.known();
     const auto found = std::ranges::find(known.measures, *newThroat_, [](const auto& each) { return each.first; });
     if (found == known.measures.end()) return;
-    newThroat_.reset();
+    const bool isByOneClick = std::exchange(newThroat_, std::nullopt)->isByOneClick();
     if (!found->second || !isOnScreen(*known.picture)) return;
     if (found->second->clickBehindM > 0.0) // the ends may be others
         return notice_.showHint(tr("A click went through the opening, so the rim in front of it was taken: check both ends of the line."));
+    if (isByOneClick) return notice_.showHint(tr("The click went into the opening, so its width was measured there."));
     if (!found->second->narrowsOn()) return;
     notice_.showHint(tr("Farther along, this throat narrows to %1 m.").arg(found->second->narrowerM, 0, 'f', 3));
     notice_.offer(tr("Measure There"), [this, of = known.picture, ends = found->second->narrowerEnds] {
@@ -156,10 +168,7 @@ void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells,
 /// A side that is far behind the throat that was meant shows by its range.
 QString Measures::lastClickWords() const {
     const std::uint32_t cell = picked_.back().cell;
-    const Scan& scan = *views_.shown()->detection->scan;
-    const QString away = QString::number(scan.rangeMm[cell] / 1000.0, 'f', 2), target = targets_.nameAt(cell);
-    if (kind_ == inspect::MeasureKind::Throat && inspect::seenThroughM(scan, cell) > 0.0)
-        return tr(" · the last click went through the opening, to %1 m: the rim in front of it counts").arg(away);
+    const QString away = QString::number(views_.shown()->detection->scan->rangeMm[cell] / 1000.0, 'f', 2), target = targets_.nameAt(cell);
     return target.isEmpty() ? tr(" · the last click is at %1 m").arg(away)
                             : tr(" · the last click took target %1, at %2 m").arg(target, away);
 }

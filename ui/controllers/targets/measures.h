@@ -52,6 +52,7 @@ private:
     };
     void pick(const inspect::MeantCell& click);
     [[nodiscard]] QString lastClickWords() const;
+    bool keepThrough(std::uint32_t cell);
     void keepPicked();
     void takeThroat(const ThroatAsked& asked, const Throat& found);
     [[nodiscard]] bool isOnScreen(const Picture& of) const;

@@ -150,9 +150,8 @@ CellMarks Targets::marks() const {
                        : std::vector<std::size_t>(measure.cells.begin(), measure.cells.end()),
              inspect::linksOf(ofSection ? inspect::MeasureKind::Distance : measure.kind),
              (warned ? "▲ " : "") + briefOf(measure) + " " + (now != nullptr ? coreWords(inspect::measureText(*now)) : QString("–")),
-             {measure.clicked.begin(), measure.clicked.end()},
-             n == chosen_,
-             briefOf(measure)});
+             measure.isByOneClick() ? std::vector<std::size_t>() : std::vector<std::size_t>(measure.clicked.begin(), measure.clicked.end()),
+             n == chosen_, briefOf(measure)});
     }
     if (!draft_.cells.empty()) marks.measures.push_back(draft_);
     marks.targets.insert(marks.targets.end(), beside_.begin(), beside_.end());
@@ -213,7 +212,7 @@ void Targets::show() {
         if (!target.name.empty()) shortened << "  " + shownName(exactText(target.name));
         lines.push_back({words, first + locked + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened});
     }
-    rocks_.setTargets(all, names);
+    rocks_.setTargets(all, names, notebook_.targets);
     panel_.showTargets(lines);
     lines.clear();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {

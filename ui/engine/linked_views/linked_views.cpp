@@ -147,7 +147,6 @@ void LinkedViews::flipTo(std::shared_ptr<const Picture> other) {
     cloud_.setFrameOf(flipped() ? picture_->detection->scan : nullptr);
     if (cloud_.scan() != shown()->detection->scan) {
         cloud_.setCloud(shown()->detection->scan, shown()->cloud, CloudView::Camera::Keep);
-        cloud_.setAxes(std::nullopt);
         nameDirections();
         if (hidden) cloud_.setHidden(hidden);
         cloud_.setSelection(selection);

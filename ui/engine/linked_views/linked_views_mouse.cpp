@@ -75,7 +75,8 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::markClicked, this, [this](const MarkName& mark, qint64 behind) {
         if (!refusesClicks(cloud_)) clickMark(mark, behind < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(behind)));
     });
-    connect(&cloud_, &CloudView::missed, this, [this] {
+    connect(&cloud_, &CloudView::missed, this, [this](qint64 hole) {
+        if (tool_ == Tool::Measure && hole >= 0 && !refusesClicks(cloud_)) return clickAt(static_cast<std::size_t>(hole));
         QToolTip::showText(QCursor::pos(), tr("The scanner did not measure this place, or its point is hidden. Click the rock next to it."),
                            &cloud_);
     });

@@ -33,7 +33,8 @@ void LinkedViews::followSweep(const Picture& last, bool untouched) {
     const bool isAnother = before.sweep != now.sweep;
     const bool wasPart = isAnother && last.detection->scan->lines() < std::max(1, before.expectedLines);
     const bool hasOtherPlaces = !isAnother && now.growing && turnsOtherwise(*last.detection->scan, *shown()->detection->scan);
-    if (wasPart || hasOtherPlaces) cloud_.setAxes(std::nullopt);
+    const bool wasPlaced = last.detection->scan->placement != nullptr, isPlaced = shown()->detection->scan->placement != nullptr;
+    if (wasPart || hasOtherPlaces || wasPlaced != isPlaced) cloud_.setAxes(std::nullopt);
     nameDirections();
     if (!untouched) return;
     if (wasPart || hasOtherPlaces || (isAnother && cloud_.shareInPicture() < kSeen)) {
@@ -43,12 +44,14 @@ void LinkedViews::followSweep(const Picture& last, bool untouched) {
     fitToSweep();
 }
 
-/// Those of the whole sweep: the mean direction of its lines turns while it grows, and one view would be Top at first and then Front.
+/// Of the engine's picture, also while another one is shown. A sweep has those of the whole sweep, from its beginning to its end and in the
+/// next sweep: the mean direction of its points turns while it grows, and one view would be Top at first and then Front.
 void LinkedViews::nameDirections() {
-    const Growth& growth = shown()->source.growth;
-    if (!growth.growing) return cloud_.setAxes(picture_->cloud->axes); // A is shown in the frame of B
-    if (cloud_.axesSet()) return;
-    if (const auto whole = wholeSweep(*shown()->detection->scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
+    const Growth& growth = picture_->source.growth;
+    const Scan& scan = *picture_->detection->scan;
+    if (growth.sweep >= 0 && cloud_.axesSet() && !scan.placement) return;
+    if (!growth.growing || scan.placement) return cloud_.setAxes(picture_->cloud->axes);
+    if (const auto whole = wholeSweep(scan, growth.expectedLines)) cloud_.setAxes(whole->axes);
 }
 
 /// The view moves only where it shows, or would soon show, a small part of them.

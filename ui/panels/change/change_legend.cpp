@@ -251,7 +251,8 @@ void ChangeLegend::fit() {
     if (parentWidget() == nullptr) return;
     const int line = parentWidget()->width() - kAround - (brief_ ? kBesideZoom : 0); // no bar is next to the buttons
     const int room = line - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    const auto isInRest = [this](const QLabel* label) { return label == region_ || label == sum_; }; // they do not make the plate wider
+    const std::array rest{region_, sum_, how_}; // they do not make the plate wider
+    const auto isInRest = [&rest](const QLabel* label) { return std::ranges::find(rest, label) != rest.end(); };
     for (const auto& [label, words] : words_) label->setText(isInRest(label) ? QString() : broken(words, label->fontMetrics(), room));
     int counts = 0;
     for (const Row& row : rows_) counts = std::max(counts, row.count->sizeHint().width());
@@ -278,7 +279,7 @@ void ChangeLegend::fit() {
     const int buttons = buttonsWide();
     // The text of a region does not make the plate wider: its buttons stay under the pointer.
     const int wide = std::max(region_->parentWidget()->sizeHint().width(), std::min(buttons, line));
-    for (QLabel* label : {region_, sum_}) label->setText(broken(words_.at(label), label->fontMetrics(), wide));
+    for (QLabel* label : rest) label->setText(broken(words_.at(label), label->fontMetrics(), wide));
     // A and B alone have less to say: the switch between them stays under the pointer.
     const bool difference = rowsShown_ && !flipped_;
     setMinimumWidth(difference || brief_ ? 0 : std::min(ofDifference_, line));

@@ -159,6 +159,35 @@ std::optional<std::uint32_t> pickPoint(const CloudGeometry& cloud, const ScreenV
     return nearest(candidates(cloud, view, window), window, view, x, y, radius);
 }
 
+std::optional<std::uint32_t> pickVoid(const CloudGeometry& cloud, const CartesianTables& tables, const ScreenView& view, double x, double y,
+                                      double radius) {
+    std::optional<std::uint32_t> best;
+    double bestDistance = radius * radius;
+    const auto rangeM = [&](std::size_t k) { return static_cast<double>((cloud.point(k) - cloud.sensor).norm()); };
+    const auto look = [&](int line, int beam, double awayM) {
+        const Vector3f point = cloud.sensor + (awayM * tables.direction(line, beam)).cast<float>();
+        const ScreenPoint at = toScreen(view, point);
+        const double d = (at.x - x) * (at.x - x) + (at.y - y) * (at.y - y);
+        if (!at.inside || !(d < bestDistance)) return; // without a direction it has no place
+        bestDistance = d;
+        best = static_cast<std::uint32_t>(line * cloud.beams + beam);
+    };
+    for (int line = 0; line < cloud.lines; ++line) {
+        const auto first = static_cast<std::size_t>(line) * static_cast<std::size_t>(cloud.beams);
+        int before = -1; // the last beam with a point
+        for (int beam = 0; beam <= cloud.beams; ++beam) {
+            const bool isEnd = beam == cloud.beams;
+            if (!isEnd && cloud.valid[first + static_cast<std::size_t>(beam)] == 0) continue;
+            double awayM = std::numeric_limits<double>::infinity();
+            if (before >= 0) awayM = rangeM(first + static_cast<std::size_t>(before));
+            if (!isEnd) awayM = std::min(awayM, rangeM(first + static_cast<std::size_t>(beam)));
+            for (int between = before + 1; between < beam && std::isfinite(awayM); ++between) look(line, between, awayM);
+            before = beam;
+        }
+    }
+    return best;
+}
+
 std::optional<std::uint32_t> pickDrawnOver(const CloudGeometry& cloud, const ScreenView& view, double x, double y, double half,
                                            std::span<const std::uint32_t> cells) {
     const Window window = windowAround(x, y, half + view.pointSize);

@@ -1,6 +1,7 @@
 // Finds the point under the cursor: exactly, from the geometry alone, without reading back a picture.
 #pragma once
 
+#include "core/scan/grid/cartesian.h"
 #include "ui/views/cloud/cloud_geometry.h"
 
 #include <Eigen/Core>
@@ -40,8 +41,13 @@ struct ScreenSegment {
 /// at 1.14 M points.
 [[nodiscard]] std::optional<std::uint32_t> pickPoint(const CloudGeometry& cloud, const ScreenView& view, double x, double y, double radius);
 
-/// The same among `cells`, ascending, whose points are drawn over all others as squares with sides of 2 * `half` device pixels: the one
-/// that covers the pixel and is not hidden. Empty: there is none.
+/// The cell without a point that is nearest to the pixel, within `radius`. It is taken as far from the sensor as the nearer of the points
+/// before and behind it on its line: there an opening in a surface is drawn. `tables`: of the cloud's scan.
+[[nodiscard]] std::optional<std::uint32_t> pickVoid(const CloudGeometry& cloud, const CartesianTables& tables, const ScreenView& view,
+                                                    double x, double y, double radius);
+
+/// The same as pickPoint() among `cells`, ascending, whose points are drawn over all others as squares with sides of 2 * `half` device
+/// pixels: the one that covers the pixel and is not hidden. Empty: there is none.
 [[nodiscard]] std::optional<std::uint32_t> pickDrawnOver(const CloudGeometry& cloud, const ScreenView& view, double x, double y,
                                                          double half, std::span<const std::uint32_t> cells);
 

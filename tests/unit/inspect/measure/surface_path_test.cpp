@@ -302,22 +302,53 @@ TEST(Throat, WarnsOfAClickBehindItAndOfEndsOfDifferentDepth) {
     EXPECT_NE(measureBasis(oblique).find("farther away than the other"), std::string::npos) << measureBasis(oblique);
 }
 
-// A hole in a wall: the surface that is seen through it is behind the wall in all directions. A wall next to a nearer one is not.
-TEST(Throat, KnowsWhatIsSeenThroughAnOpening) {
-    const auto hole = test::makeScan(80, 80, [](int i, int j) { return std::hypot(i - 40, j - 40) < 12 ? 18000.0 : 5000.0; });
-    const auto cell = [](int line, int beam) { return static_cast<std::uint32_t>(80 * line + beam); };
-    EXPECT_NEAR(seenThroughM(hole, cell(40, 40)), 13.0, 1e-9);
-    EXPECT_NEAR(seenThroughM(hole, cell(31, 36)), 13.0, 1e-9);
-    EXPECT_EQ(seenThroughM(hole, cell(20, 40)), 0.0);
-    EXPECT_EQ(seenThroughM(hole, cell(0, 0)), 0.0);
-    const auto step = test::makeScan(80, 80, [](int, int j) { return j < 40 ? 18000.0 : 5000.0; });
-    EXPECT_EQ(seenThroughM(step, cell(40, 38)), 0.0);
-    // A pit at the border of the scan, which has rock at three sides.
-    const auto pit = test::makeScan(80, 80, [](int i, int j) { return i > 70 && std::abs(j - 40) < 6 ? 9000.0 : 5000.0; });
-    EXPECT_EQ(seenThroughM(pit, cell(79, 40)), 0.0);
-    auto none = hole;
-    none.state[cell(40, 40)] = CellState::NoReturn;
-    EXPECT_EQ(seenThroughM(none, cell(40, 40)), 0.0);
+// One click into an opening measures the width at that place, whether the beam went through it to a wall or measured nothing.
+TEST(Throat, OneClickIntoTheOpeningMeasuresItThere) {
+    for (const double behindM : {9.0, 0.0}) {
+        const auto withHole = [&](const auto& isHole) {
+            return fineScan(121, 121, [&](const Eigen::Vector3d& d) {
+                const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
+                return (isHole(x, y) ? behindM : 5.0) / d.z();
+            });
+        };
+        const auto widthAt = [](const Scan& scan, int line, int beam) {
+            const std::uint32_t click = cellOf(scan, line, beam);
+            const auto throat = throatThrough(scan, CartesianTables(scan), click);
+            EXPECT_TRUE(throat) << line << " " << beam;
+            if (!throat) return MeasuredCells{};
+            const StoredMeasure stored{MeasureKind::Throat, {throat->ends.begin(), throat->ends.end()}, {click, click}};
+            EXPECT_TRUE(stored.isByOneClick());
+            return *measureStored(scan, kQuietNoise, stored);
+        };
+        const Scan round = withHole([](double x, double y) { return std::hypot(x, y) < 0.5; });
+        const MeasuredCells middle = widthAt(round, 60, 60);
+        EXPECT_NEAR(middle.lengths.front().valueM, 1.0, 0.06);
+        EXPECT_EQ(middle.clickBehindM, 0.0);
+        EXPECT_FALSE(middle.narrowsOn()) << measureBasis(middle);
+        // The way goes through the click, where the hole is less wide: a chord.
+        EXPECT_NEAR(widthAt(round, 60, 72).lengths.front().valueM, 0.85, 0.06);
+        // A slot is as wide as its sides are apart, wherever it was clicked; its ends do not count.
+        const Scan slot = withHole([](double x, double y) { return std::abs(x) < 0.3 && std::abs(y) < 0.9; });
+        for (const auto& [line, beam] : {std::pair{60, 60}, {60, 50}, {45, 66}, {75, 60}}) {
+            const MeasuredCells across = widthAt(slot, line, beam);
+            EXPECT_NEAR(across.lengths.front().valueM, 0.6, 0.06) << line << " " << beam << " " << measureBasis(across);
+            EXPECT_LE(across.mostM, 0.7);
+        }
+        // Not a click on the wall next to it, nor one into a hollow that is less deep than wide, nor on a few lost beams of a surface.
+        EXPECT_FALSE(throatThrough(slot, CartesianTables(slot), cellOf(slot, 60, 20)));
+    }
+    const auto through = [](const Scan& scan) { return throatThrough(scan, CartesianTables(scan), cellOf(scan, 60, 60)).has_value(); };
+    for (const double deepM : {0.5, 2.0}) {
+        const Scan hollow = fineScan(
+            121, 121, [&](const Eigen::Vector3d& d) { return (std::hypot(d.x(), d.y()) < 0.1 * d.z() ? 5.0 + deepM : 5.0) / d.z(); });
+        EXPECT_EQ(through(hollow), deepM > 1.0) << deepM;
+    }
+    Scan dropouts = fineScan(121, 121, [](const Eigen::Vector3d& d) { return 5.0 / d.z(); });
+    for (int i = 57; i < 64; ++i) {
+        for (int j = 57; j < 64; ++j) dropouts.state.at(i, j) = CellState::NoReturn;
+    }
+    EXPECT_FALSE(through(dropouts));
+    EXPECT_FALSE(throatThrough(dropouts, CartesianTables(dropouts), static_cast<std::uint32_t>(dropouts.cells())));
 }
 
 TEST(Throat, ItsToleranceIncludesWhatClicksNextToItFind) {
