@@ -381,8 +381,8 @@ private slots:
         QTRY_VERIFY2(words.last().front().toString().contains("click into the opening, or the near rock at one side"),
                      qPrintable(words.last().front().toString()));
         on.viewer.notice.hide();
-        // As the second of two clicks it means the rim in front of it, away from the first click.
-        click(gray, 30, 19);
+        // Just behind the side of the opening, the near side is meant: one of two clicks.
+        click(gray, 30, 41);
         QVERIFY2(words.last().front().toString().contains("click the rock at the other side"), // "rim" is the class void rim
                  qPrintable(words.last().front().toString()));
         QVERIFY2(!on.viewer.notice.isVisible(), qPrintable(on.viewer.notice.text()));
@@ -393,8 +393,8 @@ private slots:
         click(gray, 5, 7);
         QTRY_VERIFY2(on.viewer.notice.isVisible() && on.viewer.notice.text().contains("No opening"), qPrintable(on.viewer.notice.text()));
         const std::size_t before = on.viewer.targets.notebook().measures.size();
-        click(gray, 30, 19);
         click(gray, 30, 41);
+        click(gray, 30, 19);
         QVERIFY2(words.last().front().toString().contains("searched"), qPrintable(words.last().front().toString()));
         click(gray, 10, 10); // while it is searched, a click is not the first of the next one
         QTRY_COMPARE(on.viewer.targets.notebook().measures.size(), before + 1);
