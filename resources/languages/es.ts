@@ -602,6 +602,8 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>, %1 h ago</source><translation>, hace %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, hace %1 días</translation></message>
 <message><source>Placed by %1</source><translation>Ubicado por %1</translation></message>
+<message><source>HELD, %1 of %2 lines</source><translation>RETENIDO, %1 de %2 líneas</translation></message>
+<message><source>HELD, whole sweep</source><translation>RETENIDO, barrido entero</translation></message>
 <message><source>HELD, sweep %1 grows</source><translation>RETENIDO, el barrido %1 crece</translation></message>
 <message><source>HELD</source><translation>RETENIDO</translation></message>
 <message><source>HELD, 1 line behind</source><translation>RETENIDO, 1 línea atrás</translation></message>
@@ -729,12 +731,10 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>No se midió nada a menos de %1 celdas de este clic, así que ninguna longitud termina allí: haga clic más cerca de una superficie.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>No hay abertura entre estos dos clics: haga clic en la roca a ambos lados de una. Distancia mide sobre una roca.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic pasó por la abertura, así que se tomó el borde de delante: compruebe los dos extremos de la línea.</translation></message>
-<message><source>The click went into the opening, so its width was measured there.</source><translation>El clic fue en la abertura, así que el ancho se midió allí.</translation></message>
-<message><source>Farther along, this throat narrows to %1 m.</source><translation>Más allá, esta garganta se estrecha hasta %1 m.</translation></message>
-<message><source>Measure There</source><translation>Medir allí</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Un extremo de esta medición está %1 m detrás de la superficie bajo su línea: compruebe dónde están sus extremos y haga clic de nuevo en el lado cercano si era ese.</translation></message>
-<message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · el último clic tomó el objetivo %1, a %2 m</translation></message>
+<message><source> · the last click took the near side, at %1 m</source><translation> · el último clic tomó el lado cercano, a %1 m</translation></message>
+<message><source> · the last click is at %1 m</source><translation> · el último clic está a %1 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Ancho de la garganta: se busca el paso más estrecho …</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>No hay ninguna celda ahí: no se oculta nada más.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ El barrido continúa. Se ocultan las celdas que están allí ahora. Las líneas nuevas se muestran a cualquier distancia.</translation></message>
@@ -781,7 +781,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>The targets could not be computed (%1).</source><translation>No se pudieron calcular los objetivos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Objetivos y mediciones del escaneo anterior: %1. Están guardados con él: ábralo de nuevo para verlos.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>No guardado: EdgeScan se inició sin sus ajustes.</translation></message>
-<message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>No guardado: esta imagen es parte de una grabación o de un barrido en vivo, no un archivo entero.</translation></message>
+<message><source>Not stored: this is a live sweep or a part of a recording. Open the recording before you quit: it has these targets then.</source><translation>No guardado: es un barrido en vivo o parte de una grabación. Abra la grabación antes de salir: entonces tiene estos objetivos.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ No se guarda: los objetivos de este escaneo fueron rechazados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta celda no se fijó: hay %1 objetivos, primero quite algunos.</translation></message>
 <message><source>new target %1</source><translation>nuevo objetivo %1</translation></message>
@@ -1333,7 +1333,6 @@ un cambio supera %2 mm a 5 m</translation></message>
 <message><source>Easting, Northing and RL (height) in the mine grid, in metres</source><translation>Este, norte y RL (altura) en coordenadas de la mina, en metros</translation></message>
 <message><source>Rock, visible</source><translation>Roca, visible</translation></message>
 <message><source>none here</source><translation>ninguna aquí</translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
 <message><source>Length a and width b of its visible part. Hidden parts are not included.</source><translation>Largo a y ancho b de su parte visible. Las partes ocultas no cuentan.</translation></message>
 <message><source>Resolves</source><translation>Resolución</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>Lo más pequeño que se ve de manera fiable aquí: %1 hasta el haz vecino, y un haz de %2 como el de un LMS511 en alta resolución</translation></message>
@@ -2075,12 +2074,12 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ más largo que los %1 m entre los clics: los lados de la garganta están hasta a %2 m de ellos</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>sus extremos están como máximo a %1 m de los clics</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic pasó por esta garganta, %1 m detrás de ella: se tomó el borde de delante</translation></message>
+<message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ ningún haz volvió entre sus extremos: puede ser una abertura, o roca oscura o mojada</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ un extremo está %1 m más lejos que el otro</translation></message>
-<message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ más allá, la garganta se estrecha hasta %1 m</translation></message>
-<message><source>shortest way across the opening through the click</source><translation>paso más corto a través de la abertura por el clic</translation></message>
+<message><source>shortest way across the middle of the opening</source><translation>paso más corto por el medio de la abertura</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
+<message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ clics a %1 encuentran de %2 a %3 m: acérquese y haga clic de nuevo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>
-<message><source>no narrower way next to it</source><translation>sin paso más estrecho a su lado</translation></message>
 <message><source>ranges %1 m</source><translation>distancias %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un lado es menor que lo que allí se resuelve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluidos: %1</translation></message>

@@ -602,6 +602,8 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>, %1 h ago</source><translation>, il y a %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, il y a %1 jours</translation></message>
 <message><source>Placed by %1</source><translation>Placé par %1</translation></message>
+<message><source>HELD, %1 of %2 lines</source><translation>FIGÉ, %1 lignes sur %2</translation></message>
+<message><source>HELD, whole sweep</source><translation>FIGÉ, balayage entier</translation></message>
 <message><source>HELD, sweep %1 grows</source><translation>FIGÉ, le balayage %1 grandit</translation></message>
 <message><source>HELD</source><translation>FIGÉ</translation></message>
 <message><source>HELD, 1 line behind</source><translation>FIGÉ, 1 ligne de retard</translation></message>
@@ -729,12 +731,10 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Rien n'a été mesuré à moins de %1 cellules de ce clic, donc aucune longueur n'y finit : cliquez plus près d'une surface.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Pas d'ouverture entre ces deux clics : cliquez la roche des deux côtés d'une ouverture. Distance mesure sur une roche.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Un clic est passé par l'ouverture, donc le bord devant a été pris : vérifiez les deux extrémités de la ligne.</translation></message>
-<message><source>The click went into the opening, so its width was measured there.</source><translation>Le clic était dans l'ouverture, donc la largeur a été mesurée là.</translation></message>
-<message><source>Farther along, this throat narrows to %1 m.</source><translation>Plus loin, ce goulot se resserre à %1 m.</translation></message>
-<message><source>Measure There</source><translation>Mesurer là-bas</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Une extrémité de cette mesure est à %1 m derrière la surface sous sa ligne : vérifiez où sont ses extrémités, et cliquez de nouveau du côté proche si c'est lui que vous vouliez.</translation></message>
-<message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · le dernier clic a pris la cible %1, à %2 m</translation></message>
+<message><source> · the last click took the near side, at %1 m</source><translation> · le dernier clic a pris le côté proche, à %1 m</translation></message>
+<message><source> · the last click is at %1 m</source><translation> · le dernier clic est à %1 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largeur de l'étranglement : le passage le plus étroit est recherché …</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Aucune cellule n'est là : rien de plus n'est masqué.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ Le balayage continue. Les cellules qui s'y trouvent maintenant sont masquées. Les nouvelles lignes sont montrées à toute distance.</translation></message>
@@ -781,7 +781,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>The targets could not be computed (%1).</source><translation>Les cibles n'ont pas pu être calculées (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Cibles et mesures du scan précédent : %1. Elles sont enregistrées avec lui : rouvrez-le pour les voir.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Non enregistré : EdgeScan a été lancé sans ses réglages.</translation></message>
-<message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Non enregistré : cette image est une partie d'un enregistrement ou d'un balayage en direct, pas un fichier entier.</translation></message>
+<message><source>Not stored: this is a live sweep or a part of a recording. Open the recording before you quit: it has these targets then.</source><translation>Non enregistré : c'est un balayage en direct ou une partie d'un enregistrement. Ouvrez l'enregistrement avant de quitter : il a alors ces cibles.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Non enregistré : les cibles de ce scan ont été refusées.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Cette cellule n'a pas été épinglée : il y a %1 cibles, supprimez-en d'abord quelques-unes.</translation></message>
 <message><source>new target %1</source><translation>nouvelle cible %1</translation></message>
@@ -1333,7 +1333,6 @@ un changement dépasse %2 mm à 5 m</translation></message>
 <message><source>Easting, Northing and RL (height) in the mine grid, in metres</source><translation>Est, nord et RL (altitude) en coordonnées de la mine, mètres</translation></message>
 <message><source>Rock, visible</source><translation>Bloc, visible</translation></message>
 <message><source>none here</source><translation>aucun ici</translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n° %1 : %2 × %3 ± %4 m</translation></message>
 <message><source>Length a and width b of its visible part. Hidden parts are not included.</source><translation>Longueur a et largeur b de sa partie visible. Les parties cachées ne sont pas comprises.</translation></message>
 <message><source>Resolves</source><translation>Résolution</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>La plus petite chose vue de façon fiable ici : %1 jusqu'au faisceau voisin, et un faisceau de %2 comme l'a un LMS511 en haute résolution</translation></message>
@@ -2075,12 +2074,12 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ plus long que les %1 m entre les clics : les côtés du goulot en sont jusqu'à %2 m</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>ses extrémités sont à %1 m des clics au plus</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ un clic est passé par cette gorge, %1 m derrière elle : le bord devant a été pris</translation></message>
+<message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ aucun faisceau n'est revenu entre ses extrémités : ce peut être une ouverture, ou de la roche sombre ou mouillée</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ une extrémité est %1 m plus loin que l'autre</translation></message>
-<message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ plus loin, le goulot se resserre à %1 m</translation></message>
-<message><source>shortest way across the opening through the click</source><translation>passage le plus court à travers l'ouverture par le clic</translation></message>
+<message><source>shortest way across the middle of the opening</source><translation>passage le plus court par le milieu de l'ouverture</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
+<message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ des clics à %1 trouvent %2 à %3 m : zoomez et cliquez à nouveau</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>
-<message><source>no narrower way next to it</source><translation>pas de passage plus étroit à côté</translation></message>
 <message><source>ranges %1 m</source><translation>distances %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>un côté est plus petit que ce qui y est résolu</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>sauts compris : %1</translation></message>

@@ -602,6 +602,8 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>, %1 h ago</source><translation>, há %1 h</translation></message>
 <message><source>, %1 days ago</source><translation>, há %1 dias</translation></message>
 <message><source>Placed by %1</source><translation>Posicionado por %1</translation></message>
+<message><source>HELD, %1 of %2 lines</source><translation>RETIDO, %1 de %2 linhas</translation></message>
+<message><source>HELD, whole sweep</source><translation>RETIDO, varredura inteira</translation></message>
 <message><source>HELD, sweep %1 grows</source><translation>RETIDO, a varredura %1 cresce</translation></message>
 <message><source>HELD</source><translation>RETIDO</translation></message>
 <message><source>HELD, 1 line behind</source><translation>RETIDO, 1 linha atrás</translation></message>
@@ -729,12 +731,10 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.</source><translation>Nada foi medido a menos de %1 células deste clique, por isso nenhum comprimento termina aí: clique mais perto de uma superfície.</translation></message>
 <message><source>No opening between these two clicks: click the rock at both sides of one. Distance measures over a rock.</source><translation>Não há abertura entre estes dois cliques: clique na rocha dos dois lados de uma. Distância mede sobre uma rocha.</translation></message>
 <message><source>A click went through the opening, so the rim in front of it was taken: check both ends of the line.</source><translation>Um clique passou pela abertura, por isso foi tomada a borda da frente: verifique as duas pontas da linha.</translation></message>
-<message><source>The click went into the opening, so its width was measured there.</source><translation>O clique foi na abertura, então a largura foi medida ali.</translation></message>
-<message><source>Farther along, this throat narrows to %1 m.</source><translation>Mais adiante, esta garganta estreita-se até %1 m.</translation></message>
-<message><source>Measure There</source><translation>Medir ali</translation></message>
 <message><source>An end of this measurement is %1 m behind the surface under its line: check where its ends are, and click again on the near side if that was meant.</source><translation>Uma extremidade desta medição está %1 m atrás da superfície sob a sua linha: verifique onde estão as extremidades e clique de novo no lado próximo, se era esse.</translation></message>
-<message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
 <message><source> · the last click took target %1, at %2 m</source><translation> · o último clique tomou o alvo %1, a %2 m</translation></message>
+<message><source> · the last click took the near side, at %1 m</source><translation> · o último clique tomou o lado próximo, a %1 m</translation></message>
+<message><source> · the last click is at %1 m</source><translation> · o último clique está a %1 m</translation></message>
 <message><source>Throat width: the narrowest way is being searched …</source><translation>Largura da garganta: procurando a passagem mais estreita …</translation></message>
 <message><source>There is no cell here: nothing more is hidden.</source><translation>Não há nenhuma célula ali: nada mais é ocultado.</translation></message>
 <message><source>▲ The sweep grows. The cells that are there now are hidden. New lines are shown at every range.</source><translation>▲ A varredura continua. Ocultam-se as células que estão ali agora. As linhas novas são mostradas a qualquer distância.</translation></message>
@@ -781,7 +781,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>The targets could not be computed (%1).</source><translation>Não foi possível calcular os alvos (%1).</translation></message>
 <message><source>Targets and measurements of the scan before: %1. They are stored with it: open it again to see them.</source><translation>Alvos e medições da varredura anterior: %1. Estão salvos com ela: abra-a de novo para vê-los.</translation></message>
 <message><source>Not stored: EdgeScan was started without its settings.</source><translation>Não salvo: o EdgeScan foi iniciado sem os seus ajustes.</translation></message>
-<message><source>Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file.</source><translation>Não guardado: esta imagem é parte de uma gravação ou de uma varredura ao vivo, não um arquivo inteiro.</translation></message>
+<message><source>Not stored: this is a live sweep or a part of a recording. Open the recording before you quit: it has these targets then.</source><translation>Não guardado: é uma varredura ao vivo ou parte de uma gravação. Abra a gravação antes de sair: então ela tem estes alvos.</translation></message>
 <message><source>▲ Not stored: the targets of this scan were refused.</source><translation>▲ Não guardado: os alvos desta varredura foram recusados.</translation></message>
 <message><source>This cell was not pinned: there are %1 targets, remove some first.</source><translation>Esta célula não foi fixada: há %1 alvos, primeiro remova alguns.</translation></message>
 <message><source>new target %1</source><translation>novo alvo %1</translation></message>
@@ -1333,7 +1333,6 @@ uma mudança passa de %2 mm a 5 m</translation></message>
 <message><source>Easting, Northing and RL (height) in the mine grid, in metres</source><translation>Leste, norte e RL (altura) em coordenadas da mina, em metros</translation></message>
 <message><source>Rock, visible</source><translation>Rocha, visível</translation></message>
 <message><source>none here</source><translation>nenhuma aqui</translation></message>
-<message><source>no. %1: %2 × %3 ± %4 m</source><translation>n.º %1: %2 × %3 ± %4 m</translation></message>
 <message><source>Length a and width b of its visible part. Hidden parts are not included.</source><translation>Comprimento a e largura b da sua parte visível. As partes escondidas não contam.</translation></message>
 <message><source>Resolves</source><translation>Resolução</translation></message>
 <message><source>The smallest thing seen reliably here: %1 to the next beam, and a beam of %2 as an LMS511 has it in high resolution</source><translation>A menor coisa vista de forma confiável aqui: %1 até o feixe vizinho, e um feixe de %2 como o de um LMS511 em alta resolução</translation></message>
@@ -2075,12 +2074,12 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>▲ longer than the %1 m between the clicks: the sides of the throat are up to %2 m from them</source><translation>▲ mais longo que os %1 m entre os cliques: os lados da garganta estão a até %2 m deles</translation></message>
 <message><source>its ends are up to %1 m from the clicks</source><translation>suas pontas estão a até %1 m dos cliques</translation></message>
 <message><source>▲ a click went through this throat, %1 m behind it: the rim in front was taken</source><translation>▲ um clique passou por esta garganta, %1 m atrás dela: foi tomada a borda da frente</translation></message>
+<message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ nenhum feixe voltou entre as suas pontas: pode ser uma abertura, ou rocha escura ou molhada</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ uma extremidade está %1 m mais longe que a outra</translation></message>
-<message><source>▲ farther along, the throat narrows to %1 m</source><translation>▲ mais adiante, a garganta estreita-se até %1 m</translation></message>
-<message><source>shortest way across the opening through the click</source><translation>passagem mais curta através da abertura pelo clique</translation></message>
+<message><source>shortest way across the middle of the opening</source><translation>passagem mais curta pelo meio da abertura</translation></message>
 <message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
+<message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ cliques a %1 encontram de %2 a %3 m: amplie e clique de novo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>
-<message><source>no narrower way next to it</source><translation>sem passagem mais estreita ao lado</translation></message>
 <message><source>ranges %1 m</source><translation>distâncias %1 m</translation></message>
 <message><source>a side is below what is resolved there</source><translation>um lado é menor do que o que ali se resolve</translation></message>
 <message><source>jumps that are part of it: %1</source><translation>saltos incluídos: %1</translation></message>

@@ -168,7 +168,8 @@ std::string countsOf(const rocks::Study& study, const rocks::SizeCurve& curve) {
     if (!study.settings.region.empty())
         html += ", " + std::to_string(rocks::regionCounts(study.map, rocks::RegionKind::Outside).regions) +
                 " are outside the region of interest";
-    if (!study.edits.empty()) html += "; " + std::to_string(study.edits.size()) + " changes were made by hand";
+    if (const std::size_t changes = rocks::changesByHand(study.edits); changes > 0)
+        html += "; " + std::to_string(changes) + (changes == 1 ? " change was made by hand" : " changes were made by hand");
     html += ". Level " + shortestText(study.settings.level) + " of -4 (fine) to 4 (coarse).</p>\n";
     if (curve.rocks() == 0) return html;
     html += "<p>Visible width b: P20 " + twoDecimals(curve.p20M) + " m, P50 " + twoDecimals(curve.p50M) + " m, P80 " +

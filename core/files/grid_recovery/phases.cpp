@@ -1,6 +1,8 @@
 // Beams modulo the number of phases.
 #include "core/files/grid_recovery/phases.h"
 
+#include "core/scan/grid/mean_step.h"
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -61,7 +63,7 @@ int foldPhases(RecoveredGrid& grid) {
     const int rows = (grid.pointOf.lines + turns.phases - 1) / turns.phases;
     const int beams = grid.pointOf.beams;
     const std::vector<double>& lineDeg = grid.geometry.lineDeg;
-    const double stepDeg = (lineDeg.back() - lineDeg.front()) / static_cast<double>(lineDeg.size() - 1);
+    const double stepDeg = meanStepDeg(lineDeg);
     std::vector<double> rowDeg;
     std::vector<double> ahead(static_cast<std::size_t>(turns.phases), 0.0); // of its row, by place among the lines of the row
     for (int row = 0; row < rows; ++row) {

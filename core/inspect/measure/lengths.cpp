@@ -177,16 +177,6 @@ double acrossBeamsM(const Scan& scan, const CartesianTables& tables, std::uint32
     return std::isfinite(apart) ? apart * static_cast<double>(scan.rangeMm[end]) / 1000.0 : 0.0;
 }
 
-/// The narrowest way from the ends of a throat, unless that is the throat itself.
-void takeNarrower(const Scan& scan, std::span<const std::uint32_t> ends, MeasuredCells& measured) {
-    const CartesianTables tables(scan);
-    const auto lengthM = [&](std::span<const std::uint32_t> of) { return (tables.point(of[0]) - tables.point(of[1])).norm(); };
-    const auto around = narrowestBetween(scan, tables, ends[0], ends[1]);
-    if (!around || !(lengthM(*around) < lengthM(ends))) return;
-    measured.narrowerM = lengthM(*around);
-    measured.narrowerEnds = *around;
-}
-
 /// How far the cell that the click meant is behind this end, across a jump; 0: it is not, or nothing was measured there.
 double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked) {
     const MeantCell click = meantCell(scan, clicked);
@@ -316,7 +306,9 @@ void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::spa
     const bool isPair = clicked.size() == 2 && std::ranges::all_of(clicked, [&](std::uint32_t k) { return k < scan.cells(); });
     const CartesianTables tables(scan);
     measured.byOneClick = isPair && clicked[0] == clicked[1];
-    if (!measured.byOneClick) takeNarrower(scan, cells, measured);
+    const std::vector<double> rangesM = rangesUnder(scan, cells[0], cells[1]);
+    measured.isDark =
+        rangesM.size() > 2 && std::all_of(rangesM.begin() + 1, rangesM.end() - 1, [](double rangeM) { return rangeM == 0.0; });
     if (!isPair) return;
     const auto throat = measured.byOneClick ? throatThrough(scan, tables, clicked[0]) : throatAt(scan, tables, clicked[0], clicked[1]);
     if (throat) {
@@ -343,13 +335,13 @@ bool MeasuredCells::isLongerThanClicks() const {
     return kind == MeasureKind::Throat && clicksM > 0.0 && fromClicks > 0 && lengths.front().valueM > clicksM;
 }
 
-bool MeasuredCells::narrowsOn() const {
-    if (narrowerM <= 0.0 || (mostM > 0.0 && narrowerM >= leastM)) return false;
-    return lengths.empty() || narrowerM < lengths.front().valueM - lengths.front().toleranceM;
+bool MeasuredCells::isWarned() const {
+    return behindM > 0.0 || clickBehindM > 0.0 || endsApartM() > 0.0 || isLongerThanClicks() || dependsMuch() || isDark;
 }
 
-bool MeasuredCells::isWarned() const {
-    return behindM > 0.0 || clickBehindM > 0.0 || endsApartM() > 0.0 || narrowsOn() || isLongerThanClicks();
+bool MeasuredCells::dependsMuch() const {
+    constexpr double kShare = 0.2; // of the length
+    return kind == MeasureKind::Throat && !lengths.empty() && mostM - leastM > kShare * lengths.front().valueM;
 }
 
 std::string lengthText(const MeasuredLength& length) {
@@ -378,19 +370,20 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
         if (measured.clickBehindM > 0.0)
             parts.push_back(say("▲ a click went through this throat, %1 m behind it: the rim in front was taken",
                                 {fixedText(measured.clickBehindM, 2)}));
+        if (measured.isDark) parts.push_back(say("▲ no beam came back between its ends: this may be an opening, or dark or wet rock"));
         if (const double apartM = measured.endsApartM(); apartM > 0.0)
             parts.push_back(say("▲ one end is %1 m farther away than the other", {fixedText(apartM, 2)}));
-        if (measured.narrowsOn()) parts.push_back(say("▲ farther along, the throat narrows to %1 m", {fixedText(measured.narrowerM, 3)}));
         if (measured.byOneClick)
-            parts.push_back(say("shortest way across the opening through the click"));
+            parts.push_back(say("shortest way across the middle of the opening"));
         else
             parts.push_back(say("narrowest way near the two clicks"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;
-        if (dependsOnClicks)
+        if (measured.dependsMuch())
+            parts.push_back(say("▲ clicks %1 away find %2 to %3 m: zoom in and click again",
+                                {millimetres(measured.spreadM), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
+        else if (dependsOnClicks)
             parts.push_back(say("clicks %1 away find %2 to %3 m",
                                 {millimetres(measured.spreadM), fixedText(measured.leastM, 3), fixedText(measured.mostM, 3)}));
-        else if (!measured.narrowsOn() && !measured.byOneClick)
-            parts.push_back(say("no narrower way next to it"));
     }
     parts.push_back(say("ranges %1 m", {ranges}));
     if (const std::string clicks = clicksPart(measured, translated); !clicks.empty()) parts.push_back(clicks);

@@ -68,14 +68,13 @@ struct MeasuredCells {
     double clicksM = 0.0;             ///< only for Throat: distance of the two clicked points; 0: not known
     double leastM = 0.0, mostM = 0.0; ///< only for Throat: shortest and longest that clicks next to these find; 0: not known
     double clickBehindM = 0.0;        ///< only for Throat: how far a click is behind its end, across a jump; 0: neither click is
+    bool isDark = false;              ///< only for Throat: no cell between its ends has a range
     bool byOneClick = false;          ///< only for Throat: of one click into the opening
-    double narrowerM = 0.0;           ///< only for Throat: a narrower way around its ends, where the clicks did not reach; 0: none
-    std::array<std::uint32_t, 2> narrowerEnds{}; ///< of that way
 
-    /// Only for Throat: true if a way farther along is narrower than all that clicks around these find, by more than its tolerance.
-    [[nodiscard]] bool narrowsOn() const;
     /// Only for Throat: how much farther away than the other one an end is, if that is a large share of the length; else 0.
     [[nodiscard]] double endsApartM() const;
+    /// Only for Throat: true if clicks next to these find lengths that differ by a fifth of it.
+    [[nodiscard]] bool dependsMuch() const;
     /// Only for Throat: true if the way between the clicks is shorter, because its sides are not where they are.
     [[nodiscard]] bool isLongerThanClicks() const;
     /// True if measureRemarks() has a warning (▲).
@@ -99,7 +98,7 @@ struct SurfacePoint {
 [[nodiscard]] std::optional<MeasuredCells> measureCells(const Scan& scan, const RangeNoise& noise, MeasureKind kind,
                                                         std::span<const std::uint32_t> cells, std::span<const double> shares = {});
 
-/// For Throat: where its ends are, seen from the clicks, whether it goes on narrowing, and how far it depends on the clicks. Its ± then
+/// For Throat: where its ends are, seen from the clicks, and how far it depends on the clicks. Its ± then
 /// includes the lengths that clicks next to these find. `clicked`: of each of its cells (twice the same: one click
 /// into the opening, see throatThrough()); empty: these are its cells.
 void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::span<const std::uint32_t> clicked, MeasuredCells& measured);

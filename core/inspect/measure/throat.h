@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace edgescan::inspect {
 
@@ -21,6 +22,9 @@ namespace edgescan::inspect {
 /// How far a second click at the same place ends from the first: cells along or across the lines.
 inline constexpr int kClickSpread = 2;
 
+/// A click, first, and the four clicks kClickSpread cells from it that a hand may do as well.
+[[nodiscard]] std::vector<std::uint32_t> clicksNear(const Scan& scan, std::uint32_t clicked);
+
 /// What one or two clicks find, and what clicks next to them find.
 struct Throat {
     std::array<std::uint32_t, 2> ends{};
@@ -32,9 +36,14 @@ struct Throat {
 [[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
                                              std::uint32_t clickedB);
 
-/// The shortest way across an opening through a click into it, on a void or on what is seen through it: of 32 straight ways over the grid
-/// through that cell, each between the first nearer surfaces at both ends with free space between them. At most a quarter of the lines or
-/// beams to each side. Empty if no way has such ends, or what is seen through it is not as far behind it as it is wide.
+/// True if throatThrough() finds a way.
+[[nodiscard]] bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_t k);
+
+/// The shortest way across the middle of the opening around a click, on a void or on what is seen through it. The middle is the cell that
+/// is farthest from the sides, uphill from the click; of an opening that is not closed within a quarter of the lines or beams, the click
+/// itself. Of 32 straight ways over the grid through the middle, each is between the first nearer surfaces at both ends with free space
+/// between them. The least and the most are of clicks next to the middle. Empty if no way through the click has such ends, or what is seen
+/// through it is not as far behind it as it is wide.
 [[nodiscard]] std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked);
 
 } // namespace edgescan::inspect

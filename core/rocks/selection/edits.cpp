@@ -28,6 +28,10 @@ void addFirstCells(std::span<const std::uint32_t> group, const std::vector<std::
 
 } // namespace
 
+std::size_t changesByHand(std::span<const Edit> edits) {
+    return static_cast<std::size_t>(std::ranges::count_if(edits, [](const Edit& edit) { return edit.kind != EditKind::Whole; }));
+}
+
 std::vector<CutLine> cutsOf(std::span<const Edit> edits) {
     std::vector<CutLine> cuts;
     for (const Edit& edit : edits) {

@@ -36,6 +36,9 @@ struct Edit {
 /// "join", "part", "cut", "rock", "not_rock", "whole".
 [[nodiscard]] const char* rockEditName(EditKind kind);
 
+/// How many changes an operator made: the parts of a cut belong to it.
+[[nodiscard]] std::size_t changesByHand(std::span<const Edit> edits);
+
 /// The strokes among the edits.
 [[nodiscard]] std::vector<CutLine> cutsOf(std::span<const Edit> edits);
 /// Decisions of the edits about pairs of segments; a cell without a segment has no effect. `segments` must have been made with the same

@@ -6,6 +6,7 @@
 #include "core/scan/angle_correction/slip_votes.h"
 #include "core/scan/angle_correction/sureness.h"
 #include "core/scan/grid/acquisition.h"
+#include "core/scan/grid/mean_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,8 +169,8 @@ Scan withPhasesFolded(const Scan& scan, const std::vector<double>& phases) {
     std::vector<int> order(phases.size()); // the lines of a cycle, ordered by phase
     std::iota(order.begin(), order.end(), 0);
     std::ranges::sort(order, {}, [&](int k) { return phases[static_cast<std::size_t>(k)]; });
-    const double stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);
-    const double beamStepDeg = (polar.beamDeg.back() - polar.beamDeg.front()) / static_cast<double>(polar.beamDeg.size() - 1);
+    const double stepDeg = meanStepDeg(polar.lineDeg);
+    const double beamStepDeg = meanStepDeg(polar.beamDeg);
 
     Scan folded = scan;
     PolarGeometry angles = polar;

@@ -7,6 +7,7 @@
 #include "core/scan/angle_correction/line_phases.h"
 #include "core/scan/angle_correction/step_unevenness.h"
 #include "core/scan/angle_correction/sureness.h"
+#include "core/scan/grid/mean_step.h"
 #include "core/scan/grid/placement.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ Displacement displacementOf(InverseRange inverse, const PolarGeometry& polar) {
     constexpr double kAgreeLines = 0.75;
     const SweepSlips slips = straighten(inverse);
     Displacement found;
-    found.stepDeg = (polar.lineDeg.back() - polar.lineDeg.front()) / static_cast<double>(polar.lineDeg.size() - 1);
+    found.stepDeg = meanStepDeg(polar.lineDeg);
     if (slips.interlaced) {
         const Parity odd = parityOf(slips.parity);
         found.oddAheadDeg = beyond(odd.steps * found.stepDeg, oddSkewDeg(polar), kAgreeBeams * std::abs(found.stepDeg));
@@ -158,7 +159,7 @@ LinePhases phasesIn(const Scan& scan, const InverseRange& inverse) {
 // "the beams of 4 lines in turn lie 0, 0.25, 0.5 and 0.75 degrees ahead of them"
 std::string phasesText(const LinePhases& found, const PolarGeometry& polar) {
     const std::vector<double>& phases = found.steps;
-    const double stepDeg = std::abs(polar.beamDeg.back() - polar.beamDeg.front()) / static_cast<double>(polar.beamDeg.size() - 1);
+    const double stepDeg = std::abs(meanStepDeg(polar.beamDeg));
     std::string degrees;
     for (std::size_t k = 0; k < phases.size(); ++k)
         degrees += (k == 0 ? "" : k + 1 == phases.size() ? " and " : ", ") + significantText(phases[k] * stepDeg, 3);

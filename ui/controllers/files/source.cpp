@@ -41,7 +41,9 @@ QString placedWords(const Scan& scan) {
 /// "HELD", and how far the picture is behind the scanner.
 QString heldWords(const Picture& picture, const files::LiveHealth& now) {
     const int sweep = picture.source.growth.sweep + 1, behind = now.row - picture.detection->scan->lines();
-    if (sweep != now.sweep) return QObject::tr("HELD, sweep %1 grows").arg(now.sweep);
+    const int lines = picture.detection->scan->lines(), whole = picture.source.growth.expectedLines;
+    if (sweep != now.sweep && lines < whole) return QObject::tr("HELD, %1 of %2 lines").arg(lines).arg(whole);
+    if (sweep != now.sweep) return whole > 0 ? QObject::tr("HELD, whole sweep") : QObject::tr("HELD, sweep %1 grows").arg(now.sweep);
     if (behind <= 0) return QObject::tr("HELD");
     return behind == 1 ? QObject::tr("HELD, 1 line behind") : QObject::tr("HELD, %1 lines behind").arg(behind);
 }

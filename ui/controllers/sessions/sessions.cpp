@@ -338,7 +338,7 @@ void Sessions::sayWhatCameBack(const inspect::ViewerState& state) {
     const inspect::Notebook& notebook = state.targets.notebook;
     QStringList back{targetCount(notebook.targets.size())};
     if (!notebook.measures.empty()) back << tr("measurements: %1").arg(notebook.measures.size());
-    if (state.rocks && !state.rocks->edits.empty()) back << tr("edits of rocks: %1").arg(state.rocks->edits.size());
+    if (state.rocks && !state.rocks->edits.empty()) back << tr("edits of rocks: %1").arg(rocks::changesByHand(state.rocks->edits));
     back << tr("settings, view");
     notice_.showNotice(NoticeBar::Kind::Done, tr("Restored: %1. Undo begins here.").arg(back.join(", ")));
 }

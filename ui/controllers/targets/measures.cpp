@@ -38,7 +38,9 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
           Urgency::Now,
           [](const ThroatAsked& asked) {
               const Scan& scan = *asked.of->detection->scan;
-              return inspect::throatAt(scan, CartesianTables(scan), asked.clicked[0], asked.clicked[1]);
+              const CartesianTables tables(scan);
+              return asked.clicked[0] == asked.clicked[1] ? inspect::throatThrough(scan, tables, asked.clicked[0])
+                                                          : inspect::throatAt(scan, tables, asked.clicked[0], asked.clicked[1]);
           },
           [this](const ThroatAsked& asked, const auto& found) { takeThroat(asked, *found); },
           [this](const QString& what) {
@@ -51,7 +53,7 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
         if (views_.tool() != Tool::Measure) stop();
     });
     connect(&views_, &LinkedViews::flippedChanged, this, &Measures::show);
-    connect(&targets_, &Targets::cardChanged, this, &Measures::offerNarrower);
+    connect(&targets_, &Targets::cardChanged, this, &Measures::warnOfClick);
     connect(&views_, &LinkedViews::newScanShown, this, [this] {
         picked_.clear(); // cells of the old scan have no meaning in the new one
         show();
@@ -90,8 +92,8 @@ bool Measures::removeLastPick() {
 }
 
 void Measures::pick(const inspect::MeantCell& click) {
-    if (throats_.behind()) return;                                                                          // the prompt says so
-    if (kind_ == inspect::MeasureKind::Throat && picked_.empty() && keepThrough(click.cell)) return show(); // not a click next to a side
+    if (throats_.behind()) return; // the prompt says so
+    if (kind_ == inspect::MeasureKind::Throat && askThrough(click.cell)) return show();
     if (!views_.shown() || views_.shown()->detection->scan->state[click.cell] != CellState::Valid) {
         notice_.showHint(tr("Nothing was measured within %1 cells of this click, so no length ends there: click nearer to a surface.")
                              .arg(inspect::kSnapReach));
@@ -102,13 +104,15 @@ void Measures::pick(const inspect::MeantCell& click) {
     show();
 }
 
-/// One click into an opening measures it there. False: it is not into one.
-bool Measures::keepThrough(std::uint32_t cell) {
+/// One click into an opening measures it. False: it is not into one.
+bool Measures::askThrough(std::uint32_t cell) {
     if (!views_.shown()) return false;
     const Scan& scan = *views_.shown()->detection->scan;
-    const auto throat = inspect::throatThrough(scan, CartesianTables(scan), cell);
-    if (throat) keep(inspect::MeasureKind::Throat, {throat->ends.begin(), throat->ends.end()}, {cell, cell});
-    return throat.has_value();
+    const bool isInto = inspect::isIntoOpening(scan, CartesianTables(scan), cell);
+    if (!isInto) return false;
+    picked_.clear(); // a side was clicked before: the opening has it
+    throats_.ask({views_.shown(), {cell, cell}});
+    return true;
 }
 
 void Measures::keepPicked() {
@@ -136,21 +140,15 @@ bool Measures::isOnScreen(const Picture& of) const {
 }
 
 /// Once for a throat, when its card is known.
-void Measures::offerNarrower() {
+void Measures::warnOfClick() {
     if (!newThroat_) return;
     const KnownTargets& known = targets_.known();
     const auto found = std::ranges::find(known.measures, *newThroat_, [](const auto& each) { return each.first; });
     if (found == known.measures.end()) return;
-    const bool isByOneClick = std::exchange(newThroat_, std::nullopt)->isByOneClick();
+    newThroat_.reset();
     if (!found->second || !isOnScreen(*known.picture)) return;
     if (found->second->clickBehindM > 0.0) // the ends may be others
-        return notice_.showHint(tr("A click went through the opening, so the rim in front of it was taken: check both ends of the line."));
-    if (isByOneClick) return notice_.showHint(tr("The click went into the opening, so its width was measured there."));
-    if (!found->second->narrowsOn()) return;
-    notice_.showHint(tr("Farther along, this throat narrows to %1 m.").arg(found->second->narrowerM, 0, 'f', 3));
-    notice_.offer(tr("Measure There"), [this, of = known.picture, ends = found->second->narrowerEnds] {
-        if (isOnScreen(*of)) throats_.ask({of, {ends.begin(), ends.end()}}); // as two clicks there: it may be narrower still
-    });
+        notice_.showHint(tr("A click went through the opening, so the rim in front of it was taken: check both ends of the line."));
 }
 
 void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked) {
@@ -169,8 +167,8 @@ void Measures::keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells,
 QString Measures::lastClickWords() const {
     const std::uint32_t cell = picked_.back().cell;
     const QString away = QString::number(views_.shown()->detection->scan->rangeMm[cell] / 1000.0, 'f', 2), target = targets_.nameAt(cell);
-    return target.isEmpty() ? tr(" · the last click is at %1 m").arg(away)
-                            : tr(" · the last click took target %1, at %2 m").arg(target, away);
+    if (!target.isEmpty()) return tr(" · the last click took target %1, at %2 m").arg(target, away);
+    return (picked_.back().moved() ? tr(" · the last click took the near side, at %1 m") : tr(" · the last click is at %1 m")).arg(away);
 }
 
 void Measures::show() {

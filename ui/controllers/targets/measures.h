@@ -52,11 +52,11 @@ private:
     };
     void pick(const inspect::MeantCell& click);
     [[nodiscard]] QString lastClickWords() const;
-    bool keepThrough(std::uint32_t cell);
+    [[nodiscard]] bool askThrough(std::uint32_t cell);
     void keepPicked();
     void takeThroat(const ThroatAsked& asked, const Throat& found);
     [[nodiscard]] bool isOnScreen(const Picture& of) const;
-    void offerNarrower();
+    void warnOfClick();
     void keep(inspect::MeasureKind kind, std::vector<std::uint32_t> cells, std::vector<std::uint32_t> clicked);
 
     LinkedViews& views_;
@@ -64,7 +64,7 @@ private:
     NoticeBar& notice_;
     std::optional<inspect::MeasureKind> kind_;
     std::vector<inspect::MeantCell> picked_;
-    std::optional<inspect::StoredMeasure> newThroat_; // until it is known whether it narrows farther along
+    std::optional<inspect::StoredMeasure> newThroat_; // until its card is known
     Derived<ThroatAsked, Throat> throats_;            // last
 };
 

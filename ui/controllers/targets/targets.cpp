@@ -129,10 +129,10 @@ void Targets::followPicture() {
         const inspect::NotebookScan scan = inspect::notebookScan(*engine_.picture()->detection->scan);
         const QString path = store_.pathOf(scan);
         stored_ = !path.isEmpty();
-        panel_.showNote(stored_ ? leftBehind(before)
-                        : store_.isOff()
-                            ? tr("Not stored: EdgeScan was started without its settings.")
-                            : tr("Not stored: this picture is a part of a recording or of a live sweep, not the whole of a file."));
+        panel_.showNote(stored_          ? leftBehind(before)
+                        : store_.isOff() ? tr("Not stored: EdgeScan was started without its settings.")
+                                         : tr("Not stored: this is a live sweep or a part of a recording. Open the recording before you "
+                                              "quit: it has these targets then."));
         if (before > 0) notice_.showHint(leftBehind(before));
         if (const auto other = others_.find(key); other != others_.end()) {
             notebook_ = other->second;

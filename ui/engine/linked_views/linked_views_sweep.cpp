@@ -1,4 +1,5 @@
 // The cloud's view of a sweep while it grows, until the operator moves it.
+#include "core/scan/grid/mean_step.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/views/cloud/cloud_view.h"
 #include "ui/views/cloud/whole_sweep.h"
@@ -19,7 +20,7 @@ bool turnsOtherwise(const Scan& before, const Scan& now) {
     constexpr double kSameStart = 1.0; // degrees
     const auto *a = std::get_if<PolarGeometry>(&before.geometry), *b = std::get_if<PolarGeometry>(&now.geometry);
     if (a == nullptr || b == nullptr || a->lineDeg.size() < 2 || b->lineDeg.size() < 2) return false;
-    const double stepOfA = a->lineDirection * meanStepDeg(*a), stepOfB = b->lineDirection * meanStepDeg(*b);
+    const double stepOfA = a->lineDirection * meanStepDeg(a->lineDeg), stepOfB = b->lineDirection * meanStepDeg(b->lineDeg);
     return a->axis != b->axis || std::abs(stepOfA - stepOfB) > kSameStep * std::abs(stepOfA) ||
            std::abs(a->lineDeg.front() - b->lineDeg.front()) > kSameStart;
 }

@@ -122,9 +122,7 @@ void RocksPanel::showResult(const RockPicture* picture, const QString& remark) {
                 .arg(rockCount(rocks.size()))
                 .arg(std::count_if(rocks.begin(), rocks.end(), isDoubtful))
                 .arg(fines.regions);
-    // The parts of a cut belong to it.
-    const auto changes =
-        std::ranges::count_if(picture->study.edits, [](const rocks::Edit& edit) { return edit.kind != rocks::EditKind::Whole; });
+    const std::size_t changes = rocks::changesByHand(picture->study.edits);
     if (changes > 0) text += tr("; %1 changed by hand").arg(changes);
     if (!picture->study.settings.region.empty())
         text += tr("; %1 pieces outside the region of interest are left out")

@@ -42,8 +42,7 @@ TargetRow rockRow(const TargetSurroundings& around) {
     if (around.rock == nullptr) return {name, QObject::tr("none here"), QString()};
     const rocks::Rock& rock = *around.rock;
     return {name,
-            QObject::tr("no. %1: %2 × %3 ± %4 m")
-                .arg(rock.label)
+            QObject::tr("%1 × %2 ± %3 m") // without its number: this is stored, and numbers change with the rocks
                 .arg(fixed(rock.longestCaliperM, 2), fixed(rock.shortestCaliperM, 2), fixed(shownTolerance(rock.toleranceM, 2), 2)),
             QObject::tr("Length a and width b of its visible part. Hidden parts are not included.")};
 }

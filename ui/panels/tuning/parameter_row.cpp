@@ -142,9 +142,9 @@ void ParameterRow::addNumber(QGridLayout& grid, int row, QWidget* parent) {
             [this](double value) { changeTo(edges::snapped(parameter_, value)); });
     auto* line = new QHBoxLayout;
     line->setSpacing(2);
-    line->addWidget(number_);
-    line->addWidget(reset_);
     line->addStretch(1);
+    line->addWidget(reset_); // before the number, whose arrows stay under the pointer
+    line->addWidget(number_);
     grid.addLayout(line, row, 1, 1, p.automatic == nullptr ? 3 : 2);
     if (p.automatic == nullptr) return;
     auto* automatic = new QCheckBox(tr("auto"), parent);

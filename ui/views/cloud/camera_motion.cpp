@@ -76,6 +76,56 @@ double shareFromFront(const CloudGeometry& cloud, const CameraPose& pose, double
     return some == 0 ? 1.0 : static_cast<double>(fronts) / static_cast<double>(some);
 }
 
+/// Share of the points that are in the picture; 1 without points.
+double shareInPicture(const std::vector<Vector3d>& points, const CameraPose& pose, double widthByHeight) {
+    const Vector3d forward = pose.forward(), right = pose.right();
+    const double tanV = tanHalf(pose);
+    const auto isIn = [&](const Vector3d& point) {
+        const Vector3d way = point - pose.position;
+        const double reach = std::max(0.0, way.dot(forward)) * tanV;
+        return std::abs(way.dot(right)) < reach * widthByHeight && std::abs(way.dot(pose.up)) < reach;
+    };
+    return points.empty() ? 1.0 : static_cast<double>(std::ranges::count_if(points, isIn)) / static_cast<double>(points.size());
+}
+
+/// From the sensor in the directions of the frame, pulled back a little if the points need it.
+CameraPose fromSensor(const CloudGeometry& cloud, const ViewFrame& frame, const CameraPose& lens, double widthByHeight) {
+    CameraPose out = lens;
+    const Vector3d sensor = cloud.sensor.cast<double>();
+    out.position = sensor;
+    out.focus = sensor + frame.forward;
+    out.up = frame.up;
+    const std::vector<Vector3d> points = samplePoints(cloud);
+    if (points.empty()) return out;
+
+    // Tangents of the angles at which the sensor sees the points; points behind it have no such angle.
+    std::vector<double> tangents, ahead;
+    for (const Vector3d& p : points) {
+        const Vector3d d = p - sensor;
+        const double depth = d.dot(frame.forward);
+        const double reach = std::max(std::abs(d.dot(frame.right)) / widthByHeight, std::abs(d.dot(frame.up)));
+        tangents.push_back(depth > 1e-6 ? reach / depth : 1e6);
+        ahead.push_back(depth);
+    }
+    const double middle = std::max(10 * kNearestM, quantile(ahead, 0.5));
+    const double wanted = 2.0 * std::atan(quantile(tangents, 0.9)) * 180.0 / std::numbers::pi;
+    out.viewAngleDeg = std::clamp(wanted, kUsualViewAngleDeg, kWidestViewAngleDeg);
+
+    const double tanV = tanHalf(out);
+    const double tanH = tanV * widthByHeight;
+    std::vector<double> back;
+    for (const Vector3d& p : points) {
+        const Vector3d d = p - sensor;
+        const double reach = std::max(std::abs(d.dot(frame.right)) / tanH, std::abs(d.dot(frame.up)) / tanV);
+        back.push_back(reach - d.dot(frame.forward));
+    }
+    // A sweep of 360 degrees does not fit in a view; a camera far back would only show the walls from outside.
+    const double pulledBack = std::clamp(quantile(back, 0.99) * kMargin, 0.0, kFarthestBack * middle);
+    out.position = sensor - frame.forward * pulledBack;
+    out.focus = sensor + frame.forward * middle;
+    return out;
+}
+
 struct DepthSpan {
     double nearest = 0.0;
     double farthest = 0.0;
@@ -162,17 +212,24 @@ CameraPose lookingAt(const Box3f& box, const Vector3d& forward, const Vector3d& 
 }
 
 CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose& pose, double widthByHeight) {
-    constexpr double kMostly = 0.7, kNearer = 0.85, kNearest = 0.1; // shares
+    constexpr double kMostly = 0.7, kNearlyAll = 0.9, kNearer = 0.85, kNearest = 0.1; // shares
     const CameraPose whole = lookingAt(box, pose.forward(), pose.up, pose, widthByHeight);
     if (pose.parallel || cloud.normals.size() < 3 * cloud.cells()) return whole;
+    const std::vector<Vector3d> points = samplePoints(cloud);
+    const CameraPose scanners = fromScanner(cloud, pose, widthByHeight);
+    const double least = kNearlyAll * shareInPicture(points, scanners, widthByHeight);
+    const auto isGood = [&](const CameraPose& each) {
+        return shareInPicture(points, each, widthByHeight) >= least && shareFromFront(cloud, each, widthByHeight) >= kMostly;
+    };
     for (double share = 1.0; share > kNearest; share *= kNearer) {
         CameraPose out = whole;
         out.position = whole.focus - whole.forward() * whole.distance() * share;
         const double angle = 2.0 * std::atan(tanHalf(whole) / share) * 180.0 / std::numbers::pi;
         out.viewAngleDeg = std::clamp(angle, kUsualViewAngleDeg, kWidestViewAngleDeg);
-        if (shareFromFront(cloud, out, widthByHeight) >= kMostly) return out;
+        if (isGood(out)) return out;
     }
-    return fromScanner(cloud, pose, widthByHeight);
+    const CameraPose fromInside = fromSensor(cloud, {pose.right(), pose.forward(), pose.up}, pose, widthByHeight);
+    return isGood(fromInside) ? fromInside : scanners;
 }
 
 CameraPose lookingAtFrom(const Vector3d& place, const Box3f& box, const Vector3d& up, const CameraPose& lens, double widthByHeight) {
@@ -193,41 +250,7 @@ CameraPose lookingAtFrom(const Vector3d& place, const Box3f& box, const Vector3d
 }
 
 CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, double widthByHeight) {
-    CameraPose out = lens;
-    const Vector3d sensor = cloud.sensor.cast<double>();
-    const ViewFrame& frame = cloud.scannerView;
-    out.position = sensor;
-    out.focus = sensor + frame.forward;
-    out.up = frame.up;
-    const std::vector<Vector3d> points = samplePoints(cloud);
-    if (points.empty()) return out;
-
-    // Tangents of the angles at which the sensor sees the points; points behind it have no such angle.
-    std::vector<double> tangents, ahead;
-    for (const Vector3d& p : points) {
-        const Vector3d d = p - sensor;
-        const double depth = d.dot(frame.forward);
-        const double reach = std::max(std::abs(d.dot(frame.right)) / widthByHeight, std::abs(d.dot(frame.up)));
-        tangents.push_back(depth > 1e-6 ? reach / depth : 1e6);
-        ahead.push_back(depth);
-    }
-    const double middle = std::max(10 * kNearestM, quantile(ahead, 0.5));
-    const double wanted = 2.0 * std::atan(quantile(tangents, 0.9)) * 180.0 / std::numbers::pi;
-    out.viewAngleDeg = std::clamp(wanted, kUsualViewAngleDeg, kWidestViewAngleDeg);
-
-    const double tanV = tanHalf(out);
-    const double tanH = tanV * widthByHeight;
-    std::vector<double> back;
-    for (const Vector3d& p : points) {
-        const Vector3d d = p - sensor;
-        const double reach = std::max(std::abs(d.dot(frame.right)) / tanH, std::abs(d.dot(frame.up)) / tanV);
-        back.push_back(reach - d.dot(frame.forward));
-    }
-    // A sweep of 360 degrees does not fit in a view; a camera far back would only show the walls from outside.
-    const double pulledBack = std::clamp(quantile(back, 0.99) * kMargin, 0.0, kFarthestBack * middle);
-    out.position = sensor - frame.forward * pulledBack;
-    out.focus = sensor + frame.forward * middle;
-    return out;
+    return fromSensor(cloud, cloud.scannerView, lens, widthByHeight);
 }
 
 ClipRange clipRange(const CameraPose& pose, const CloudGeometry& cloud, double nearShare, double farShare) {

@@ -1,10 +1,13 @@
 // Extends the line angles of a sweep.
 #include "ui/views/cloud/whole_sweep.h"
 
+#include "core/base/order_statistic.h"
+#include "core/scan/grid/mean_step.h"
 #include "core/scan/grid/scan.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,22 +22,15 @@ float medianRange(const Scan& scan) {
     for (std::size_t k = 0; k < scan.cells(); ++k) {
         if (scan.state.cells[k] == CellState::Valid) ranges.push_back(scan.rangeMm.cells[k]);
     }
-    if (ranges.empty()) return 0.0F;
-    const auto middle = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2);
-    std::ranges::nth_element(ranges, middle);
-    return *middle;
+    return median(std::move(ranges));
 }
 
 } // namespace
 
-double meanStepDeg(const PolarGeometry& polar) {
-    return (polar.lineDeg.back() - polar.lineDeg.front()) / (static_cast<double>(polar.lineDeg.size()) - 1.0);
-}
-
 std::shared_ptr<const CloudGeometry> wholeSweep(const Scan& scan, int expectedLines) {
     const auto* polar = std::get_if<PolarGeometry>(&scan.geometry);
     if (polar == nullptr || scan.placement || polar->lineDeg.size() < 2 || polar->beamDeg.size() < 2) return nullptr;
-    const double step = meanStepDeg(*polar);
+    const double step = meanStepDeg(polar->lineDeg);
     const float range = medianRange(scan);
     if (!std::isfinite(step) || step == 0.0 || range <= 0.0F) return nullptr;
     const double lines = expectedLines > 0 ? expectedLines : std::max<double>(scan.lines(), 1.0 + kHalfTurn / std::abs(step));

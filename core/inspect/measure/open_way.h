@@ -1,0 +1,43 @@
+// Straight ways over the grid of a scan, and whether nothing is in the way between two of its points.
+#pragma once
+
+#include "core/scan/grid/cartesian.h"
+#include "core/scan/grid/scan.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace edgescan::inspect {
+
+inline constexpr int kCellsAtEnds = 4;     ///< before and behind a jump, for the straight lines that meet there
+inline constexpr int kWidestVoid = 7;      ///< cells without a range between two surfaces, over which a jump is seen
+inline constexpr int kFewestOnSurface = 4; ///< cells of a surface: fewer are dust
+
+/// A straight way over the grid from a cell. The first kCellsAtEnds cells are before that cell.
+struct WayOut {
+    std::vector<std::uint32_t> cells;
+    std::vector<double> rangesM; ///< 0 without a range
+};
+
+/// Up to `cells` cells in a direction whose larger part is 1.
+[[nodiscard]] WayOut wayOut(const Scan& scan, std::uint32_t k, double lineStep, double beamStep, int cells);
+
+/// A cell at a side of an opening.
+struct RimCell {
+    std::uint32_t cell;
+    Eigen::Vector3d pointM;
+};
+
+/// The angle between the two cells, radians.
+[[nodiscard]] double openingRad(const CartesianTables& tables, std::uint32_t a, std::uint32_t b);
+
+/// True if the two ranges differ by more than the opening is wide there: the farther one is not at the rim of the same opening.
+[[nodiscard]] bool isBehind(double rangeM, double otherM, double openingRad);
+
+/// True if no cell was measured in front of the straight line between the two points or on it, half of the cells between have the next
+/// surface well behind the line (a hollow of a rock is not an opening), and most of the others a little (the line does not run over rock).
+[[nodiscard]] bool isOpen(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to);
+
+} // namespace edgescan::inspect

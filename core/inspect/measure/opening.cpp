@@ -1,0 +1,233 @@
+// The middle of an opening, and the shortest way across it.
+#include "core/inspect/measure/jumps_along.h"
+#include "core/inspect/measure/open_way.h"
+#include "core/inspect/measure/throat.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace edgescan::inspect {
+namespace {
+
+constexpr double kLeastBehind = 1.0; // of the width: what is seen through an opening, behind its sides
+
+/// Places on the way where a nearer surface begins that hides a part of what is behind it; each is nearer than those before. Behind a cell
+/// without a range, the first surface is one of them.
+std::vector<std::size_t> nearerOn(const WayOut& way) {
+    double nearestM = way.rangesM[kCellsAtEnds] > 0.0 ? way.rangesM[kCellsAtEnds] : std::numeric_limits<double>::infinity();
+    std::vector<std::size_t> nearer;
+    const std::vector<RowJump> jumps = jumpsAlong(way.rangesM, kWidestVoid);
+    const auto begins = [&](std::size_t n) { // a surface, at the end of a jump or of a void over which a jump is not seen
+        if (std::ranges::any_of(jumps, [&](const RowJump& jump) { return jump.stepM < 0.0 && static_cast<std::size_t>(jump.to) == n; }))
+            return true;
+        for (std::size_t back = 1; back <= kWidestVoid + 1; ++back) {
+            if (n - back <= kCellsAtEnds) return way.rangesM[kCellsAtEnds] == 0.0 && way.rangesM[n - 1] == 0.0;
+            if (way.rangesM[n - back] > 0.0) return false;
+        }
+        return true;
+    };
+    const auto isSurface = [&](std::size_t n) { // not dust
+        if (n + kFewestOnSurface > way.rangesM.size()) return false;
+        for (std::size_t m = n; m < n + kFewestOnSurface; ++m) {
+            if (way.rangesM[m] == 0.0 || way.rangesM[m] - way.rangesM[n] > leastJumpM(way.rangesM[n]) * kFewestOnSurface) return false;
+        }
+        return true;
+    };
+    for (std::size_t n = kCellsAtEnds + 1; n < way.rangesM.size(); ++n) {
+        if (way.rangesM[n] == 0.0 || !(nearestM - way.rangesM[n] > leastJumpM(way.rangesM[n])) || !begins(n) || !isSurface(n)) continue;
+        nearestM = way.rangesM[n];
+        nearer.push_back(n);
+    }
+    return nearer;
+}
+
+int reachOf(const Scan& scan) {
+    constexpr int kShareOfScan = 4;
+    return std::max(scan.lines(), scan.beams()) / kShareOfScan;
+}
+
+/// Of the cells where nearer surfaces begin at both ends of a straight way through `k`, the closest two with free space between them, if
+/// the cell has no range or is farther behind them than they are apart: a hollow between rocks is not an opening.
+std::optional<std::array<RimCell, 2>> sidesAlong(const Scan& scan, const CartesianTables& tables, std::uint32_t k, double lineStep,
+                                                 double beamStep) {
+    const std::array ways{wayOut(scan, k, lineStep, beamStep, reachOf(scan)), wayOut(scan, k, -lineStep, -beamStep, reachOf(scan))};
+    std::vector<std::array<std::size_t, 2>> pairs;
+    for (const std::size_t first : nearerOn(ways[0])) {
+        for (const std::size_t second : nearerOn(ways[1])) pairs.push_back({first, second});
+    }
+    std::ranges::stable_sort(pairs, {}, [](const auto& pair) { return pair[0] + pair[1]; });
+    for (const auto& [first, second] : pairs) {
+        const std::uint32_t a = ways[0].cells[first], b = ways[1].cells[second];
+        const double rangeA = ways[0].rangesM[first], rangeB = ways[1].rangesM[second], wide = openingRad(tables, a, b);
+        if (isBehind(rangeA, rangeB, wide) || isBehind(rangeB, rangeA, wide)) continue;
+        const std::array sides{RimCell{a, tables.point(a)}, RimCell{b, tables.point(b)}};
+        const double rangeM = ways[0].rangesM[kCellsAtEnds], widthM = (sides[0].pointM - sides[1].pointM).norm();
+        const bool isThrough = rangeM > 0.0 ? rangeM - (rangeA + rangeB) / 2.0 > kLeastBehind * widthM
+                                            : first + second - 2 * kCellsAtEnds > kWidestVoid + 1; // else the surface goes on behind it
+        if (isThrough && isOpen(scan, tables, sides[0], sides[1])) return sides;
+    }
+    return std::nullopt;
+}
+
+/// Two cells at opposite sides of the opening around a cell: on one of the straight ways through it, the first nearer surfaces at both ends
+/// with free space between them; of these the two that are closest to each other.
+std::optional<std::array<std::uint32_t, 2>> sidesAround(const Scan& scan, const CartesianTables& tables, std::uint32_t k) {
+    constexpr int kDirections = 32; // over half a turn
+    std::optional<std::array<std::uint32_t, 2>> closest;
+    double closestM = std::numeric_limits<double>::infinity();
+    for (int n = 0; n < kDirections; ++n) {
+        const double angle = std::numbers::pi * n / kDirections, along = std::cos(angle), across = std::sin(angle);
+        const double larger = std::max(std::abs(along), std::abs(across));
+        const auto sides = sidesAlong(scan, tables, k, along / larger, across / larger);
+        if (!sides) continue;
+        const double lengthM = ((*sides)[0].pointM - (*sides)[1].pointM).norm();
+        if (!(lengthM < closestM)) continue;
+        closestM = lengthM;
+        closest = {(*sides)[0].cell, (*sides)[1].cell};
+    }
+    return closest;
+}
+
+/// The cells of the opening around a cell: those without a range or behind its sides, connected over their sides. Empty if they reach far
+/// around it, or the border of the scan: the opening is not closed.
+class OpeningCells {
+public:
+    OpeningCells(const Scan& scan, const CartesianTables& tables, std::uint32_t k, double fartherThanM)
+        : scan_(scan), tables_(tables), fartherThanM_(fartherThanM), known_(scan.lines(), scan.beams()) {
+        const int reach = reachOf(scan), beams = scan.beams(), line = static_cast<int>(k) / beams, beam = static_cast<int>(k) % beams;
+        std::vector<std::uint32_t> open{k};
+        known_[k] = kInside;
+        while (!open.empty()) {
+            const int i = static_cast<int>(open.back()) / beams, j = static_cast<int>(open.back()) % beams;
+            open.pop_back();
+            for (const auto& [di, dj] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+                if (!known_.contains(i + di, j + dj) || std::max(std::abs(i + di - line), std::abs(j + dj - beam)) > 2 * reach) {
+                    isClosed_ = false;
+                    return;
+                }
+                const auto next = static_cast<std::uint32_t>(known_.index(i + di, j + dj));
+                if (known_[next] != 0) continue;
+                known_[next] = isBehindSides(next) ? kInside : kSide;
+                if (known_[next] == kInside) open.push_back(next);
+                if (known_[next] == kSide && isOfSurface(i + di, j + dj)) sides_.push_back(tables_.direction(i + di, j + dj));
+            }
+        }
+    }
+    [[nodiscard]] bool isClosed() const { return isClosed_ && !sides_.empty(); }
+
+    /// Uphill in the distance to the nearest side, from circle to circle: the middle of the part of the opening around the cell, and not
+    /// that of a wider part behind a narrow place.
+    [[nodiscard]] std::uint32_t middle(std::uint32_t k) const {
+        constexpr int kMostSteps = 30;
+        constexpr double kLooksPerCircle = 400.0;
+        double square = squareToSide(k);
+        for (int step = 0; step < kMostSteps; ++step) {
+            const std::vector<std::uint32_t> circle = cellsWithin(k, square);
+            const auto every = static_cast<std::size_t>(std::ceil(static_cast<double>(circle.size()) / kLooksPerCircle));
+            std::uint32_t best = k;
+            for (std::size_t n = 0; n < circle.size(); n += every) {
+                const double there = squareToSide(circle[n]);
+                if (there <= square) continue;
+                square = there;
+                best = circle[n];
+            }
+            if (best == k) break;
+            k = best;
+        }
+        return k;
+    }
+
+private:
+    static constexpr std::uint8_t kInside = 1, kSide = 2;
+    [[nodiscard]] bool isBehindSides(std::uint32_t k) const {
+        return scan_.state[k] != CellState::Valid || static_cast<double>(scan_.rangeMm[k]) / 1000.0 > fartherThanM_;
+    }
+    /// Not a single echo in the opening.
+    [[nodiscard]] bool isOfSurface(int line, int beam) const {
+        constexpr int kFewest = 3; // of eight neighbours
+        int near = 0;
+        for (int di = -1; di <= 1; ++di) {
+            for (int dj = -1; dj <= 1; ++dj) {
+                if ((di != 0 || dj != 0) && known_.contains(line + di, beam + dj))
+                    near += isBehindSides(static_cast<std::uint32_t>(known_.index(line + di, beam + dj))) ? 0 : 1;
+            }
+        }
+        return near >= kFewest;
+    }
+    [[nodiscard]] Eigen::Vector3d direction(std::uint32_t k) const {
+        return tables_.direction(static_cast<int>(k) / scan_.beams(), static_cast<int>(k) % scan_.beams());
+    }
+    [[nodiscard]] double squareToSide(std::uint32_t k) const {
+        const Eigen::Vector3d here = direction(k);
+        double least = std::numeric_limits<double>::infinity();
+        for (const Eigen::Vector3d& side : sides_) least = std::min(least, (side - here).squaredNorm());
+        return least;
+    }
+    /// Of the opening, by rows.
+    [[nodiscard]] std::vector<std::uint32_t> cellsWithin(std::uint32_t k, double square) const {
+        const int line = static_cast<int>(k) / scan_.beams(), beam = static_cast<int>(k) % scan_.beams(), reach = reachOf(scan_);
+        const Eigen::Vector3d here = direction(k);
+        const auto span = [&](std::uint32_t next) { // cells, with room for uneven steps
+            const double cells = 2.0 * std::sqrt(square) / (direction(next) - here).norm() + 2.0;
+            return cells < reach ? static_cast<int>(cells) : reach;
+        };
+        const auto beams = static_cast<std::uint32_t>(scan_.beams());
+        const int high = span(line > 0 ? k - beams : k + beams), wide = span(beam > 0 ? k - 1 : k + 1);
+        std::vector<std::uint32_t> cells;
+        for (int i = std::max(0, line - high); i <= std::min(scan_.lines() - 1, line + high); ++i) {
+            for (int j = std::max(0, beam - wide); j <= std::min(scan_.beams() - 1, beam + wide); ++j) {
+                const auto at = static_cast<std::uint32_t>(known_.index(i, j));
+                if (known_[at] == kInside && (direction(at) - here).squaredNorm() < square) cells.push_back(at);
+            }
+        }
+        return cells;
+    }
+
+    const Scan& scan_;
+    const CartesianTables& tables_;
+    double fartherThanM_;
+    Grid<std::uint8_t> known_; // 0: not looked at
+    std::vector<Eigen::Vector3d> sides_;
+    bool isClosed_ = true;
+};
+
+double lengthM(const CartesianTables& tables, const std::array<std::uint32_t, 2>& ends) {
+    return (tables.point(ends[0]) - tables.point(ends[1])).norm();
+}
+
+/// The middle of the opening around a cell whose sides are known; the cell itself if the opening is not closed.
+std::uint32_t middleAround(const Scan& scan, const CartesianTables& tables, std::uint32_t k, const std::array<std::uint32_t, 2>& sides) {
+    const auto rangeM = [&](std::uint32_t at) { return static_cast<double>(scan.rangeMm[at]) / 1000.0; };
+    const double sidesM = (rangeM(sides[0]) + rangeM(sides[1])) / 2.0;
+    const double behindM = scan.state[k] == CellState::Valid ? (rangeM(k) - sidesM) / 2.0 : 0.0;
+    const OpeningCells opening(scan, tables, k, sidesM + std::max(behindM, kLeastBehind * lengthM(tables, sides)));
+    return opening.isClosed() ? opening.middle(k) : k;
+}
+
+} // namespace
+
+bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_t k) {
+    return k < scan.cells() && sidesAround(scan, tables, k).has_value();
+}
+
+std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
+    if (clicked >= scan.cells()) return std::nullopt;
+    const auto atClick = sidesAround(scan, tables, clicked);
+    if (!atClick) return std::nullopt;
+    const std::uint32_t middle = middleAround(scan, tables, clicked, *atClick);
+    const std::array<std::uint32_t, 2> ends = sidesAround(scan, tables, middle).value_or(*atClick);
+    Throat throat{ends, lengthM(tables, ends), lengthM(tables, ends)};
+    for (const std::uint32_t near : clicksNear(scan, middle)) {
+        const auto sides = sidesAround(scan, tables, near);
+        if (!sides) continue;
+        throat.leastM = std::min(throat.leastM, lengthM(tables, *sides));
+        throat.mostM = std::max(throat.mostM, lengthM(tables, *sides));
+    }
+    return throat;
+}
+
+} // namespace edgescan::inspect
