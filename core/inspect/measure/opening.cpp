@@ -17,8 +17,9 @@ constexpr double kLeastBehind = 1.0; // of the width: what is seen through an op
 
 /// Places on the way where a nearer surface begins that hides a part of what is behind it; each is nearer than those before. Behind a cell
 /// without a range, the first surface is one of them.
-std::vector<std::size_t> nearerOn(const WayOut& way) {
-    double nearestM = way.rangesM[kCellsAtEnds] > 0.0 ? way.rangesM[kCellsAtEnds] : std::numeric_limits<double>::infinity();
+std::vector<std::size_t> nearerOn(const WayOut& way, double nearerThanM) {
+    const double clickedM = way.rangesM[kCellsAtEnds];
+    double nearestM = std::min(nearerThanM, clickedM > 0.0 ? clickedM : std::numeric_limits<double>::infinity());
     std::vector<std::size_t> nearer;
     const std::vector<RowJump> jumps = jumpsAlong(way.rangesM, kWidestVoid);
     const auto begins = [&](std::size_t n) { // a surface, at the end of a jump or of a void over which a jump is not seen
@@ -53,11 +54,11 @@ int reachOf(const Scan& scan) {
 /// Of the cells where nearer surfaces begin at both ends of a straight way through `k`, the closest two with free space between them, if
 /// the cell has no range or is farther behind them than they are apart: a hollow between rocks is not an opening.
 std::optional<std::array<RimCell, 2>> sidesAlong(const Scan& scan, const CartesianTables& tables, std::uint32_t k, double lineStep,
-                                                 double beamStep) {
+                                                 double beamStep, double nearerThanM) {
     const std::array ways{wayOut(scan, k, lineStep, beamStep, reachOf(scan)), wayOut(scan, k, -lineStep, -beamStep, reachOf(scan))};
     std::vector<std::array<std::size_t, 2>> pairs;
-    for (const std::size_t first : nearerOn(ways[0])) {
-        for (const std::size_t second : nearerOn(ways[1])) pairs.push_back({first, second});
+    for (const std::size_t first : nearerOn(ways[0], nearerThanM)) {
+        for (const std::size_t second : nearerOn(ways[1], nearerThanM)) pairs.push_back({first, second});
     }
     std::ranges::stable_sort(pairs, {}, [](const auto& pair) { return pair[0] + pair[1]; });
     for (const auto& [first, second] : pairs) {
@@ -74,15 +75,16 @@ std::optional<std::array<RimCell, 2>> sidesAlong(const Scan& scan, const Cartesi
 }
 
 /// Two cells at opposite sides of the opening around a cell: on one of the straight ways through it, the first nearer surfaces at both ends
-/// with free space between them; of these the two that are closest to each other.
-std::optional<std::array<std::uint32_t, 2>> sidesAround(const Scan& scan, const CartesianTables& tables, std::uint32_t k) {
+/// with free space between them; of these the two that are closest to each other. Both are nearer than `nearerThanM`.
+std::optional<std::array<std::uint32_t, 2>> sidesAround(const Scan& scan, const CartesianTables& tables, std::uint32_t k,
+                                                        double nearerThanM = std::numeric_limits<double>::infinity()) {
     constexpr int kDirections = 32; // over half a turn
     std::optional<std::array<std::uint32_t, 2>> closest;
     double closestM = std::numeric_limits<double>::infinity();
     for (int n = 0; n < kDirections; ++n) {
         const double angle = std::numbers::pi * n / kDirections, along = std::cos(angle), across = std::sin(angle);
         const double larger = std::max(std::abs(along), std::abs(across));
-        const auto sides = sidesAlong(scan, tables, k, along / larger, across / larger);
+        const auto sides = sidesAlong(scan, tables, k, along / larger, across / larger, nearerThanM);
         if (!sides) continue;
         const double lengthM = ((*sides)[0].pointM - (*sides)[1].pointM).norm();
         if (!(lengthM < closestM)) continue;
@@ -199,13 +201,12 @@ double lengthM(const CartesianTables& tables, const std::array<std::uint32_t, 2>
     return (tables.point(ends[0]) - tables.point(ends[1])).norm();
 }
 
-/// The middle of the opening around a cell whose sides are known; the cell itself if the opening is not closed.
-std::uint32_t middleAround(const Scan& scan, const CartesianTables& tables, std::uint32_t k, const std::array<std::uint32_t, 2>& sides) {
+/// The opening around a click: what is between its two sides is farther away than this. `sides`: at the click.
+double behindOf(const Scan& scan, const CartesianTables& tables, std::uint32_t k, const std::array<std::uint32_t, 2>& sides) {
     const auto rangeM = [&](std::uint32_t at) { return static_cast<double>(scan.rangeMm[at]) / 1000.0; };
     const double sidesM = (rangeM(sides[0]) + rangeM(sides[1])) / 2.0;
     const double behindM = scan.state[k] == CellState::Valid ? (rangeM(k) - sidesM) / 2.0 : 0.0;
-    const OpeningCells opening(scan, tables, k, sidesM + std::max(behindM, kLeastBehind * lengthM(tables, sides)));
-    return opening.isClosed() ? opening.middle(k) : k;
+    return sidesM + std::max(behindM, kLeastBehind * lengthM(tables, sides));
 }
 
 } // namespace
@@ -216,13 +217,25 @@ bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_
 
 std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
     if (clicked >= scan.cells()) return std::nullopt;
-    const auto atClick = sidesAround(scan, tables, clicked);
+    std::uint32_t seen = clicked;
+    auto atClick = sidesAround(scan, tables, seen);
     if (!atClick) return std::nullopt;
-    const std::uint32_t middle = middleAround(scan, tables, clicked, *atClick);
-    const std::array<std::uint32_t, 2> ends = sidesAround(scan, tables, middle).value_or(*atClick);
+    if (scan.state[clicked] != CellState::Valid) { // a void in a surface that is seen through an opening means that opening
+        for (const std::uint32_t end : std::array(*atClick)) {
+            const auto around = sidesAround(scan, tables, end);
+            if (!around) continue;
+            seen = end;
+            atClick = around;
+            break;
+        }
+    }
+    const double behindM = behindOf(scan, tables, seen, *atClick);
+    const OpeningCells opening(scan, tables, clicked, behindM);
+    const std::uint32_t middle = opening.isClosed() ? opening.middle(clicked) : clicked;
+    const std::array<std::uint32_t, 2> ends = sidesAround(scan, tables, middle, behindM).value_or(*atClick);
     Throat throat{ends, lengthM(tables, ends), lengthM(tables, ends)};
     for (const std::uint32_t near : clicksNear(scan, middle)) {
-        const auto sides = sidesAround(scan, tables, near);
+        const auto sides = sidesAround(scan, tables, near, behindM);
         if (!sides) continue;
         throat.leastM = std::min(throat.leastM, lengthM(tables, *sides));
         throat.mostM = std::max(throat.mostM, lengthM(tables, *sides));

@@ -326,6 +326,13 @@ TEST(Throat, OneClickIntoTheOpeningMeasuresItThere) {
             EXPECT_NEAR(across.lengths.front().valueM, 0.6, 0.06) << line << " " << beam << " " << measureBasis(across);
             EXPECT_LE(across.mostM, 0.7);
         }
+        // A void in the wall behind it means the opening in front of that wall.
+        const Scan nested = fineScan(121, 121, [](const Eigen::Vector3d& d) {
+            const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
+            return std::hypot(x, y) > 0.5 ? 5.0 / d.z() : std::hypot(x + 0.1, y) < 0.25 ? 0.0 : 18.0 / d.z();
+        });
+        for (const auto& [line, beam] : {std::pair{60, 60}, {60, 54}, {60, 75}})
+            EXPECT_NEAR(widthAt(nested, line, beam).lengths.front().valueM, 1.0, 0.06) << line << " " << beam;
         // Two openings with a narrow place between them: each click measures its own.
         const Scan two = withHole([](double x, double y) {
             return std::hypot(x - 0.5, y) < 0.4 || std::hypot(x + 0.45, y) < 0.3 || (std::abs(x) < 0.3 && std::abs(y) < 0.08);
