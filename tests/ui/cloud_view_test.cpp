@@ -233,6 +233,18 @@ private slots:
         QVERIFY2(fronts() > 0.6, qPrintable(QString::number(fronts())));
         QVERIFY(view_->camera().forward().isApprox(forward));
         keep(view_->grabFrame(), "cloud_fit_right");
+        // From wherever the scanner's view was turned to, Fit shows at least half as many points as that view.
+        view_->viewFromScanner();
+        const CameraPose scanners = view_->camera();
+        const double least = 0.5 * view_->shareInPicture() - 0.05; // of other samples of the points
+        for (const double rightRad : {0.3, 0.8, 1.6, 3.0}) {
+            for (const double upRad : {-0.6, 0.0, 0.4}) {
+                view_->setCamera(turned(scanners, scanners.focus, scanners.up, rightRad, upRad));
+                view_->zoomToFit();
+                QVERIFY2(view_->shareInPicture() >= least,
+                         qPrintable(QString("%1 %2 %3").arg(rightRad).arg(upRad).arg(view_->shareInPicture())));
+            }
+        }
         view_->viewFromScanner();
         view_->zoomToFit();
         QVERIFY(fronts() > 0.9);

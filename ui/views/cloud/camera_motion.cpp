@@ -212,24 +212,28 @@ CameraPose lookingAt(const Box3f& box, const Vector3d& forward, const Vector3d& 
 }
 
 CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose& pose, double widthByHeight) {
-    constexpr double kMostly = 0.7, kNearlyAll = 0.9, kNearer = 0.85, kNearest = 0.1; // shares
+    constexpr double kMostly = 0.7, kHalf = 0.5, kNearer = 0.85, kNearest = 0.1; // shares
     const CameraPose whole = lookingAt(box, pose.forward(), pose.up, pose, widthByHeight);
     if (pose.parallel || cloud.normals.size() < 3 * cloud.cells()) return whole;
     const std::vector<Vector3d> points = samplePoints(cloud);
     const CameraPose scanners = fromScanner(cloud, pose, widthByHeight);
-    const double least = kNearlyAll * shareInPicture(points, scanners, widthByHeight);
-    const auto isGood = [&](const CameraPose& each) {
-        return shareInPicture(points, each, widthByHeight) >= least && shareFromFront(cloud, each, widthByHeight) >= kMostly;
+    CameraPose best = scanners;
+    double most = kHalf * shareInPicture(points, scanners, widthByHeight);
+    const auto take = [&](const CameraPose& each) {
+        const double seen = shareInPicture(points, each, widthByHeight);
+        if (seen <= most || shareFromFront(cloud, each, widthByHeight) < kMostly) return;
+        most = seen;
+        best = each;
     };
     for (double share = 1.0; share > kNearest; share *= kNearer) {
         CameraPose out = whole;
         out.position = whole.focus - whole.forward() * whole.distance() * share;
         const double angle = 2.0 * std::atan(tanHalf(whole) / share) * 180.0 / std::numbers::pi;
         out.viewAngleDeg = std::clamp(angle, kUsualViewAngleDeg, kWidestViewAngleDeg);
-        if (isGood(out)) return out;
+        take(out);
     }
-    const CameraPose fromInside = fromSensor(cloud, {pose.right(), pose.forward(), pose.up}, pose, widthByHeight);
-    return isGood(fromInside) ? fromInside : scanners;
+    take(fromSensor(cloud, {pose.right(), pose.forward(), pose.up}, pose, widthByHeight));
+    return best;
 }
 
 CameraPose lookingAtFrom(const Vector3d& place, const Box3f& box, const Vector3d& up, const CameraPose& lens, double widthByHeight) {
