@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace edgescan::inspect {
@@ -39,5 +41,10 @@ struct RimCell {
 /// True if no cell was measured in front of the straight line between the two points or on it, half of the cells between have the next
 /// surface well behind the line (a hollow of a rock is not an opening), and most of the others a little (the line does not run over rock).
 [[nodiscard]] bool isOpen(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to);
+
+/// The sides of the opening that the straight way over the grid between two cells on near rock crosses, at its farthest cell: that next to
+/// `a` first. Empty if what is seen there is not as far behind the sides as they are apart.
+[[nodiscard]] std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
+                                                                       std::uint32_t b);
 
 } // namespace edgescan::inspect

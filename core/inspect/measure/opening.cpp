@@ -94,8 +94,8 @@ std::optional<std::array<std::uint32_t, 2>> sidesAround(const Scan& scan, const 
     return closest;
 }
 
-/// The cells of the opening around a cell: those without a range or behind its sides, connected over their sides. Empty if they reach far
-/// around it, or the border of the scan: the opening is not closed.
+/// The cells of the opening around a cell: those without a range or farther away than `fartherThanM`, each next to another one of them. The
+/// opening is not closed if they reach far around the cell, or the border of the scan.
 class OpeningCells {
 public:
     OpeningCells(const Scan& scan, const CartesianTables& tables, std::uint32_t k, double fartherThanM)
@@ -201,7 +201,7 @@ double lengthM(const CartesianTables& tables, const std::array<std::uint32_t, 2>
     return (tables.point(ends[0]) - tables.point(ends[1])).norm();
 }
 
-/// The opening around a click: what is between its two sides is farther away than this. `sides`: at the click.
+/// What is seen through the opening around a click is farther away than this, metres. `sides`: at the click.
 double behindOf(const Scan& scan, const CartesianTables& tables, std::uint32_t k, const std::array<std::uint32_t, 2>& sides) {
     const auto rangeM = [&](std::uint32_t at) { return static_cast<double>(scan.rangeMm[at]) / 1000.0; };
     const double sidesM = (rangeM(sides[0]) + rangeM(sides[1])) / 2.0;
@@ -209,14 +209,8 @@ double behindOf(const Scan& scan, const CartesianTables& tables, std::uint32_t k
     return sidesM + std::max(behindM, kLeastBehind * lengthM(tables, sides));
 }
 
-} // namespace
-
-bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_t k) {
-    return k < scan.cells() && sidesAround(scan, tables, k).has_value();
-}
-
-std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
-    if (clicked >= scan.cells()) return std::nullopt;
+/// Of one click; the least and the most are of clicks next to the middle.
+std::optional<Throat> acrossMiddle(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
     std::uint32_t seen = clicked;
     auto atClick = sidesAround(scan, tables, seen);
     if (!atClick) return std::nullopt;
@@ -239,6 +233,58 @@ std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tab
         if (!sides) continue;
         throat.leastM = std::min(throat.leastM, lengthM(tables, *sides));
         throat.mostM = std::max(throat.mostM, lengthM(tables, *sides));
+    }
+    return throat;
+}
+
+} // namespace
+
+std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
+                                                         std::uint32_t b) {
+    const int beams = scan.beams(), line = static_cast<int>(a) / beams, beam = static_cast<int>(a) % beams;
+    const int lines = static_cast<int>(b) / beams - line, across = static_cast<int>(b) % beams - beam;
+    const int apart = std::max(std::abs(lines), std::abs(across));
+    const auto rangeM = [&](std::uint32_t k) { return static_cast<double>(scan.rangeMm[k]) / 1000.0; };
+    if (apart < 2 || scan.state[a] != CellState::Valid || scan.state[b] != CellState::Valid) return std::nullopt;
+    const double lineStep = static_cast<double>(lines) / apart, beamStep = static_cast<double>(across) / apart;
+    const WayOut way = wayOut(scan, a, lineStep, beamStep, apart);
+    // The middle of the longest run of cells without a range over which no surface goes on, else the farthest cell.
+    int farthest = 0, run = 0, longest = kWidestVoid;
+    double farthestM = 0.0;
+    for (int n = 1; n < apart; ++n) {
+        const double here = way.rangesM[static_cast<std::size_t>(n + kCellsAtEnds)];
+        run = here == 0.0 ? run + 1 : 0;
+        if (run > longest) {
+            longest = run;
+            farthest = n - run / 2;
+            farthestM = std::numeric_limits<double>::infinity();
+        } else if (here > farthestM) {
+            farthest = n;
+            farthestM = here;
+        }
+    }
+    if (farthest == 0) return std::nullopt;
+    const double nearerThanM = std::max(rangeM(a), rangeM(b)) + kLeastBehind / 2.0 * lengthM(tables, {a, b});
+    const auto sides =
+        sidesAlong(scan, tables, way.cells[static_cast<std::size_t>(farthest + kCellsAtEnds)], lineStep, beamStep, nearerThanM);
+    if (!sides) return std::nullopt;
+    return std::array{(*sides)[1].cell, (*sides)[0].cell};
+}
+
+bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_t k) {
+    return k < scan.cells() && sidesAround(scan, tables, k).has_value();
+}
+
+std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
+    if (clicked >= scan.cells()) return std::nullopt;
+    std::optional<Throat> throat;
+    for (const std::uint32_t click : clicksNear(scan, clicked)) { // the click itself is the first
+        const auto here = acrossMiddle(scan, tables, click);
+        if (!here && !throat) return std::nullopt;
+        if (!here) continue;
+        if (!throat) throat = here;
+        throat->leastM = std::min(throat->leastM, here->leastM);
+        throat->mostM = std::max(throat->mostM, here->mostM);
     }
     return throat;
 }

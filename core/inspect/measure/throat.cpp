@@ -189,7 +189,7 @@ std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, 
     if (firsts.empty() || seconds.empty()) return std::nullopt;
     std::set<std::array<std::uint32_t, 2>> tries;
     for (const std::uint32_t a : firsts) {
-        for (const std::uint32_t b : seconds) tries.insert({a, b});
+        for (const std::uint32_t b : seconds) tries.insert(sidesBetween(scan, tables, a, b).value_or(std::array{a, b}));
     }
     Rims rims(scan);
     struct Way {

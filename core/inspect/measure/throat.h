@@ -32,7 +32,8 @@ struct Throat {
 };
 
 /// narrowestBetween() for all pairs of a click at each side: the click itself, and those kClickSpread cells from it in four directions. A
-/// click means meantCell(). The ends are those of the median length. Empty if no pair finds a way.
+/// click means meantCell(); where an opening is between them, they mean its sides there. The ends are those of the median length. Empty if
+/// no pair finds a way.
 [[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
                                              std::uint32_t clickedB);
 
@@ -40,10 +41,10 @@ struct Throat {
 [[nodiscard]] bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_t k);
 
 /// The shortest way across the middle of the opening around a click, on a void or on what is seen through it. The middle is the cell that
-/// is farthest from the sides, uphill from the click; of an opening that is not closed within a quarter of the lines or beams, the click
-/// itself. Of 32 straight ways over the grid through the middle, each is between the first nearer surfaces at both ends with free space
-/// between them. The least and the most are of clicks next to the middle. Empty if no way through the click has such ends, or what is seen
-/// through it is not as far behind it as it is wide.
+/// is farthest from the sides, uphill from the click; of an opening that is not closed within half of the lines or beams, the click itself.
+/// Of 32 straight ways over the grid through the middle, each is between the first nearer surfaces at both ends with free space between
+/// them. The least and the most are of clicks next to the click, and next to the middle that each of them finds. Empty if no way through
+/// the click has such ends, or what is seen through it is not as far behind it as it is wide.
 [[nodiscard]] std::optional<Throat> throatThrough(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked);
 
 } // namespace edgescan::inspect
