@@ -310,8 +310,7 @@ void takeClicks(const Scan& scan, std::span<const std::uint32_t> cells, std::spa
     measured.isDark =
         rangesM.size() > 2 && std::all_of(rangesM.begin() + 1, rangesM.end() - 1, [](double rangeM) { return rangeM == 0.0; });
     if (!isPair) return;
-    const auto throat = measured.byOneClick ? throatThrough(scan, tables, clicked[0]) : throatAt(scan, tables, clicked[0], clicked[1]);
-    if (throat) {
+    if (const auto throat = throatAt(scan, tables, clicked[0], clicked[1])) {
         measured.leastM = throat->leastM;
         measured.mostM = throat->mostM;
         MeasuredLength& length = measured.lengths.front();

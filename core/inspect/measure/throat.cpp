@@ -91,27 +91,16 @@ std::uint32_t rimBefore(const Scan& scan, const CartesianTables& tables, std::ui
     const int line = static_cast<int>(end) / beams, beam = static_cast<int>(end) % beams;
     const int lines = line - static_cast<int>(other) / beams, across = beam - static_cast<int>(other) % beams;
     const int apart = std::max(std::abs(lines), std::abs(across));
-    std::vector<double> rangesM;
-    std::vector<std::uint32_t> cells;
-    for (int n = -kCellsAtEnds; n <= std::max(apart, kLeastWay) + kCellsAtEnds; ++n) {
-        const int i = line + static_cast<int>(std::lround(static_cast<double>(n) * lines / apart));
-        const int j = beam + static_cast<int>(std::lround(static_cast<double>(n) * across / apart));
-        if (!scan.rangeMm.contains(i, j)) {
-            if (n > 0) break;
-            continue;
-        }
-        cells.push_back(static_cast<std::uint32_t>(scan.rangeMm.index(i, j)));
-        rangesM.push_back(scan.state.at(i, j) == CellState::Valid ? static_cast<double>(scan.rangeMm.at(i, j)) / 1000.0 : 0.0);
-    }
-    const auto start = std::ranges::find(cells, end) - cells.begin();
+    const WayOut way = wayOut(scan, end, static_cast<double>(lines) / apart, static_cast<double>(across) / apart,
+                              std::max(apart, kLeastWay) + kCellsAtEnds);
     const double rangeM = static_cast<double>(scan.rangeMm[end]) / 1000.0, wide = openingRad(tables, end, other);
-    const std::vector<RowJump> jumps = jumpsAlong(rangesM, kWidestVoid);
+    const std::vector<RowJump> jumps = jumpsAlong(way.rangesM, kWidestVoid);
     for (const RowJump& jump : jumps) {
-        const double nearM = rangesM[static_cast<std::size_t>(jump.to)];
-        if (jump.from < start || jump.stepM >= 0.0 || !isBehind(rangeM, nearM, wide)) continue;
+        const double nearM = way.rangesM[static_cast<std::size_t>(jump.to)];
+        if (jump.from < kCellsAtEnds || jump.stepM >= 0.0 || !isBehind(rangeM, nearM, wide)) continue;
         const bool isDust = std::ranges::any_of(
             jumps, [&](const RowJump& next) { return next.from >= jump.to && next.from < jump.to + kFewestOnSurface && next.stepM > 0.0; });
-        if (!isDust) return cells[static_cast<std::size_t>(jump.to)];
+        if (!isDust) return way.cells[static_cast<std::size_t>(jump.to)];
     }
     return end;
 }
@@ -185,6 +174,7 @@ std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, c
 
 std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA, std::uint32_t clickedB) {
     if (clickedA >= scan.cells() || clickedB >= scan.cells()) return std::nullopt;
+    if (clickedA == clickedB) return throatThrough(scan, tables, clickedA);
     const std::vector<std::uint32_t> firsts = meantNear(scan, clickedA), seconds = meantNear(scan, clickedB);
     if (firsts.empty() || seconds.empty()) return std::nullopt;
     std::set<std::array<std::uint32_t, 2>> tries;

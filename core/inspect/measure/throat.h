@@ -33,7 +33,7 @@ struct Throat {
 
 /// narrowestBetween() for all pairs of a click at each side: the click itself, and those kClickSpread cells from it in four directions. A
 /// click means meantCell(); where an opening is between them, they mean its sides there. The ends are those of the median length. Empty if
-/// no pair finds a way.
+/// no pair finds a way. Twice the same cell is one click: throatThrough().
 [[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
                                              std::uint32_t clickedB);
 
