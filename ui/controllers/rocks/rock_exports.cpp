@@ -79,8 +79,7 @@ void Rocks::exportTo(const QString& path) {
     exports::ExportOptions options;
     if (file->file->coordinates != exports::ExportFile::Coordinates::None) options.frame = files::usualFrame(*picture_->detection->scan);
     options.rocks = std::shared_ptr<const rocks::Study>(picture_, &picture_->study);
-    if (exports::namesTargets(file->kind->content) && !pinnedTargets_.empty())
-        options.targets = std::make_shared<const std::vector<inspect::PinnedTarget>>(pinnedTargets_);
+    if (!pinnedTargets_.empty()) options.targets = std::make_shared<const std::vector<inspect::PinnedTarget>>(pinnedTargets_);
     engine_.save(file->kind->content, path, options);
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/base/core_words.h"
 #include "ui/base/notice_bar.h"
+#include "ui/base/shown_text.h"
 #include "ui/engine/linked_views/linked_views.h"
 #include "ui/panels/rocks/rock_card.h"
 #include "ui/panels/rocks/rock_table.h"
@@ -243,8 +244,12 @@ void Rocks::selectPinned() {
     if (pinnedOnRock() || !selected_.empty()) select(pinnedOnRock() ? std::vector{*pinned_} : std::vector<std::size_t>());
 }
 
-void Rocks::setTargets(const RockNames& targets, const RockNames& names, const std::vector<inspect::PinnedTarget>& pinned) {
+void Rocks::setTargets(const RockNames& targets, const std::vector<inspect::PinnedTarget>& pinned) {
     pinnedTargets_ = pinned;
+    RockNames names;
+    for (const inspect::PinnedTarget& target : pinned) {
+        if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
+    }
     table_.setNames(names);
     if (std::exchange(targets_, targets) != targets) showCard();
 }

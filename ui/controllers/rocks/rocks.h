@@ -85,9 +85,8 @@ public:
     void select(std::vector<std::size_t> cells);
     /// The rock of the chosen target, also after another choice; without one nothing.
     void selectPinned();
-    /// The targets, by cell: all of them with their numbers, for the card; those with a name by their names, for the table. `pinned` has
-    /// the exact names, for files.
-    void setTargets(const RockNames& targets, const RockNames& names, const std::vector<inspect::PinnedTarget>& pinned);
+    /// `targets`: by cell, with their numbers, for the card. Table and files have the names of `pinned`.
+    void setTargets(const RockNames& targets, const std::vector<inspect::PinnedTarget>& pinned);
     /// The cell of the rock that a click means: just behind the outline of a rock it means the rock. Empty: no rock.
     [[nodiscard]] std::optional<std::size_t> rockCellAt(const inspect::MeantCell& click) const;
     [[nodiscard]] const std::vector<std::size_t>& selected() const { return selected_; }

@@ -38,9 +38,7 @@ Measures::Measures(LinkedViews& views, Targets& targets, NoticeBar& notice)
           Urgency::Now,
           [](const ThroatAsked& asked) {
               const Scan& scan = *asked.of->detection->scan;
-              const CartesianTables tables(scan);
-              return asked.clicked[0] == asked.clicked[1] ? inspect::throatThrough(scan, tables, asked.clicked[0])
-                                                          : inspect::throatAt(scan, tables, asked.clicked[0], asked.clicked[1]);
+              return inspect::throatAt(scan, CartesianTables(scan), asked.clicked[0], asked.clicked[1]);
           },
           [this](const ThroatAsked& asked, const auto& found) { takeThroat(asked, *found); },
           [this](const QString& what) {

@@ -192,10 +192,9 @@ void Targets::show() {
     views_.setMarks(marks());
     const inspect::PinnedTarget* shown = active();
     std::vector<TargetLine> lines;
-    RockNames all, names;
+    RockNames all;
     for (const inspect::PinnedTarget& target : notebook_.targets) {
         all.emplace_back(target.cell, nameOf(target).simplified());
-        if (!target.name.empty()) names.emplace_back(target.cell, shownName(exactText(target.name)));
         const inspect::CellTarget* now = knownOf(target.cell);
         QStringList known = wordsOf(target);
         if (now != nullptr) known << edgeText(*now);
@@ -212,7 +211,7 @@ void Targets::show() {
         if (!target.name.empty()) shortened << "  " + shownName(exactText(target.name));
         lines.push_back({words, first + locked + "\n" + tr("Pinned %1").arg(shownText(target.pinnedUtc)), &target == shown, shortened});
     }
-    rocks_.setTargets(all, names, notebook_.targets);
+    rocks_.setTargets(all, notebook_.targets);
     panel_.showTargets(lines);
     lines.clear();
     for (const inspect::StoredMeasure& measure : notebook_.measures) {

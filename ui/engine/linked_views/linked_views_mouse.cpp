@@ -75,8 +75,9 @@ void LinkedViews::linkCloud() {
     connect(&cloud_, &CloudView::markClicked, this, [this](const MarkName& mark, qint64 behind) {
         if (!refusesClicks(cloud_)) clickMark(mark, behind < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(behind)));
     });
-    connect(&cloud_, &CloudView::missed, this, [this](qint64 hole) {
-        if (tool_ == Tool::Measure && hole >= 0 && !refusesClicks(cloud_)) return clickAt(static_cast<std::size_t>(hole));
+    connect(&cloud_, &CloudView::missed, this, [this](QPointF pixel) {
+        const auto hole = tool_ == Tool::Measure ? cloud_.holeAt(pixel) : std::nullopt;
+        if (hole && !refusesClicks(cloud_)) return clickAt(*hole);
         QToolTip::showText(QCursor::pos(), tr("The scanner did not measure this place, or its point is hidden. Click the rock next to it."),
                            &cloud_);
     });

@@ -89,13 +89,12 @@ double shareInPicture(const std::vector<Vector3d>& points, const CameraPose& pos
 }
 
 /// From the sensor in the directions of the frame, pulled back a little if the points need it.
-CameraPose fromSensor(const CloudGeometry& cloud, const ViewFrame& frame, const CameraPose& lens, double widthByHeight) {
+CameraPose fromSensor(const Vector3d& sensor, const std::vector<Vector3d>& points, const ViewFrame& frame, const CameraPose& lens,
+                      double widthByHeight) {
     CameraPose out = lens;
-    const Vector3d sensor = cloud.sensor.cast<double>();
     out.position = sensor;
     out.focus = sensor + frame.forward;
     out.up = frame.up;
-    const std::vector<Vector3d> points = samplePoints(cloud);
     if (points.empty()) return out;
 
     // Tangents of the angles at which the sensor sees the points; points behind it have no such angle.
@@ -216,9 +215,9 @@ CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose
     const CameraPose whole = lookingAt(box, pose.forward(), pose.up, pose, widthByHeight);
     if (pose.parallel || cloud.normals.size() < 3 * cloud.cells()) return whole;
     const std::vector<Vector3d> points = samplePoints(cloud);
-    const CameraPose scanners = fromScanner(cloud, pose, widthByHeight);
-    CameraPose best = scanners;
-    double most = kHalf * shareInPicture(points, scanners, widthByHeight);
+    const Vector3d sensor = cloud.sensor.cast<double>();
+    CameraPose best = fromSensor(sensor, points, cloud.scannerView, pose, widthByHeight);
+    double most = kHalf * shareInPicture(points, best, widthByHeight);
     const auto take = [&](const CameraPose& each) {
         const double seen = shareInPicture(points, each, widthByHeight);
         if (seen <= most || shareFromFront(cloud, each, widthByHeight) < kMostly) return;
@@ -232,7 +231,7 @@ CameraPose fitted(const CloudGeometry& cloud, const Box3f& box, const CameraPose
         out.viewAngleDeg = std::clamp(angle, kUsualViewAngleDeg, kWidestViewAngleDeg);
         take(out);
     }
-    take(fromSensor(cloud, {pose.right(), pose.forward(), pose.up}, pose, widthByHeight));
+    take(fromSensor(sensor, points, {pose.right(), pose.forward(), pose.up}, pose, widthByHeight));
     return best;
 }
 
@@ -254,7 +253,7 @@ CameraPose lookingAtFrom(const Vector3d& place, const Box3f& box, const Vector3d
 }
 
 CameraPose fromScanner(const CloudGeometry& cloud, const CameraPose& lens, double widthByHeight) {
-    return fromSensor(cloud, cloud.scannerView, lens, widthByHeight);
+    return fromSensor(cloud.sensor.cast<double>(), samplePoints(cloud), cloud.scannerView, lens, widthByHeight);
 }
 
 ClipRange clipRange(const CameraPose& pose, const CloudGeometry& cloud, double nearShare, double farShare) {

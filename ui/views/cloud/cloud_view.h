@@ -140,8 +140,8 @@ public:
 
     /// The point drawn under a widget position, within 8 px; an edge that is drawn over the pixel before nearer points.
     [[nodiscard]] std::optional<std::uint32_t> cellAt(QPointF pixel) const;
-    /// The cell without a return whose beam goes through the widget position, where no point is drawn; -1: none does.
-    [[nodiscard]] qint64 holeAt(QPointF pixel) const;
+    /// The cell without a return whose beam goes through the widget position, where no point is drawn. It looks at all cells.
+    [[nodiscard]] std::optional<std::uint32_t> holeAt(QPointF pixel) const;
     /// The widget position of a cell's point; empty if the point is behind the camera or not valid.
     [[nodiscard]] std::optional<QPointF> pixelOf(std::uint32_t cell) const;
 
@@ -214,8 +214,8 @@ signals:
     void clicked(qint64 cell);
     /// A left click on a target or a measurement, and the cell of the point behind its mark; -1: no point is there.
     void markClicked(const edgescan::ui::MarkName& mark, qint64 behind);
-    /// A left click where no point is drawn; `hole`: the cell without a return whose beam goes through that place, -1: none does ...
-    void missed(qint64 hole);
+    /// A left click where no point is drawn ...
+    void missed(QPointF pixel);
     /// ... and where a point of a layer is drawn in front: its index.
     void layerClicked(int layer);
     /// End of a drag with a selecting tool: its corners, widget pixels.

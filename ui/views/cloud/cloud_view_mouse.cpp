@@ -62,11 +62,11 @@ std::optional<std::uint32_t> CloudView::cellAt(QPointF pixel) const {
     return cell && !layers_.empty() && layerInFront(pixel, cell) ? std::nullopt : cell;
 }
 
-qint64 CloudView::holeAt(QPointF pixel) const {
+std::optional<std::uint32_t> CloudView::holeAt(QPointF pixel) const {
     constexpr double kReachPx = 4.0 * kPickPx; // cells without a return may be drawn far apart
     const double dpr = devicePixelRatioF();
     const auto cell = pickVoid(*cloud_, CartesianTables(*scan_), screenView(), pixel.x() * dpr, pixel.y() * dpr, kReachPx * dpr);
-    return cell && scan_->state[*cell] != CellState::Valid ? static_cast<qint64>(*cell) : -1; // not a hidden point
+    return cell && scan_->state[*cell] != CellState::Valid ? cell : std::nullopt; // not a hidden point
 }
 
 void CloudView::mousePressEvent(QMouseEvent* event) {
@@ -150,7 +150,7 @@ void CloudView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && cell) emit clicked(*cell);
     if (event->button() == Qt::LeftButton && !cell && cloud_) {
         const auto layer = layerInFront(at, std::nullopt);
-        layer ? emit layerClicked(*layer) : emit missed(holeAt(at));
+        layer ? emit layerClicked(*layer) : emit missed(at);
     }
     if (event->button() == Qt::MiddleButton) setRotationCentre(at);
     if (event->button() == Qt::RightButton) {
