@@ -177,10 +177,21 @@ std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, 
     if (clickedA == clickedB) return throatThrough(scan, tables, clickedA);
     const std::vector<std::uint32_t> firsts = meantNear(scan, clickedA), seconds = meantNear(scan, clickedB);
     if (firsts.empty() || seconds.empty()) return std::nullopt;
-    std::set<std::array<std::uint32_t, 2>> tries;
+    std::set<std::array<std::uint32_t, 2>> sides, as;
+    std::size_t withSides = 0;
     for (const std::uint32_t a : firsts) {
-        for (const std::uint32_t b : seconds) tries.insert(sidesBetween(scan, tables, a, b).value_or(std::array{a, b}));
+        for (const std::uint32_t b : seconds) {
+            if (const auto between = sidesBetween(scan, tables, a, b)) {
+                sides.insert(*between);
+                ++withSides;
+            } else {
+                as.insert({a, b});
+            }
+        }
     }
+    // A pair that misses an opening which most of the others find does not count.
+    std::set<std::array<std::uint32_t, 2>> tries = sides;
+    if (2 * withSides < firsts.size() * seconds.size()) tries.merge(as);
     Rims rims(scan);
     struct Way {
         double lengthM;
