@@ -2077,7 +2077,7 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ ningún haz volvió entre sus extremos: puede ser una abertura, o roca oscura o mojada</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ un extremo está %1 m más lejos que el otro</translation></message>
 <message><source>shortest way across the middle of the opening</source><translation>paso más corto por el medio de la abertura</translation></message>
-<message><source>narrowest way near the two clicks</source><translation>paso más estrecho cerca de los dos clics</translation></message>
+<message><source>narrowest way between the two clicks</source><translation>paso más estrecho entre los dos clics</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ clics a %1 encuentran de %2 a %3 m: acérquese y haga clic de nuevo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>clics a %1 de ahí encuentran de %2 a %3 m</translation></message>
 <message><source>ranges %1 m</source><translation>distancias %1 m</translation></message>

@@ -2077,7 +2077,7 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ aucun faisceau n'est revenu entre ses extrémités : ce peut être une ouverture, ou de la roche sombre ou mouillée</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ une extrémité est %1 m plus loin que l'autre</translation></message>
 <message><source>shortest way across the middle of the opening</source><translation>passage le plus court par le milieu de l'ouverture</translation></message>
-<message><source>narrowest way near the two clicks</source><translation>passage le plus étroit près des deux clics</translation></message>
+<message><source>narrowest way between the two clicks</source><translation>passage le plus étroit entre les deux clics</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ des clics à %1 trouvent %2 à %3 m : zoomez et cliquez à nouveau</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>des clics à %1 de là trouvent %2 à %3 m</translation></message>
 <message><source>ranges %1 m</source><translation>distances %1 m</translation></message>

@@ -2077,7 +2077,7 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>▲ no beam came back between its ends: this may be an opening, or dark or wet rock</source><translation>▲ nenhum feixe voltou entre as suas pontas: pode ser uma abertura, ou rocha escura ou molhada</translation></message>
 <message><source>▲ one end is %1 m farther away than the other</source><translation>▲ uma extremidade está %1 m mais longe que a outra</translation></message>
 <message><source>shortest way across the middle of the opening</source><translation>passagem mais curta pelo meio da abertura</translation></message>
-<message><source>narrowest way near the two clicks</source><translation>passagem mais estreita perto dos dois cliques</translation></message>
+<message><source>narrowest way between the two clicks</source><translation>passagem mais estreita entre os dois cliques</translation></message>
 <message><source>▲ clicks %1 away find %2 to %3 m: zoom in and click again</source><translation>▲ cliques a %1 encontram de %2 a %3 m: amplie e clique de novo</translation></message>
 <message><source>clicks %1 away find %2 to %3 m</source><translation>cliques a %1 dali encontram de %2 a %3 m</translation></message>
 <message><source>ranges %1 m</source><translation>distâncias %1 m</translation></message>

@@ -375,7 +375,7 @@ std::vector<std::string> measureRemarks(const MeasuredCells& measured, Translate
         if (measured.byOneClick)
             parts.push_back(say("shortest way across the middle of the opening"));
         else
-            parts.push_back(say("narrowest way near the two clicks"));
+            parts.push_back(say("narrowest way between the two clicks"));
         const bool dependsOnClicks = measured.mostM - measured.leastM >= kShownM;
         if (measured.dependsMuch())
             parts.push_back(say("▲ clicks %1 away find %2 to %3 m: zoom in and click again",

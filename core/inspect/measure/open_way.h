@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -46,5 +47,19 @@ struct RimCell {
 /// `a` first. Empty if what is seen there is not as far behind the sides as they are apart.
 [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
                                                                        std::uint32_t b);
+
+/// The shortest ways across the middles of closed openings, as of throatThrough(); the way of a cell is found once.
+class Crossings {
+public:
+    Crossings(const Scan& scan, const CartesianTables& tables) : scan_(scan), tables_(tables) {}
+    /// The ends of the way across the opening that the straight way over the grid between two measured cells crosses. Empty also if the two
+    /// ways do not cross: the cells are at another part of the opening than its middle.
+    [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> between(std::uint32_t a, std::uint32_t b);
+
+private:
+    const Scan& scan_;
+    const CartesianTables& tables_;
+    std::map<std::uint32_t, std::optional<std::array<std::uint32_t, 2>>> sides_; // by the cell in the opening
+};
 
 } // namespace edgescan::inspect

@@ -3,6 +3,8 @@
 #include "core/inspect/measure/open_way.h"
 #include "core/inspect/measure/throat.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -125,10 +127,10 @@ public:
     /// that of a wider part behind a narrow place.
     [[nodiscard]] std::uint32_t middle(std::uint32_t k) const {
         constexpr int kMostSteps = 30;
-        constexpr double kLooksPerCircle = 400.0;
+        constexpr double kLooksPerCircle = 400.0, kLeastCircle = 3.0; // cells, so that it leaves a side
         double square = squareToSide(k);
         for (int step = 0; step < kMostSteps; ++step) {
-            const std::vector<std::uint32_t> circle = cellsWithin(k, square);
+            const std::vector<std::uint32_t> circle = cellsWithin(k, std::max(square, std::pow(kLeastCircle * stepAt(k), 2)));
             const auto every = static_cast<std::size_t>(std::ceil(static_cast<double>(circle.size()) / kLooksPerCircle));
             std::uint32_t best = k;
             for (std::size_t n = 0; n < circle.size(); n += every) {
@@ -162,6 +164,13 @@ private:
     }
     [[nodiscard]] Eigen::Vector3d direction(std::uint32_t k) const {
         return tables_.direction(static_cast<int>(k) / scan_.beams(), static_cast<int>(k) % scan_.beams());
+    }
+    /// To the next line or the next beam, the larger one, radians.
+    [[nodiscard]] double stepAt(std::uint32_t k) const {
+        const auto beams = static_cast<std::uint32_t>(scan_.beams());
+        const Eigen::Vector3d here = direction(k);
+        return std::max((direction(k >= beams ? k - beams : k + beams) - here).norm(),
+                        (direction(k % beams > 0 ? k - 1 : k + 1) - here).norm());
     }
     [[nodiscard]] double squareToSide(std::uint32_t k) const {
         const Eigen::Vector3d here = direction(k);
@@ -209,8 +218,15 @@ double behindOf(const Scan& scan, const CartesianTables& tables, std::uint32_t k
     return sidesM + std::max(behindM, kLeastBehind * lengthM(tables, sides));
 }
 
-/// Of one click; the least and the most are of clicks next to the middle.
-std::optional<Throat> acrossMiddle(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
+/// The middle of the opening around a click, and the sides of the shortest way through it.
+struct Middle {
+    std::uint32_t cell;
+    double behindM; ///< behindOf()
+    std::array<std::uint32_t, 2> sides;
+    bool isClosed; ///< else the cell is the click
+};
+
+std::optional<Middle> middleAround(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
     std::uint32_t seen = clicked;
     auto atClick = sidesAround(scan, tables, seen);
     if (!atClick) return std::nullopt;
@@ -226,10 +242,16 @@ std::optional<Throat> acrossMiddle(const Scan& scan, const CartesianTables& tabl
     const double behindM = behindOf(scan, tables, seen, *atClick);
     const OpeningCells opening(scan, tables, clicked, behindM);
     const std::uint32_t middle = opening.isClosed() ? opening.middle(clicked) : clicked;
-    const std::array<std::uint32_t, 2> ends = sidesAround(scan, tables, middle, behindM).value_or(*atClick);
-    Throat throat{ends, lengthM(tables, ends), lengthM(tables, ends)};
-    for (const std::uint32_t near : clicksNear(scan, middle)) {
-        const auto sides = sidesAround(scan, tables, near, behindM);
+    return Middle{middle, behindM, sidesAround(scan, tables, middle, behindM).value_or(*atClick), opening.isClosed()};
+}
+
+/// Of one click; the least and the most are of clicks next to the middle.
+std::optional<Throat> acrossMiddle(const Scan& scan, const CartesianTables& tables, std::uint32_t clicked) {
+    const auto middle = middleAround(scan, tables, clicked);
+    if (!middle) return std::nullopt;
+    Throat throat{middle->sides, lengthM(tables, middle->sides), lengthM(tables, middle->sides)};
+    for (const std::uint32_t near : clicksNear(scan, middle->cell)) {
+        const auto sides = sidesAround(scan, tables, near, middle->behindM);
         if (!sides) continue;
         throat.leastM = std::min(throat.leastM, lengthM(tables, *sides));
         throat.mostM = std::max(throat.mostM, lengthM(tables, *sides));
@@ -237,18 +259,19 @@ std::optional<Throat> acrossMiddle(const Scan& scan, const CartesianTables& tabl
     return throat;
 }
 
-} // namespace
+/// Lines and beams from `a` to `b`.
+std::array<int, 2> stepsBetween(const Scan& scan, std::uint32_t a, std::uint32_t b) {
+    const int beams = scan.beams(), from = static_cast<int>(a), to = static_cast<int>(b);
+    return {to / beams - from / beams, to % beams - from % beams};
+}
 
-std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
-                                                         std::uint32_t b) {
-    const int beams = scan.beams(), line = static_cast<int>(a) / beams, beam = static_cast<int>(a) % beams;
-    const int lines = static_cast<int>(b) / beams - line, across = static_cast<int>(b) % beams - beam;
+/// On the straight way between two measured cells, the middle of the longest run of cells without a range over which no surface goes on,
+/// else the farthest cell.
+std::optional<std::uint32_t> openingBetween(const Scan& scan, std::uint32_t a, std::uint32_t b) {
+    const auto [lines, across] = stepsBetween(scan, a, b);
     const int apart = std::max(std::abs(lines), std::abs(across));
-    const auto rangeM = [&](std::uint32_t k) { return static_cast<double>(scan.rangeMm[k]) / 1000.0; };
     if (apart < 2 || scan.state[a] != CellState::Valid || scan.state[b] != CellState::Valid) return std::nullopt;
-    const double lineStep = static_cast<double>(lines) / apart, beamStep = static_cast<double>(across) / apart;
-    const WayOut way = wayOut(scan, a, lineStep, beamStep, apart);
-    // The middle of the longest run of cells without a range over which no surface goes on, else the farthest cell.
+    const WayOut way = wayOut(scan, a, static_cast<double>(lines) / apart, static_cast<double>(across) / apart, apart);
     int farthest = 0, run = 0, longest = kWidestVoid;
     double farthestM = 0.0;
     for (int n = 1; n < apart; ++n) {
@@ -264,11 +287,44 @@ std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const
         }
     }
     if (farthest == 0) return std::nullopt;
+    return way.cells[static_cast<std::size_t>(farthest + kCellsAtEnds)];
+}
+
+/// True if, for the scanner, the straight line between the first two cells crosses that between the second two, or its middle part.
+bool areAcross(const CartesianTables& tables, const std::array<std::uint32_t, 2>& first, const std::array<std::uint32_t, 2>& second) {
+    constexpr double kMiddlePart = 0.25; // of the second line, to both sides of its middle
+    const auto toward = [&](std::uint32_t k) { return Eigen::Vector3d((tables.point(k) - tables.sensor()).normalized()); };
+    const Eigen::Vector3d a = toward(first[0]), b = toward(first[1]), c = toward(second[0]), d = toward(second[1]);
+    const Eigen::Vector3d across = a.cross(b).normalized(), along = c.cross(d).normalized(), middle = (c + d).normalized();
+    if (across.dot(c) * across.dot(d) <= 0.0 && along.dot(a) * along.dot(b) <= 0.0) return true;
+    return a.cross(middle).dot(across) >= 0.0 && middle.cross(b).dot(across) >= 0.0 &&
+           std::abs(across.dot(middle)) <= kMiddlePart * (c - d).norm();
+}
+
+} // namespace
+
+std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
+                                                         std::uint32_t b) {
+    const auto into = openingBetween(scan, a, b);
+    if (!into) return std::nullopt;
+    const auto [line, beam] = stepsBetween(scan, a, b);
+    const int apart = std::max(std::abs(line), std::abs(beam));
+    const auto rangeM = [&](std::uint32_t k) { return static_cast<double>(scan.rangeMm[k]) / 1000.0; };
     const double nearerThanM = std::max(rangeM(a), rangeM(b)) + kLeastBehind / 2.0 * lengthM(tables, {a, b});
-    const auto sides =
-        sidesAlong(scan, tables, way.cells[static_cast<std::size_t>(farthest + kCellsAtEnds)], lineStep, beamStep, nearerThanM);
+    const auto sides = sidesAlong(scan, tables, *into, static_cast<double>(line) / apart, static_cast<double>(beam) / apart, nearerThanM);
     if (!sides) return std::nullopt;
     return std::array{(*sides)[1].cell, (*sides)[0].cell};
+}
+
+std::optional<std::array<std::uint32_t, 2>> Crossings::between(std::uint32_t a, std::uint32_t b) {
+    const auto into = openingBetween(scan_, a, b);
+    if (!into) return std::nullopt;
+    const auto [at, isNew] = sides_.try_emplace(*into);
+    if (isNew) {
+        if (const auto middle = middleAround(scan_, tables_, *into); middle && middle->isClosed) at->second = middle->sides;
+    }
+    if (!at->second || !areAcross(tables_, {a, b}, *at->second)) return std::nullopt;
+    return at->second;
 }
 
 bool isIntoOpening(const Scan& scan, const CartesianTables& tables, std::uint32_t k) {

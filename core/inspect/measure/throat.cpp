@@ -177,31 +177,35 @@ std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, 
     if (clickedA == clickedB) return throatThrough(scan, tables, clickedA);
     const std::vector<std::uint32_t> firsts = meantNear(scan, clickedA), seconds = meantNear(scan, clickedB);
     if (firsts.empty() || seconds.empty()) return std::nullopt;
-    std::set<std::array<std::uint32_t, 2>> sides, as;
-    std::size_t withSides = 0;
-    for (const std::uint32_t a : firsts) {
-        for (const std::uint32_t b : seconds) {
-            if (const auto between = sidesBetween(scan, tables, a, b)) {
-                sides.insert(*between);
-                ++withSides;
-            } else {
-                as.insert({a, b});
-            }
-        }
-    }
-    // A pair that misses an opening which most of the others find does not count.
-    std::set<std::array<std::uint32_t, 2>> tries = sides;
-    if (2 * withSides < firsts.size() * seconds.size()) tries.merge(as);
-    Rims rims(scan);
     struct Way {
         double lengthM;
         std::array<std::uint32_t, 2> ends;
     };
     std::vector<Way> ways;
-    for (const auto& [a, b] : tries) {
-        if (const auto ends = narrowestOf(scan, tables, rims, a, b))
-            ways.push_back({(tables.point((*ends)[0]) - tables.point((*ends)[1])).norm(), *ends});
+    const auto add = [&](const std::array<std::uint32_t, 2>& ends) {
+        ways.push_back({(tables.point(ends[0]) - tables.point(ends[1])).norm(), ends});
+    };
+    Crossings crossings(scan, tables);
+    std::set<std::array<std::uint32_t, 2>> sides, others;
+    for (const std::uint32_t a : firsts) {
+        for (const std::uint32_t b : seconds) {
+            if (const auto across = crossings.between(a, b))
+                add(*across);
+            else if (const auto between = sidesBetween(scan, tables, a, b))
+                sides.insert(*between);
+            else
+                others.insert({a, b});
+        }
     }
+    Rims rims(scan);
+    const auto addNarrowest = [&](const std::set<std::array<std::uint32_t, 2>>& pairs) {
+        for (const auto& [a, b] : pairs) {
+            if (const auto ends = narrowestOf(scan, tables, rims, a, b)) add(*ends);
+        }
+    };
+    addNarrowest(sides);
+    // Pairs that miss an opening which most of the others find do not count.
+    if (ways.empty() || 2 * others.size() > firsts.size() * seconds.size()) addNarrowest(others);
     if (ways.empty()) return std::nullopt;
     std::ranges::sort(ways, [](const Way& x, const Way& y) { return std::tie(x.lengthM, x.ends) < std::tie(y.lengthM, y.ends); });
     return Throat{ways[ways.size() / 2].ends, ways.front().lengthM, ways.back().lengthM};

@@ -31,9 +31,10 @@ struct Throat {
     double leastM = 0.0, mostM = 0.0; ///< lengths of the shortest and of the longest of them
 };
 
-/// narrowestBetween() for all pairs of a click at each side: the click itself, and those kClickSpread cells from it in four directions. A
-/// click means meantCell(); where an opening is between them, they mean its sides there. The ends are those of the median length. Empty if
-/// no pair finds a way. Twice the same cell is one click: throatThrough().
+/// For all pairs of a click at each side (the click itself, and those kClickSpread cells from it in four directions; a click means
+/// meantCell()) the way across the middle of the opening that the line between the two crosses, if that way crosses the line; else
+/// narrowestBetween() the sides of that opening; else narrowestBetween() the two, unless most pairs find an opening. The ends are those of
+/// the median length. Empty if no pair finds a way. Twice the same cell is one click: throatThrough().
 [[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
                                              std::uint32_t clickedB);
 

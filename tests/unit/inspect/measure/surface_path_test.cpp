@@ -326,6 +326,16 @@ TEST(Throat, OneClickIntoTheOpeningMeasuresItThere) {
             EXPECT_NEAR(across.lengths.front().valueM, 0.6, 0.06) << line << " " << beam << " " << measureBasis(across);
             EXPECT_LE(across.mostM, 0.7);
         }
+        // Two clicks mean the same opening, however far from it and in whatever direction they are.
+        const auto widthBetween = [](const Scan& scan, const std::array<int, 2>& one, const std::array<int, 2>& other) {
+            const auto throat = throatAt(scan, CartesianTables(scan), cellOf(scan, one[0], one[1]), cellOf(scan, other[0], other[1]));
+            EXPECT_TRUE(throat) << one[0] << " " << one[1];
+            return throat ? std::array{throat->leastM, throat->mostM} : std::array{0.0, 0.0};
+        };
+        for (const auto& [one, other] : {std::pair{std::array{60, 20}, std::array{60, 100}}, {{8, 60}, {113, 60}}, {{30, 25}, {95, 100}}}) {
+            EXPECT_NEAR(widthBetween(round, one, other)[0], 1.0, 0.06) << one[0];
+            if (one[1] != other[1]) EXPECT_NEAR(widthBetween(slot, one, other)[1], 0.6, 0.06) << one[0]; // else along the slot
+        }
         // A void in the wall behind it means the opening in front of that wall.
         const Scan nested = fineScan(121, 121, [](const Eigen::Vector3d& d) {
             const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
