@@ -626,7 +626,7 @@ La celda más fuerte de su cadena está rodeada en ambas imágenes; al ampliar, 
 <message><source>Open Session</source><translation>Abrir la sesión</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Las correcciones de rocas de la sesión reemplazaron a las guardadas junto al escaneo; Ctrl+Z las devuelve.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Ninguna roca cambió, así que no hay nada que deshacer. Haga clic en otra parte de la roca, o dibuje a través de toda ella, más allá de su contorno.</translation></message>
-<message><source>Fewer than two rocks are selected, so a click or a line joins them now. Ctrl+click selects more rocks.</source><translation>Hay menos de dos rocas seleccionadas: un clic o una línea las une ahora. Ctrl+clic selecciona más rocas.</translation></message>
+<message><source>Fewer than two rocks are selected: drag a line across the rocks that are one.</source><translation>Hay menos de dos rocas seleccionadas: arrastre una línea sobre las rocas que son una sola.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>No se unió nada: ya es una sola roca.</translation></message>
 <message><source>merge of rocks</source><translation>fusión de rocas</translation></message>
 <message><source>mark as a rock</source><translation>marca de roca</translation></message>

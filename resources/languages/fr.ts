@@ -626,7 +626,7 @@ La cellule la plus forte de sa chaîne est entourée dans les deux images ; en z
 <message><source>Open Session</source><translation>Ouvrir la session</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>Les corrections de blocs de la session ont remplacé celles qui étaient gardées à côté du scan ; Ctrl+Z les ramène.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Aucun bloc n'a changé, il n'y a donc rien à annuler. Cliquez sur une autre partie du bloc, ou dessinez à travers tout le bloc, au-delà de son contour.</translation></message>
-<message><source>Fewer than two rocks are selected, so a click or a line joins them now. Ctrl+click selects more rocks.</source><translation>Moins de deux blocs sont sélectionnés : un clic ou une ligne les joint maintenant. Ctrl+clic sélectionne d'autres blocs.</translation></message>
+<message><source>Fewer than two rocks are selected: drag a line across the rocks that are one.</source><translation>Moins de deux blocs sont sélectionnés : tracez une ligne à travers les blocs qui n'en font qu'un.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Rien n'a été réuni : c'est déjà un seul bloc.</translation></message>
 <message><source>merge of rocks</source><translation>fusion de blocs</translation></message>
 <message><source>mark as a rock</source><translation>marque de bloc</translation></message>

@@ -626,7 +626,7 @@ A célula mais forte da sua cadeia está circulada nas duas imagens; com zoom, a
 <message><source>Open Session</source><translation>Abrir a sessão</translation></message>
 <message><source>The session's edits of rocks replaced those that were stored next to the scan; Ctrl+Z brings them back.</source><translation>As correções de rochas da sessão substituíram as guardadas ao lado da varredura; Ctrl+Z as traz de volta.</translation></message>
 <message><source>No rock changed, so nothing is to be undone. Click on another part of the rock, or draw across the whole of it, past its outline.</source><translation>Nenhuma rocha mudou, portanto não há nada a desfazer. Clique em outra parte da rocha, ou desenhe através de toda ela, além do seu contorno.</translation></message>
-<message><source>Fewer than two rocks are selected, so a click or a line joins them now. Ctrl+click selects more rocks.</source><translation>Há menos de duas rochas selecionadas: um clique ou uma linha as une agora. Ctrl+clique seleciona mais rochas.</translation></message>
+<message><source>Fewer than two rocks are selected: drag a line across the rocks that are one.</source><translation>Há menos de duas rochas selecionadas: arraste uma linha sobre as rochas que são uma só.</translation></message>
 <message><source>Nothing was merged: this is one rock already.</source><translation>Nada foi unido: já é uma só rocha.</translation></message>
 <message><source>merge of rocks</source><translation>mesclagem de rochas</translation></message>
 <message><source>mark as a rock</source><translation>marca de rocha</translation></message>

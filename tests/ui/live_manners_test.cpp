@@ -446,6 +446,9 @@ private slots:
         const auto& count = *window.viewer().live.panel().findChild<QLabel*>("live-lines");
         QTRY_COMPARE(button.text(), QString("Show sweep %1: 120/120 lines, complete").arg(growing - 1));
         QTRY_COMPARE(count.text(), QString("sweep %1: INCOMPLETE %2/120 lines").arg(growing).arg(lines(window)));
+        const Picture& part = *window.viewer().engine.picture(); // it does not look whole: its images have room for all lines, hatched
+        QCOMPARE(part.gray->height(), kLines);
+        QCOMPARE(linesToCome(part).height(), kLines - lines(window));
         press(window, "live-other");
         QTRY_COMPARE(count.text(), QString("sweep %1: 120/120 lines").arg(growing - 1));
         QCOMPARE(lines(window), kLines);

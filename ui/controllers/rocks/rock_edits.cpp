@@ -131,7 +131,7 @@ void Rocks::mergeSelected() {
         if (picture_->regionAt(cell) != nullptr) cells.push_back(static_cast<std::uint32_t>(cell));
     }
     if (cells.size() < 2) {
-        notice_.showHint(tr("Fewer than two rocks are selected, so a click or a line joins them now. Ctrl+click selects more rocks."));
+        notice_.showHint(tr("Fewer than two rocks are selected: drag a line across the rocks that are one."));
         return useTool(RockTool::Join);
     }
     auto join = rocks::joinOf(*picture_->study.segmentation, picture_->study.map, cells);

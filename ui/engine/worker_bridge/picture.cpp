@@ -115,8 +115,8 @@ EdgeCells edgeCellsOf(const edges::Detection& detection) {
 } // namespace
 
 int shownLines(const Scan& scan, const Growth& growth) {
-    if (!growth.growing) return scan.lines();
     if (growth.expectedLines > 0) return std::max(growth.expectedLines, scan.lines());
+    if (!growth.growing) return scan.lines();
     int room = kRoomAtFirst;
     while (room < scan.lines()) room *= 2;
     return room;

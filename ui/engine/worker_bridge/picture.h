@@ -54,7 +54,8 @@ struct Picture {
     std::vector<QRect> lost; ///< areas of lost cells, x = beam, y = line: views draw dashes over them
 };
 
-/// Rows of the images: a growing scan reserves rows for the lines to come, so that the picture does not shrink with every line.
+/// Rows of the images: a sweep has rows for all lines that it should have, so that the picture does not shrink with every line, and a sweep
+/// that was stopped early does not look whole.
 [[nodiscard]] int shownLines(const Scan& scan, const Growth& growth);
 
 // beams x `rows` pixels; rows that the scan does not have yet are plain dark. Without `span`: the gray levels of the method.
@@ -68,7 +69,7 @@ struct Picture {
 /// Rectangles that together are the lost cells, from the first line on; at most a few thousand.
 [[nodiscard]] std::vector<QRect> lostAreas(const Scan& scan);
 
-/// Rows of the images that the scan does not have yet; empty: the scan does not grow.
+/// Rows of the images for lines that a sweep does not have, or not yet; empty for a file.
 [[nodiscard]] QRect linesToCome(const Picture& picture);
 
 /// Images of `detection`; unchanged parts are reused from `last` (may be null).

@@ -86,7 +86,7 @@ public:
 
     /// Areas of lost cells: amber dashes over them, of the same size at every zoom.
     void setLost(std::vector<QRect> areas);
-    /// Area of lines that a growing sweep still brings, x = beam, y = line: hatched. Empty: none.
+    /// Area of lines that a sweep does not have, or not yet, x = beam, y = line: hatched. Empty: it has all.
     void setToCome(const QRect& area);
     void setTitle(const QString& title);
     /// Pixels at the top right that another widget covers: the texts avoid them.
