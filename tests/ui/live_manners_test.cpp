@@ -906,6 +906,21 @@ private slots:
             fields[0]->setFocus();
             fields[0]->selectAll();
         };
+        // A click into "not known" selects the words; one into a number does not.
+        for (const auto& [n, number] : {std::pair{0, "600"}, {2, "0.25"}, {3, "-90"}, {4, "100"}}) {
+            auto* line = fields[n]->findChild<QLineEdit*>();
+            QVERIFY2(line->text().startsWith("not known"), qPrintable(line->text()));
+            QTest::mouseClick(line, Qt::LeftButton);
+            QTRY_VERIFY(line->selectedText() == line->text());
+            QTest::keyClicks(line, number);
+            QVERIFY2(line->text().startsWith(number), qPrintable(line->text()));
+            QTest::mouseClick(line, Qt::LeftButton);
+            QCoreApplication::processEvents();
+            QVERIFY(!line->hasSelectedText());
+            panel.setSweep(scanner::assumedSweep());
+        }
+        panel.setSweep(scanner::assumedSweep());
+        fields[0]->setFocus();
         // The turn of all lines and the step are one value.
         QVERIFY(!fields[1]->isEnabled());
         type(*fields[0], "600");

@@ -7,9 +7,12 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSpinBox>
+#include <QTimer>
 
 namespace edgescan::ui {
 namespace {
@@ -71,6 +74,7 @@ SweepForm::SweepForm(QWidget* parent)
     form->addRow(tr("Angle of the first line"), first_);
     form->addRow(tr("Encoder counts per degree"), ticks_);
     form->addRow(QString(), standing_);
+    for (auto* box : findChildren<QAbstractSpinBox*>()) box->findChild<QLineEdit*>()->installEventFilter(this);
     connect(lines_, qOverload<int>(&QSpinBox::valueChanged), this, &SweepForm::followLines);
     connect(step_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &SweepForm::followStep);
     connect(axis_, qOverload<int>(&QComboBox::currentIndexChanged), this, &SweepForm::nameFirst);
@@ -129,6 +133,14 @@ void SweepForm::showSettings(const scanner::SweepSettings& settings) {
 void SweepForm::begin() {
     lines_->setFocus();
     lines_->selectAll();
+}
+
+/// A click into "not known" selects it: the first digit replaces it.
+bool SweepForm::eventFilter(QObject* watched, QEvent* event) {
+    auto* edit = qobject_cast<QLineEdit*>(watched);
+    if (edit != nullptr && event->type() == QEvent::MouseButtonRelease && !edit->text().isEmpty() && edit->text().front().isLetter())
+        QTimer::singleShot(0, edit, &QLineEdit::selectAll);
+    return QWidget::eventFilter(watched, event);
 }
 
 scanner::SweepSettings SweepForm::settings() const {

@@ -25,6 +25,9 @@ public:
     /// The last shown settings with the operator's changes.
     [[nodiscard]] scanner::SweepSettings settings() const;
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void followLines();
     void followStep();
