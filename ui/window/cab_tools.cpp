@@ -301,8 +301,11 @@ TargetNumbers CabMode::numbers() const {
     if (around.rock != nullptr) {
         addSize(values, *around.rock);
     } else {
-        values.sizeRemark = around.rocksShown ? tr("no rock here") : tr("tap Rocks to measure it");
+        values.sizeRemark = !around.rocksShown  ? tr("tap Rocks to measure it")
+                            : around.rocksKnown ? tr("no rock here")
+                                                : tr("being computed …");
     }
+    if (!target->note.empty()) values.rows.emplace_back(tr("Note"), shownName(exactText(target->note)));
     if (cell.probe.state != CellState::Valid) return values;
     addPlace(values, cell.probe);
     if (const QString clicked = targets.clickOf(*target); clicked.contains("▲")) values.warned = clicked.mid(clicked.indexOf("▲"));

@@ -12,6 +12,7 @@
 #include <set>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace edgescan::inspect {
@@ -208,7 +209,13 @@ std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, 
     if (ways.empty() || 2 * others.size() > firsts.size() * seconds.size()) addNarrowest(others);
     if (ways.empty()) return std::nullopt;
     std::ranges::sort(ways, [](const Way& x, const Way& y) { return std::tie(x.lengthM, x.ends) < std::tie(y.lengthM, y.ends); });
-    return Throat{ways[ways.size() / 2].ends, ways.front().lengthM, ways.back().lengthM};
+    Throat throat{ways[ways.size() / 2].ends, ways.front().lengthM, ways.back().lengthM};
+    const auto apartM = [&](std::uint32_t end, std::uint32_t click) { return (tables.point(end) - tables.point(click)).norm(); };
+    const std::uint32_t first = firsts.front(), second = seconds.front();
+    // The first end is that of the first click.
+    auto& [a, b] = throat.ends;
+    if (apartM(b, first) + apartM(a, second) < apartM(a, first) + apartM(b, second)) std::swap(a, b);
+    return throat;
 }
 
 } // namespace edgescan::inspect

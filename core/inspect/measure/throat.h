@@ -34,7 +34,7 @@ struct Throat {
 /// For all pairs of a click at each side (the click itself, and those kClickSpread cells from it in four directions; a click means
 /// meantCell()) the way across the middle of the opening that the line between the two crosses, if that way crosses the line; else
 /// narrowestBetween() the sides of that opening; else narrowestBetween() the two, unless most pairs find an opening. The ends are those of
-/// the median length. Empty if no pair finds a way. Twice the same cell is one click: throatThrough().
+/// the median length, that of the first click first. Empty if no pair finds a way. Twice the same cell is one click: throatThrough().
 [[nodiscard]] std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA,
                                              std::uint32_t clickedB);
 

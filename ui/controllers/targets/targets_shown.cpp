@@ -74,6 +74,7 @@ const inspect::MeasuredCells* Targets::knownOf(const inspect::StoredMeasure& mea
 TargetSurroundings Targets::around(std::size_t cell) const {
     TargetSurroundings around;
     around.rocksShown = rocks_.shown();
+    around.rocksKnown = rocks_.picture() != nullptr;
     around.rock = rocks_.picture() ? rocks_.picture()->rockAt(cell) : nullptr;
     around.source = source_;
     around.confidence.state = confidence_.otherwise;

@@ -17,6 +17,7 @@
 namespace edgescan::ui {
 namespace {
 
+constexpr int kLeastAxis = 200; // px
 // Minimum of their boxes, displayed as text: not given.
 constexpr double kStepNotGiven = -10.00001, kTurnNotGiven = -3600.001, kFirstNotGiven = -360.001;
 
@@ -65,7 +66,9 @@ SweepForm::SweepForm(QWidget* parent)
     showAxisSeen({});
     auto* source = new QLabel(tr("The numbers are in the stepper's program or data sheet. Leave out what you do not know."));
     source->setWordWrap(true);
+    axis_->setMinimumWidth(kLeastAxis); // a cab has no room for all of its words
     auto* form = new QFormLayout(this);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->addRow(source);
     form->addRow(tr("The scanner turns"), axis_);
     form->addRow(tr("Lines of a whole sweep"), lines_);

@@ -39,6 +39,7 @@ TargetRow mineRow(const inspect::CellTarget& target) {
 
 TargetRow rockRow(const TargetSurroundings& around) {
     const QString name = QObject::tr("Rock, visible");
+    if (!around.rocksKnown) return {name, QObject::tr("being computed …"), {}, true, false};
     if (around.rock == nullptr) return {name, QObject::tr("none here"), QString()};
     const rocks::Rock& rock = *around.rock;
     return {name,

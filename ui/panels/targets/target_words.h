@@ -23,7 +23,8 @@ struct ShownConfidence {
 /// Data of a card that was not measured at the cell itself.
 struct TargetSurroundings {
     bool rocksShown = false;
-    const rocks::Rock* rock = nullptr; ///< the rock at the cell; null: no rock there, or rocks are hidden
+    bool rocksKnown = false;           ///< false while they are computed
+    const rocks::Rock* rock = nullptr; ///< the rock at the cell; null: no rock there, or rocks are hidden or not known
     QString source;                    ///< source of the picture, with its time
     ShownConfidence confidence{};
     QString clicked{}; ///< where the click was, if it was moved
