@@ -496,6 +496,24 @@ private slots:
         QVERIFY2(left.isEmpty(), qPrintable("in English: " + left.join(" | ")));
     }
 
+    // The smallest screen of a cab is 853 px wide.
+    void theFieldsOfASweepFitTheSmallestCab_data() { everyTextHasItsTranslation_data(); }
+    void theFieldsOfASweepFitTheSmallestCab() {
+        QFETCH(QString, code);
+        for (const QString& language : {code, QString("en")}) {
+            useLanguage(language, kTexts);
+            WindowFixture on;
+            QVERIFY(on.show());
+            on.window.cab().set(true);
+            on.viewer.livePanel.askSweep();
+            auto* fields = on.window.findChild<QDialog*>("sweep-dialog");
+            QTRY_VERIFY(fields != nullptr && fields->isVisible());
+            const int width = fields->minimumSizeHint().width();
+            QVERIFY2(width <= 853, qPrintable(QString("%1: %2 px").arg(language).arg(width)));
+            fields->close();
+        }
+    }
+
     void whatIsSaidOfAPoseAndOfTwoScansIsTranslated() {
         QVERIFY(useLanguage("fr", kTexts));
         for (const char* sentence : {"OUT OF SPEC: the pose is 812 s older than the start of the scan.",
