@@ -22,7 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAJE SUPUESTO</translation></message>
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAJE SEGÚN DISTANCIAS</translation></message>
-<message><source>DIRECTION ASSUMED</source><translation>DIRECCIÓN SUPUESTA</translation></message>
+<message><source>FIRST ANGLE ASSUMED</source><translation>PRIMER ÁNGULO SUPUESTO</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASO SUPUESTO %1°</translation></message>
 <message><source>START ASSUMED</source><translation>INICIO SUPUESTO</translation></message>
 <message><source>1 remark</source><translation>1 observación</translation></message>
@@ -1544,8 +1544,8 @@ Doble clic: volver al preajuste</translation></message>
 <message><source>and %1 more selected</source><translation>y %1 más seleccionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana de sus celdas</translation></message>
 <message><source>Rock, visible a × b</source><translation>Roca, a × b visible</translation></message>
-<message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rocas para medirla</translation></message>
+<message><source>no rock here</source><translation>aquí no hay roca</translation></message>
 <message><source>Range image</source><translation>Imagen de distancias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordes</translation></message>
 <message><source>Small picture</source><translation>Imagen pequeña</translation></message>

@@ -22,7 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>COMPTEURS DOUTEUX</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGE SUPPOSÉ</translation></message>
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAGE D'APRÈS DISTANCES</translation></message>
-<message><source>DIRECTION ASSUMED</source><translation>DIRECTION SUPPOSÉE</translation></message>
+<message><source>FIRST ANGLE ASSUMED</source><translation>PREMIER ANGLE SUPPOSÉ</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PAS SUPPOSÉ %1°</translation></message>
 <message><source>START ASSUMED</source><translation>DÉBUT SUPPOSÉ</translation></message>
 <message><source>1 remark</source><translation>1 remarque</translation></message>
@@ -1544,8 +1544,8 @@ Double-clic : retour au préréglage</translation></message>
 <message><source>and %1 more selected</source><translation>et %1 autres sélectionnés</translation></message>
 <message><source>median of its cells</source><translation>médiane de ses cellules</translation></message>
 <message><source>Rock, visible a × b</source><translation>Bloc, a × b visible</translation></message>
-<message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>tap Rocks to measure it</source><translation>touchez Blocs pour le mesurer</translation></message>
+<message><source>no rock here</source><translation>pas de bloc ici</translation></message>
 <message><source>Range image</source><translation>Image de distances</translation></message>
 <message><source>Edge map</source><translation>Carte des arêtes</translation></message>
 <message><source>Small picture</source><translation>Petite image</translation></message>

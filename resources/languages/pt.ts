@@ -22,7 +22,7 @@
 <message><source>COUNTERS IN DOUBT</source><translation>CONTADORES DUVIDOSOS</translation></message>
 <message><source>MOUNTING ASSUMED</source><translation>MONTAGEM SUPOSTA</translation></message>
 <message><source>MOUNTING FROM RANGES</source><translation>MONTAGEM PELAS DISTÂNCIAS</translation></message>
-<message><source>DIRECTION ASSUMED</source><translation>DIREÇÃO SUPOSTA</translation></message>
+<message><source>FIRST ANGLE ASSUMED</source><translation>PRIMEIRO ÂNGULO SUPOSTO</translation></message>
 <message><source>STEP ASSUMED %1°</source><translation>PASSO SUPOSTO %1°</translation></message>
 <message><source>START ASSUMED</source><translation>INÍCIO SUPOSTO</translation></message>
 <message><source>1 remark</source><translation>1 observação</translation></message>
@@ -1544,8 +1544,8 @@ Clique duplo: voltar à predefinição</translation></message>
 <message><source>and %1 more selected</source><translation>e mais %1 selecionadas</translation></message>
 <message><source>median of its cells</source><translation>mediana das células</translation></message>
 <message><source>Rock, visible a × b</source><translation>Rocha, a × b visível</translation></message>
-<message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>tap Rocks to measure it</source><translation>toque Rochas para medi-la</translation></message>
+<message><source>no rock here</source><translation>nenhuma rocha aqui</translation></message>
 <message><source>Range image</source><translation>Imagem de distâncias</translation></message>
 <message><source>Edge map</source><translation>Mapa de bordas</translation></message>
 <message><source>Small picture</source><translation>Imagem pequena</translation></message>

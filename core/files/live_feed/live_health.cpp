@@ -84,11 +84,11 @@ void tellWindow(LiveHealth& health, const scanner::SweepProgress& sweep) {
     if ((error || warning) && !now) health.contamination += " earlier in this sweep";
 }
 
-/// "MOUNTING ASSUMED", "MOUNTING FROM RANGES", "DIRECTION ASSUMED", or "STEP ASSUMED 0.18°".
+/// "MOUNTING ASSUMED", "MOUNTING FROM RANGES", "FIRST ANGLE ASSUMED", or "STEP ASSUMED 0.18°".
 std::string assumedWords(const std::string& sentence) {
     const Assumed what = assumedIn(sentence);
     if (what == Assumed::SeenAxis) return "MOUNTING FROM RANGES";
-    if (what == Assumed::Direction) return "DIRECTION ASSUMED";
+    if (what == Assumed::Direction) return "FIRST ANGLE ASSUMED";
     if (what != Assumed::Step) return "MOUNTING ASSUMED";
     const std::size_t number = sentence.find(kStepAssumed) + std::string_view(kStepAssumed).size();
     return "STEP ASSUMED " + sentence.substr(number, sentence.find(' ', number) - number) + "°";

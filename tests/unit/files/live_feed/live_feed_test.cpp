@@ -173,7 +173,7 @@ TEST(LiveHealth, ReportsFaultsOfTheTelegrams) {
     for (const auto& [what, badge, assumed] :
          {std::tuple(axis, "MOUNTING ASSUMED", Assumed::Mounting), std::tuple(axis + ", " + step, "MOUNTING ASSUMED", Assumed::Mounting),
           std::tuple(seen, "MOUNTING FROM RANGES", Assumed::SeenAxis), std::tuple(seen + ", " + step, "STEP ASSUMED 0.18°", Assumed::Step),
-          std::tuple(step, "STEP ASSUMED 0.18°", Assumed::Step), std::tuple(first, "DIRECTION ASSUMED", Assumed::Direction),
+          std::tuple(step, "STEP ASSUMED 0.18°", Assumed::Step), std::tuple(first, "FIRST ANGLE ASSUMED", Assumed::Direction),
           std::tuple(seen + ", " + first, "MOUNTING FROM RANGES", Assumed::SeenAxis)}) {
         status.sweep.assumed = kMountingAssumed + what + ". Give it where that is wrong.";
         EXPECT_EQ(healthOf(status).remark, badge);
