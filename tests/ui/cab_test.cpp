@@ -889,6 +889,13 @@ private slots:
         QTest::mouseClick(&cloud, Qt::LeftButton, Qt::NoModifier, *other);
         QTRY_COMPARE(on.viewer.targets.notebook().targets.size(), std::size_t(1));
         QTRY_COMPARE(side.findChild<QLabel*>("cab-target")->text().left(8), QString("Target 1"));
+        on.viewer.targets.setNote(1, "loose, drill from the left");
+        const auto isShown = [&](const QString& words) {
+            return std::ranges::any_of(side.findChildren<QLabel*>(), [&](const QLabel* each) { return each->text().contains(words); });
+        };
+        QTRY_VERIFY(isShown("loose, drill"));
+        on.viewer.targets.setNote(1, QString());
+        QTRY_VERIFY(!isShown("loose, drill"));
         on.viewer.rocks.lookAtLargest();
         QTRY_COMPARE(side.distanceShown(), QString("%1 m").arg(rock.distanceM, 0, 'f', 2));
         QTest::mouseClick(side.findChild<QToolButton*>("cab-next"), Qt::LeftButton);

@@ -336,6 +336,13 @@ TEST(Throat, OneClickIntoTheOpeningMeasuresItThere) {
             EXPECT_NEAR(widthBetween(round, one, other)[0], 1.0, 0.06) << one[0];
             if (one[1] != other[1]) EXPECT_NEAR(widthBetween(slot, one, other)[1], 0.6, 0.06) << one[0]; // else along the slot
         }
+        // The first end is at the side of the first click.
+        const auto endBeam = [&](int first, int second) {
+            const auto throat = throatAt(slot, CartesianTables(slot), cellOf(slot, 60, first), cellOf(slot, 60, second));
+            return throat ? static_cast<int>(throat->ends[0]) % slot.beams() : -1;
+        };
+        EXPECT_LT(endBeam(20, 100), 60);
+        EXPECT_GT(endBeam(100, 20), 60);
         // A void in the wall behind it means the opening in front of that wall.
         const Scan nested = fineScan(121, 121, [](const Eigen::Vector3d& d) {
             const double x = 5.0 * d.x() / d.z(), y = 5.0 * d.y() / d.z();
