@@ -104,6 +104,19 @@ void NoticeBar::showNotice(Kind kind, const QString& text) {
     showNote({kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}});
 }
 
+QString NoticeBar::showBehind(Kind kind, const QString& text) {
+    if (isHidden() || !waits()) {
+        showNotice(kind, text);
+        return this->text();
+    }
+    earlier_.push_back({kind, coreSentence(shownText(text)), {}, {}});
+    if (earlier_.size() > kMostEarlier) earlier_.pop_front();
+    countEarlier();
+    layout()->activate();
+    offerMore();
+    return earlier_.back().text;
+}
+
 /// A note with a button that was not pressed comes back after a note without one.
 void NoticeBar::showNote(const Note& note, bool passes) {
     // Of a written file the note stays too, until the next confirmation.

@@ -30,6 +30,8 @@ public:
     explicit NoticeBar(QWidget* parent = nullptr);
 
     void showNotice(Kind kind, const QString& text);
+    /// The same, but a note whose button was not pressed stays in front of it. Returns the text as it is shown.
+    QString showBehind(Kind kind, const QString& text);
     void showError(const Error& error) { showNotice(Kind::Error, exactText(error.sentence())); }
     /// Of a step that did not succeed, with what to do: it passes with the next step.
     void showHint(const QString& text);

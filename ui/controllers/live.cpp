@@ -309,30 +309,28 @@ void Live::reportSweepEnd() {
         if (!isInStrip) warnings << coreSentence(warning);
     }
     const QString name = scanName(scan.name);
+    // The note of a recording has the button that opens it.
+    const auto show = [this](NoticeBar::Kind kind, const QString& text) { endNote_ = notice_.showBehind(kind, text); };
     if (scanner_.heldAtStop())
-        return notice_.showNotice(NoticeBar::Kind::Warning,
-                                  tr("%1 was held with %2 lines when the connection ended.").arg(name).arg(scan.lines()));
+        return show(NoticeBar::Kind::Warning, tr("%1 was held with %2 lines when the connection ended.").arg(name).arg(scan.lines()));
     if (const auto& part = scanner_.part(); part && part->number == picture.source.growth.sweep) {
-        notice_.showNotice(NoticeBar::Kind::Warning,
-                           tr("%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected.")
-                                   .arg(name)
-                                   .arg(part->received)
-                                   .arg(part->expected) +
-                               (scanner_.connected() ? " " + tr("The next sweep replaces it.") : QString()));
-        endNote_ = notice_.text();
-        return;
+        return show(NoticeBar::Kind::Warning,
+                    tr("%1 is a part: %2 of %3 lines. The scanner was in the middle of it when EdgeScan connected.")
+                            .arg(name)
+                            .arg(part->received)
+                            .arg(part->expected) +
+                        (scanner_.connected() ? " " + tr("The next sweep replaces it.") : QString()));
     }
     const int expected = picture.source.growth.expectedLines;
     if (warnings.isEmpty() && expected == 0)
-        return notice_.showNotice(NoticeBar::Kind::Done,
-                                  tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));
+        return show(NoticeBar::Kind::Done,
+                    tr("%1 has ended: %2 lines. How many lines a sweep has is not known.").arg(name).arg(scan.lines()));
     const bool isWhole =
         warnings.isEmpty() || (scan.lines() == expected && countCells(scan)[static_cast<std::size_t>(CellState::Lost)] == 0);
     warnings.prepend(isWhole ? tr("%1 is complete: %2 lines.").arg(name).arg(scan.lines()) : tr("%1 has ended.").arg(name));
     // First what the operator can do: a small screen cuts the end.
     if (scanner_.connected() && !scanner_.following()) warnings.prepend(tr("Held. Follow shows the next ones, until Hold."));
-    notice_.showNotice(scan.warnings.empty() ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, warnings.join('\n'));
-    endNote_ = notice_.text();
+    show(scan.warnings.empty() ? NoticeBar::Kind::Done : NoticeBar::Kind::Warning, warnings.join('\n'));
 }
 
 void Live::loadTimeline(const QString& path) {

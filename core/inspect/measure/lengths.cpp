@@ -6,6 +6,7 @@
 #include "core/base/tolerance_text.h"
 #include "core/inspect/measure/jumps_along.h"
 #include "core/inspect/measure/near_side.h"
+#include "core/inspect/measure/open_way.h"
 #include "core/inspect/measure/surface_path.h"
 #include "core/inspect/measure/throat.h"
 #include "core/rocks/attributes/attributes.h"
@@ -177,12 +178,13 @@ double acrossBeamsM(const Scan& scan, const CartesianTables& tables, std::uint32
     return std::isfinite(apart) ? apart * static_cast<double>(scan.rangeMm[end]) / 1000.0 : 0.0;
 }
 
-/// How far the cell that the click meant is behind this end, across a jump; 0: it is not, or nothing was measured there.
-double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked) {
+/// How far the cell that the click meant is behind this end, across a jump; 0: it is not seen through the opening, or nothing was measured
+/// there.
+double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked, double openingRad) {
     const MeantCell click = meantCell(scan, clicked);
     if (!click.measured()) return 0.0;
     const double endM = scan.rangeMm[end] / 1000.0, behindM = scan.rangeMm[click.cell] / 1000.0 - endM;
-    if (behindM <= leastJumpM(endM)) return 0.0;
+    if (behindM <= leastJumpM(endM) || !isBehind(endM + behindM, endM, openingRad)) return 0.0;
     double acrossM = 0.0; // a slanted surface has no jumps
     for (const RowJump& jump : jumpsUnder(rangesUnder(scan, end, click.cell))) acrossM += jump.stepM;
     return acrossM > leastJumpM(endM) ? behindM : 0.0;
@@ -192,8 +194,9 @@ double behindEndM(const Scan& scan, std::uint32_t end, std::uint32_t clicked) {
 void takeSides(const Scan& scan, const CartesianTables& tables, std::span<const std::uint32_t> cells,
                std::span<const std::uint32_t> clicked, MeasuredCells& measured) {
     const int beams = scan.beams();
+    const double wide = openingRad(tables, cells[0], cells[1]);
     for (std::size_t n = 0; n < 2; ++n) {
-        measured.clickBehindM = std::max(measured.clickBehindM, behindEndM(scan, cells[n], clicked[n]));
+        measured.clickBehindM = std::max(measured.clickBehindM, behindEndM(scan, cells[n], clicked[n], wide));
         const int cell = static_cast<int>(cells[n]), click = static_cast<int>(clicked[n]);
         measured.fromClicks =
             std::max({measured.fromClicks, std::abs(cell / beams - click / beams), std::abs(cell % beams - click % beams)});

@@ -176,6 +176,11 @@ std::optional<std::array<std::uint32_t, 2>> narrowestBetween(const Scan& scan, c
 std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, std::uint32_t clickedA, std::uint32_t clickedB) {
     if (clickedA >= scan.cells() || clickedB >= scan.cells()) return std::nullopt;
     if (clickedA == clickedB) return throatThrough(scan, tables, clickedA);
+    if (clickedA > clickedB) { // the same in both orders
+        auto throat = throatAt(scan, tables, clickedB, clickedA);
+        if (throat) std::swap(throat->ends[0], throat->ends[1]);
+        return throat;
+    }
     const std::vector<std::uint32_t> firsts = meantNear(scan, clickedA), seconds = meantNear(scan, clickedB);
     if (firsts.empty() || seconds.empty()) return std::nullopt;
     struct Way {
