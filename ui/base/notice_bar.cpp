@@ -99,22 +99,24 @@ void NoticeBar::paintKind() {
     sign_->setPalette(letters);
 }
 
-void NoticeBar::showNotice(Kind kind, const QString& text) {
+NoticeBar::Note NoticeBar::noteOf(Kind kind, const QString& text) {
     // What was done is shown as it is: it may be a command for a terminal.
-    showNote({kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}});
+    return {kind, kind == Kind::Done ? shownText(text) : coreSentence(shownText(text)), {}, {}};
 }
 
+void NoticeBar::showNotice(Kind kind, const QString& text) { showNote(noteOf(kind, text)); }
+
 QString NoticeBar::showBehind(Kind kind, const QString& text) {
+    const Note note = noteOf(kind, text);
     if (isHidden() || !waits()) {
-        showNotice(kind, text);
-        return this->text();
+        showNote(note);
+        return note.text;
     }
-    earlier_.push_back({kind, coreSentence(shownText(text)), {}, {}});
-    if (earlier_.size() > kMostEarlier) earlier_.pop_front();
+    keep(note);
     countEarlier();
     layout()->activate();
     offerMore();
-    return earlier_.back().text;
+    return note.text;
 }
 
 /// A note with a button that was not pressed comes back after a note without one.
@@ -150,7 +152,11 @@ void NoticeBar::withdraw(const QStringList& texts) {
 /// What passes is not stored for "earlier", nor confirmations without a button.
 void NoticeBar::keepShown() {
     if (isHidden() || (kind_ == Kind::Done && action_->isHidden()) || passes_ || words_.isEmpty()) return;
-    earlier_.push_back({kind_, words_, action_->isHidden() ? QString() : action_->text(), onAction_, brief_, saved_, waits(), folderOf_});
+    keep({kind_, words_, action_->isHidden() ? QString() : action_->text(), onAction_, brief_, saved_, waits(), folderOf_});
+}
+
+void NoticeBar::keep(const Note& note) {
+    earlier_.push_back(note);
     if (earlier_.size() > kMostEarlier) earlier_.pop_front();
 }
 

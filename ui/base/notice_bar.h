@@ -85,11 +85,13 @@ private:
         bool waits = false; // its button was not pressed
         QString folder{};   // of a written file, which a second button opens; empty: no such button
     };
+    [[nodiscard]] static Note noteOf(Kind kind, const QString& text);
     void showNote(const Note& note, bool passes = false);
     void paintKind();
     void put(const Note& note);
     void setWords(const QString& words);
     void keepShown();
+    void keep(const Note& note);
     [[nodiscard]] bool waits() const;
     void countEarlier();
     void showEarlier();

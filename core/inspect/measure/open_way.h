@@ -43,18 +43,22 @@ struct RimCell {
 /// surface well behind the line (a hollow of a rock is not an opening), and most of the others a little (the line does not run over rock).
 [[nodiscard]] bool isOpen(const Scan& scan, const CartesianTables& tables, const RimCell& from, const RimCell& to);
 
-/// The sides of the opening that the straight way over the grid between two cells on near rock crosses, at its farthest cell: that next to
-/// `a` first. Empty if what is seen there is not as far behind the sides as they are apart.
+/// On the straight way over the grid between two measured cells, the middle of the longest run of cells without a range over which no
+/// surface goes on, else the farthest cell. Empty without cells between the two.
+[[nodiscard]] std::optional<std::uint32_t> openingBetween(const Scan& scan, std::uint32_t a, std::uint32_t b);
+
+/// The sides of the opening around `into`, which is openingBetween() two cells on near rock, on the straight way between the two: that next
+/// to `a` first. Empty if what is seen there is not as far behind the sides as they are apart.
 [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
-                                                                       std::uint32_t b);
+                                                                       std::uint32_t b, std::uint32_t into);
 
 /// The shortest ways across the middles of closed openings, as of throatThrough(); the way of a cell is found once.
 class Crossings {
 public:
     Crossings(const Scan& scan, const CartesianTables& tables) : scan_(scan), tables_(tables) {}
-    /// The ends of the way across the opening that the straight way over the grid between two measured cells crosses. Empty also if the two
-    /// ways do not cross: the cells are at another part of the opening than its middle.
-    [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> between(std::uint32_t a, std::uint32_t b);
+    /// The ends of the way across the opening around `into`, which is openingBetween() the two cells. Empty also if that way does not cross
+    /// the one between the cells: they are at another part of the opening than its middle.
+    [[nodiscard]] std::optional<std::array<std::uint32_t, 2>> between(std::uint32_t a, std::uint32_t b, std::uint32_t into);
 
 private:
     const Scan& scan_;

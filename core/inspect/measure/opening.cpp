@@ -130,7 +130,8 @@ public:
         constexpr double kLooksPerCircle = 400.0, kLeastCircle = 3.0; // cells, so that it leaves a side
         double square = squareToSide(k);
         for (int step = 0; step < kMostSteps; ++step) {
-            const std::vector<std::uint32_t> circle = cellsWithin(k, std::max(square, std::pow(kLeastCircle * stepAt(k), 2)));
+            const double least = kLeastCircle * std::ranges::max(stepsAt(k));
+            const std::vector<std::uint32_t> circle = cellsWithin(k, std::max(square, least * least));
             const auto every = static_cast<std::size_t>(std::ceil(static_cast<double>(circle.size()) / kLooksPerCircle));
             std::uint32_t best = k;
             for (std::size_t n = 0; n < circle.size(); n += every) {
@@ -165,12 +166,11 @@ private:
     [[nodiscard]] Eigen::Vector3d direction(std::uint32_t k) const {
         return tables_.direction(static_cast<int>(k) / scan_.beams(), static_cast<int>(k) % scan_.beams());
     }
-    /// To the next line or the next beam, the larger one, radians.
-    [[nodiscard]] double stepAt(std::uint32_t k) const {
+    /// Radians to the next line, and to the next beam.
+    [[nodiscard]] std::array<double, 2> stepsAt(std::uint32_t k) const {
         const auto beams = static_cast<std::uint32_t>(scan_.beams());
         const Eigen::Vector3d here = direction(k);
-        return std::max((direction(k >= beams ? k - beams : k + beams) - here).norm(),
-                        (direction(k % beams > 0 ? k - 1 : k + 1) - here).norm());
+        return {(direction(k >= beams ? k - beams : k + beams) - here).norm(), (direction(k % beams > 0 ? k - 1 : k + 1) - here).norm()};
     }
     [[nodiscard]] double squareToSide(std::uint32_t k) const {
         const Eigen::Vector3d here = direction(k);
@@ -182,12 +182,12 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> cellsWithin(std::uint32_t k, double square) const {
         const int line = static_cast<int>(k) / scan_.beams(), beam = static_cast<int>(k) % scan_.beams(), reach = reachOf(scan_);
         const Eigen::Vector3d here = direction(k);
-        const auto span = [&](std::uint32_t next) { // cells, with room for uneven steps
-            const double cells = 2.0 * std::sqrt(square) / (direction(next) - here).norm() + 2.0;
+        const auto span = [&](double stepRad) { // cells, with room for uneven steps
+            const double cells = 2.0 * std::sqrt(square) / stepRad + 2.0;
             return cells < reach ? static_cast<int>(cells) : reach;
         };
-        const auto beams = static_cast<std::uint32_t>(scan_.beams());
-        const int high = span(line > 0 ? k - beams : k + beams), wide = span(beam > 0 ? k - 1 : k + 1);
+        const auto [lineRad, beamRad] = stepsAt(k);
+        const int high = span(lineRad), wide = span(beamRad);
         std::vector<std::uint32_t> cells;
         for (int i = std::max(0, line - high); i <= std::min(scan_.lines() - 1, line + high); ++i) {
             for (int j = std::max(0, beam - wide); j <= std::min(scan_.beams() - 1, beam + wide); ++j) {
@@ -265,8 +265,19 @@ std::array<int, 2> stepsBetween(const Scan& scan, std::uint32_t a, std::uint32_t
     return {to / beams - from / beams, to % beams - from % beams};
 }
 
-/// On the straight way between two measured cells, the middle of the longest run of cells without a range over which no surface goes on,
-/// else the farthest cell.
+/// True if, for the scanner, the straight line between the first two cells crosses that between the second two, or its middle part.
+bool areAcross(const CartesianTables& tables, const std::array<std::uint32_t, 2>& first, const std::array<std::uint32_t, 2>& second) {
+    constexpr double kMiddlePart = 0.25; // of the second line, to both sides of its middle
+    const auto toward = [&](std::uint32_t k) { return Eigen::Vector3d((tables.point(k) - tables.sensor()).normalized()); };
+    const Eigen::Vector3d a = toward(first[0]), b = toward(first[1]), c = toward(second[0]), d = toward(second[1]);
+    const Eigen::Vector3d across = a.cross(b).normalized(), along = c.cross(d).normalized(), middle = (c + d).normalized();
+    if (across.dot(c) * across.dot(d) <= 0.0 && along.dot(a) * along.dot(b) <= 0.0) return true;
+    return a.cross(middle).dot(across) >= 0.0 && middle.cross(b).dot(across) >= 0.0 &&
+           std::abs(across.dot(middle)) <= kMiddlePart * (c - d).norm();
+}
+
+} // namespace
+
 std::optional<std::uint32_t> openingBetween(const Scan& scan, std::uint32_t a, std::uint32_t b) {
     const auto [lines, across] = stepsBetween(scan, a, b);
     const int apart = std::max(std::abs(lines), std::abs(across));
@@ -290,38 +301,21 @@ std::optional<std::uint32_t> openingBetween(const Scan& scan, std::uint32_t a, s
     return way.cells[static_cast<std::size_t>(farthest + kCellsAtEnds)];
 }
 
-/// True if, for the scanner, the straight line between the first two cells crosses that between the second two, or its middle part.
-bool areAcross(const CartesianTables& tables, const std::array<std::uint32_t, 2>& first, const std::array<std::uint32_t, 2>& second) {
-    constexpr double kMiddlePart = 0.25; // of the second line, to both sides of its middle
-    const auto toward = [&](std::uint32_t k) { return Eigen::Vector3d((tables.point(k) - tables.sensor()).normalized()); };
-    const Eigen::Vector3d a = toward(first[0]), b = toward(first[1]), c = toward(second[0]), d = toward(second[1]);
-    const Eigen::Vector3d across = a.cross(b).normalized(), along = c.cross(d).normalized(), middle = (c + d).normalized();
-    if (across.dot(c) * across.dot(d) <= 0.0 && along.dot(a) * along.dot(b) <= 0.0) return true;
-    return a.cross(middle).dot(across) >= 0.0 && middle.cross(b).dot(across) >= 0.0 &&
-           std::abs(across.dot(middle)) <= kMiddlePart * (c - d).norm();
-}
-
-} // namespace
-
-std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a,
-                                                         std::uint32_t b) {
-    const auto into = openingBetween(scan, a, b);
-    if (!into) return std::nullopt;
+std::optional<std::array<std::uint32_t, 2>> sidesBetween(const Scan& scan, const CartesianTables& tables, std::uint32_t a, std::uint32_t b,
+                                                         std::uint32_t into) {
     const auto [line, beam] = stepsBetween(scan, a, b);
     const int apart = std::max(std::abs(line), std::abs(beam));
     const auto rangeM = [&](std::uint32_t k) { return static_cast<double>(scan.rangeMm[k]) / 1000.0; };
     const double nearerThanM = std::max(rangeM(a), rangeM(b)) + kLeastBehind / 2.0 * lengthM(tables, {a, b});
-    const auto sides = sidesAlong(scan, tables, *into, static_cast<double>(line) / apart, static_cast<double>(beam) / apart, nearerThanM);
+    const auto sides = sidesAlong(scan, tables, into, static_cast<double>(line) / apart, static_cast<double>(beam) / apart, nearerThanM);
     if (!sides) return std::nullopt;
     return std::array{(*sides)[1].cell, (*sides)[0].cell};
 }
 
-std::optional<std::array<std::uint32_t, 2>> Crossings::between(std::uint32_t a, std::uint32_t b) {
-    const auto into = openingBetween(scan_, a, b);
-    if (!into) return std::nullopt;
-    const auto [at, isNew] = sides_.try_emplace(*into);
+std::optional<std::array<std::uint32_t, 2>> Crossings::between(std::uint32_t a, std::uint32_t b, std::uint32_t into) {
+    const auto [at, isNew] = sides_.try_emplace(into);
     if (isNew) {
-        if (const auto middle = middleAround(scan_, tables_, *into); middle && middle->isClosed) at->second = middle->sides;
+        if (const auto middle = middleAround(scan_, tables_, into); middle && middle->isClosed) at->second = middle->sides;
     }
     if (!at->second || !areAcross(tables_, {a, b}, *at->second)) return std::nullopt;
     return at->second;

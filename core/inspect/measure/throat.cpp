@@ -195,9 +195,10 @@ std::optional<Throat> throatAt(const Scan& scan, const CartesianTables& tables, 
     std::set<std::array<std::uint32_t, 2>> sides, others;
     for (const std::uint32_t a : firsts) {
         for (const std::uint32_t b : seconds) {
-            if (const auto across = crossings.between(a, b))
+            const auto into = openingBetween(scan, a, b);
+            if (const auto across = into ? crossings.between(a, b, *into) : std::nullopt)
                 add(*across);
-            else if (const auto between = sidesBetween(scan, tables, a, b))
+            else if (const auto between = into ? sidesBetween(scan, tables, a, b, *into) : std::nullopt)
                 sides.insert(*between);
             else
                 others.insert({a, b});

@@ -68,7 +68,6 @@ SweepForm::SweepForm(QWidget* parent)
     source->setWordWrap(true);
     axis_->setMinimumWidth(kLeastAxis); // a cab has no room for all of its words
     auto* form = new QFormLayout(this);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->addRow(source);
     form->addRow(tr("The scanner turns"), axis_);
     form->addRow(tr("Lines of a whole sweep"), lines_);
